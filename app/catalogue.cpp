@@ -8,13 +8,15 @@
 
 #include "archive/archive.h"
 #include "base/limits.h"
-#include "catalogue/filter.h"
+#include "catalogue/batches.h"
 #include "command.h"
 #include "damage.h"
 #include "exchange/export_folder.h"
 #include "exchange/read_back.h"
 #include "files/files.h"
 #include "intake/enter_results.h"
+#include "sherds/filter.h"
+#include "sherds/sherds.h"
 #include "upkeep/file_check.h"
 #include "upkeep/project.h"
 #include "upkeep/repair.h"
@@ -193,9 +195,9 @@ int runImport(const Options& options, Session& session) {
 int runExport(const Options& options, Session& session) {
   Result<Project> project = Project::open(options.project);
   if (!project) return fail(session, project.error());
-  const Result<catalogue::Filter> filter = catalogue::parseFilter(options.filter);
+  const Result<sherds::Filter> filter = sherds::parseFilter(options.filter);
   if (!filter) return fail(session, filter.error());
-  const auto rows = project->catalogue().sherdRows(*filter, {});
+  const auto rows = sherds::Sherds(project->catalogue()).rows(*filter, {});
   if (!rows) return fail(session, rows.error());
   exchange::ExportOptions how;
   how.target = options.output;
@@ -223,7 +225,7 @@ int runExport(const Options& options, Session& session) {
 int runEnter(const Options& options, Session& session) {
   Result<Project> project = Project::open(options.project);
   if (!project) return fail(session, project.error());
-  const auto batch = project->catalogue().batchByNumber(options.batch);
+  const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.batch);
   if (!batch) return fail(session, batch.error());
   session.progress.begin("enter", 1.0);
   const auto entered = intake::enterResults(project->catalogue(), project->folder(), batch->row,

@@ -32,10 +32,17 @@ void addMegapixels(CLI::App& command, double& megapixels) {
       ->capture_default_str();
 }
 
-void addPairing(CLI::App& command, pairing::Method& method) {
-  command.add_option("--pairing", method, "Pairing: default, or paper (Wang et al. 2023)")
+void addPairing(CLI::App& command, pairing::Method& pairing, registration::Method& registration) {
+  command.add_option("--pairing", pairing, "Pairing: default, or paper (Wang et al. 2023)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Method>{
           {"default", pairing::Method::Default}, {"paper", pairing::Method::Paper}}))
+      ->default_str("default");
+  command
+      .add_option("--registration", registration,
+                  "Registration: default, or bbicp (Bilateral Boundary ICP, Wang et al. 2023)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, registration::Method>{
+          {"default", registration::Method::Default},
+          {"bbicp", registration::Method::BilateralBoundary}}))
       ->default_str("default");
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "registration/register_sides.h"
 
 namespace CLI {
 class App;
@@ -52,7 +53,7 @@ void addManPages(CLI::App& root, Command& chosen);
 /// Options that several commands have.
 void addThreads(CLI::App& command, int& threads);
 void addMegapixels(CLI::App& command, double& megapixels);
-void addPairing(CLI::App& command, pairing::Method& method);
+void addPairing(CLI::App& command, pairing::Method& pairing, registration::Method& registration);
 
 /// What the same command does after a person stopped it.
 enum class WhenStopped { BeginsAnew, GoesOn };

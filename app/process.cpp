@@ -152,7 +152,7 @@ void addProcess(CLI::App& root, Command& chosen) {
   command->add_flag_callback(
       "--draft", [options] { options->megapixels = pipeline::kDraftMegapixels; },
       "A quick look, coarser; the same command without it computes the final models");
-  addPairing(*command, options->pairing);
+  addPairing(*command, options->pairing, options->registration);
   command->callback([options, &chosen] {
     chosen = [options](Session& session) { return runProcess(*options, session); };
   });

@@ -86,7 +86,7 @@ void addRegister(CLI::App& root, Command& chosen) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Scale>{
           {"fixed", pairing::Scale::Fixed}, {"free", pairing::Scale::Free}}))
       ->default_str("fixed");
-  addPairing(*command, options->pairing);
+  addPairing(*command, options->pairing, options->registration);
   addThreads(*command, options->threads);
   command->callback([options, &chosen] {
     chosen = [options](Session& session) { return runRegister(*options, session); };

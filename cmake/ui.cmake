@@ -1,5 +1,5 @@
 # What every target of the window is built with: Qt's headers are compiled once, and shared.
-add_library(ostraka_qt STATIC ${CMAKE_SOURCE_DIR}/cmake/qt_precompiled.cpp)
+add_library(ostraka_qt STATIC ${CMAKE_SOURCE_DIR}/cmake/precompiled.cpp)
 target_link_libraries(ostraka_qt PUBLIC ostraka_flags Qt6::Widgets Qt6::Svg Qt6::PrintSupport)
 target_precompile_headers(ostraka_qt PRIVATE <QtWidgets>)
 

@@ -28,37 +28,6 @@
     </message>
 </context>
 <context>
-    <name>ComputeBatch</name>
-    <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf dem Datenträger sind nur noch %1 MB frei; ein Durchgang braucht mehr. Nichts ist verloren: Platz schaffen, dann fortsetzen.</translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: Diese Nummer wurde auf der Platte eingetippt, aber dort liegt keine Scherbe mit einem Befund; vergeben Sie sie im Katalog.</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n Scherbe wurde auf der Platte gezählt, gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</numerusform>
-        <numerusform>%n Scherben wurden auf der Platte gezählt, gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: diese Nummer wurde auf der Platte getippt, gehört aber einer anderen Scherbe; nachsehen, welche der beiden sie trägt, und der anderen eine neue geben.</translation>
-    </message>
-    <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Während der Durchgang verarbeitet wurde, wurden Paare entschieden oder Masken bearbeitet. Dafür neu verarbeiten.</translation>
-    </message>
-</context>
-<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -5139,6 +5108,31 @@
 <context>
     <name>ostraka::Error</name>
     <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf dem Datenträger sind nur noch %1 MB frei; ein Durchgang braucht mehr. Nichts ist verloren: Platz schaffen, dann fortsetzen.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: Diese Nummer wurde auf der Platte eingetippt, aber dort liegt keine Scherbe mit einem Befund; vergeben Sie sie im Katalog.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: diese Nummer wurde auf der Platte getippt, gehört aber einer anderen Scherbe; nachsehen, welche der beiden sie trägt, und der anderen eine neue geben.</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Während der Durchgang verarbeitet wurde, wurden Paare entschieden oder Masken bearbeitet. Dafür neu verarbeiten.</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf der Platte gezählte Scherben: %1. Gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</translation>
+    </message>
+    <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Abgebrochen.</translation>
@@ -7589,19 +7583,19 @@
       <translation>Das ist keine Kandidatentabelle; den Durchgang neu verarbeiten, nur seine Paare werden neu gemacht.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entscheidung %1 von %2 betrifft %3, dessen Seite seither neu aufgenommen wurde; noch einmal entscheiden.</translation>
+      <translation>Die Entscheidung vom %1 von %2 betrifft %3, dessen Seite seither neu aufgenommen wurde; noch einmal entscheiden.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entscheidung %1 von %2 betrifft %3, das nicht mehr auf der Platte liegt; noch einmal entscheiden.</translation>
+      <translation>Die Entscheidung vom %1 von %2 betrifft %3, das nicht mehr auf der Platte liegt; noch einmal entscheiden.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entscheidung %1 von %2 ist wirkungslos: Entscheidung %3 von %4 ist später und betrifft denselben Scan; eine von beiden zurücknehmen.</translation>
+      <translation>Die Entscheidung vom %1 von %2 ist wirkungslos: Die Entscheidung vom %3 von %4 ist später und betrifft denselben Scan; eine von beiden zurücknehmen.</translation>
     </message>
     <message>
       <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
@@ -7642,6 +7636,11 @@
       <source>Decision %1 cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entscheidung %1 ist nicht verwendbar.</translation>
+    </message>
+    <message>
+      <source>Its id is missing or used twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ihre ID fehlt oder kommt zweimal vor.</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -7764,14 +7763,14 @@
       <translation>%1 der %2 Marken der Platte sind auf keinem Foto der Rückseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
+      <source>The decision of %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entscheidung %1 von %2 führt Fragmente zusammen, die es nicht mehr gibt; noch einmal entscheiden.</translation>
+      <translation>Die Entscheidung vom %1 von %2 führt Fragmente zusammen, die es nicht mehr gibt; noch einmal entscheiden.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
+      <source>The decision of %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entscheidung %1 von %2 teilt ein Fragment, das es nicht gibt, oder verfehlt es; noch einmal entscheiden.</translation>
+      <translation>Die Entscheidung vom %1 von %2 teilt ein Fragment, das es nicht gibt, oder verfehlt es; noch einmal entscheiden.</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>

@@ -28,37 +28,6 @@
     </message>
 </context>
 <context>
-    <name>ComputeBatch</name>
-    <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Στον σκληρό δίσκο μένουν μόνο %1 MB· μια παρτίδα χρειάζεται περισσότερα. Τίποτα δεν χάθηκε: κάντε χώρο και συνεχίστε.</translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: αυτός ο αριθμός γράφτηκε πάνω στον δίσκο, αλλά εκεί δεν υπάρχει όστρακο με πλαίσιο· δώστε τον στον κατάλογο.</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Μετρήθηκε %n όστρακο πάνω στον δίσκο και βρέθηκε άλλος αριθμός· αναζητήστε στον χάρτη αυτό που λείπει ή κόπηκε στα δύο.</numerusform>
-        <numerusform>Μετρήθηκαν %n όστρακα πάνω στον δίσκο και βρέθηκε άλλος αριθμός· αναζητήστε στον χάρτη αυτό που λείπει ή κόπηκε στα δύο.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: ο αριθμός αυτός πληκτρολογήθηκε στην πλάκα, αλλά ανήκει σε άλλο όστρακο· δείτε ποιο από τα δύο τον φέρει και δώστε στο άλλο νέο αριθμό.</translation>
-    </message>
-    <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όσο γινόταν η επεξεργασία της παρτίδας, αποφασίστηκαν ζεύγη ή άλλαξαν μάσκες· επανεπεξεργαστείτε την γι' αυτά.</translation>
-    </message>
-</context>
-<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -5134,6 +5103,31 @@
 <context>
     <name>ostraka::Error</name>
     <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στον σκληρό δίσκο μένουν μόνο %1 MB· μια παρτίδα χρειάζεται περισσότερα. Τίποτα δεν χάθηκε: κάντε χώρο και συνεχίστε.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: αυτός ο αριθμός γράφτηκε πάνω στον δίσκο, αλλά εκεί δεν υπάρχει όστρακο με πλαίσιο· δώστε τον στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: ο αριθμός αυτός πληκτρολογήθηκε στην πλάκα, αλλά ανήκει σε άλλο όστρακο· δείτε ποιο από τα δύο τον φέρει και δώστε στο άλλο νέο αριθμό.</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όσο γινόταν η επεξεργασία της παρτίδας, αποφασίστηκαν ζεύγη ή άλλαξαν μάσκες· επανεπεξεργαστείτε την γι' αυτά.</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα που μετρήθηκαν πάνω στον δίσκο: %1. Βρέθηκε άλλος αριθμός· αναζητήστε στον χάρτη αυτό που λείπει ή κόπηκε στα δύο.</translation>
+    </message>
+    <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ακυρώθηκε.</translation>
@@ -7584,19 +7578,19 @@
       <translation>Αυτό δεν είναι πίνακας υποψηφίων· επανεπεξεργαστείτε την παρτίδα, μόνο τα ζεύγη της γίνονται εκ νέου.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η απόφαση %1 από %2 αφορά το %3, που η όψη του φωτογραφήθηκε ξανά στο μεταξύ· αποφασίστε ξανά.</translation>
+      <translation>Η απόφαση της %1 από %2 αφορά το %3, που η όψη του φωτογραφήθηκε ξανά στο μεταξύ· αποφασίστε ξανά.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η απόφαση %1 από %2 αφορά το %3, που δεν είναι πια πάνω στον δίσκο· αποφασίστε ξανά.</translation>
+      <translation>Η απόφαση της %1 από %2 αφορά το %3, που δεν είναι πια πάνω στον δίσκο· αποφασίστε ξανά.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η απόφαση %1 από %2 δεν ισχύει: η απόφαση %3 από %4, που είναι νεότερη, αφορά την ίδια σάρωση· ανακαλέστε μία από τις δύο.</translation>
+      <translation>Η απόφαση της %1 από %2 δεν ισχύει: η απόφαση της %3 από %4, που είναι νεότερη, αφορά την ίδια σάρωση· ανακαλέστε μία από τις δύο.</translation>
     </message>
     <message>
       <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
@@ -7637,6 +7631,11 @@
       <source>Decision %1 cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση %1 δεν χρησιμοποιείται.</translation>
+    </message>
+    <message>
+      <source>Its id is missing or used twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αναγνωριστικό της λείπει ή χρησιμοποιείται δύο φορές.</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -7759,14 +7758,14 @@
       <translation>%1 από τους %2 δείκτες του δίσκου δεν είναι σε καμία φωτογραφία της πίσω όψης (%3)· οι κάμερες στηρίζονται στους άλλους, γι' αυτό αφαιρέστε ό,τι τους καλύπτει.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
+      <source>The decision of %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η απόφαση %1 από %2 συγχωνεύει θραύσματα που δεν υπάρχουν πια· αποφασίστε ξανά.</translation>
+      <translation>Η απόφαση της %1 από %2 συγχωνεύει θραύσματα που δεν υπάρχουν πια· αποφασίστε ξανά.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
+      <source>The decision of %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η απόφαση %1 από %2 διαιρεί θραύσμα που δεν υπάρχει, ή το αστοχεί· αποφασίστε ξανά.</translation>
+      <translation>Η απόφαση της %1 από %2 διαιρεί θραύσμα που δεν υπάρχει, ή το αστοχεί· αποφασίστε ξανά.</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>

@@ -2,16 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>ComputeBatch</name>
-    <message numerus="yes">
-      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
-      <translation>
-        <numerusform>%n sherd was counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</numerusform>
-        <numerusform>%n sherds were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</numerusform>
-      </translation>
-    </message>
-</context>
-<context>
     <name>Rig</name>
     <message numerus="yes">
       <source>ready (%n day(s) old)</source>

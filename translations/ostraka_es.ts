@@ -28,37 +28,6 @@
     </message>
 </context>
 <context>
-    <name>ComputeBatch</name>
-    <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>En el disco solo quedan %1 MB; una tanda necesita más. No se ha perdido nada: haga sitio y continúe.</translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: este número se escribió sobre el plato, pero allí no hay ningún fragmento con contexto; asígnelo en el catálogo.</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Se contó %n fragmento sobre el plato y se encontró otro número; busque en el plano el que falta o está partido en dos.</numerusform>
-        <numerusform>Se contaron %n fragmentos sobre el plato y se encontró otro número; busque en el plano el que falta o está partido en dos.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: este número se escribió en el plato, pero es de otro fragmento; mire cuál de los dos lo lleva y dé al otro uno nuevo.</translation>
-    </message>
-    <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mientras se procesaba la tanda se decidieron parejas o se editaron máscaras; reprocésela para tenerlas en cuenta.</translation>
-    </message>
-</context>
-<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -5134,6 +5103,31 @@
 <context>
     <name>ostraka::Error</name>
     <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En el disco solo quedan %1 MB; una tanda necesita más. No se ha perdido nada: haga sitio y continúe.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: este número se escribió sobre el plato, pero allí no hay ningún fragmento con contexto; asígnelo en el catálogo.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: este número se escribió en el plato, pero es de otro fragmento; mire cuál de los dos lo lleva y dé al otro uno nuevo.</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mientras se procesaba la tanda se decidieron parejas o se editaron máscaras; reprocésela para tenerlas en cuenta.</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmentos contados sobre el plato: %1. Se encontró otro número; busque en el plano el que falta o está partido en dos.</translation>
+    </message>
+    <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cancelado.</translation>
@@ -7584,19 +7578,19 @@
       <translation>Esto no es una tabla de candidatos; reprocese la tanda, solo se rehacen sus parejas.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión %1 de %2 trata de %3, cuyo lado se volvió a fotografiar desde entonces; decida otra vez.</translation>
+      <translation>La decisión del %1 de %2 trata de %3, cuyo lado se volvió a fotografiar desde entonces; decida otra vez.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión %1 de %2 trata de %3, que ya no está en el plato; decida otra vez.</translation>
+      <translation>La decisión del %1 de %2 trata de %3, que ya no está en el plato; decida otra vez.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión %1 de %2 no tiene efecto: la decisión %3 de %4, que es posterior, trata del mismo escaneo; retire una de las dos.</translation>
+      <translation>La decisión del %1 de %2 no tiene efecto: la decisión del %3 de %4, que es posterior, trata del mismo escaneo; retire una de las dos.</translation>
     </message>
     <message>
       <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
@@ -7637,6 +7631,11 @@
       <source>Decision %1 cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión %1 no se puede usar.</translation>
+    </message>
+    <message>
+      <source>Its id is missing or used twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Su identificador falta o se usa dos veces.</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -7759,14 +7758,14 @@
       <translation>%1 de las %2 marcas del plato no están en ninguna foto del reverso (%3); las poses de las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
+      <source>The decision of %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión %1 de %2 une trozos que ya no existen; decida otra vez.</translation>
+      <translation>La decisión del %1 de %2 une trozos que ya no existen; decida otra vez.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
+      <source>The decision of %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La decisión %1 de %2 divide un trozo que no existe, o no lo alcanza; decida otra vez.</translation>
+      <translation>La decisión del %1 de %2 divide un trozo que no existe, o no lo alcanza; decida otra vez.</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>

@@ -28,37 +28,6 @@
     </message>
 </context>
 <context>
-    <name>ComputeBatch</name>
-    <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il ne reste que %1 Mo sur le disque ; un lot en demande davantage. Rien n’est perdu : faites de la place, puis continuez.</translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : ce numéro a été saisi sur le plateau, mais aucun tesson avec un contexte ne s’y trouve ; donnez-le dans le catalogue.</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n tesson a été compté sur le plateau, et un autre nombre a été trouvé ; cherchez sur le plan celui qui manque ou qui est coupé en deux.</numerusform>
-        <numerusform>%n tessons ont été comptés sur le plateau, et un autre nombre a été trouvé ; cherchez sur le plan celui qui manque ou qui est coupé en deux.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 : ce numéro a été saisi sur le plateau, mais c&apos;est celui d&apos;un autre tesson ; regardez lequel des deux le porte et donnez à l&apos;autre un nouveau numéro.</translation>
-    </message>
-    <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Des paires ont été décidées ou des masques modifiés pendant le traitement du lot ; retraitez-le pour en tenir compte.</translation>
-    </message>
-</context>
-<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -5134,6 +5103,31 @@
 <context>
     <name>ostraka::Error</name>
     <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il ne reste que %1 Mo sur le disque ; un lot en demande davantage. Rien n’est perdu : faites de la place, puis continuez.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : ce numéro a été saisi sur le plateau, mais aucun tesson avec un contexte ne s’y trouve ; donnez-le dans le catalogue.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : ce numéro a été saisi sur le plateau, mais c&apos;est celui d&apos;un autre tesson ; regardez lequel des deux le porte et donnez à l&apos;autre un nouveau numéro.</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des paires ont été décidées ou des masques modifiés pendant le traitement du lot ; retraitez-le pour en tenir compte.</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tessons comptés sur le plateau : %1. Un autre nombre a été trouvé ; cherchez sur le plan celui qui manque ou qui est coupé en deux.</translation>
+    </message>
+    <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Annulé.</translation>
@@ -7584,19 +7578,19 @@
       <translation>Ce n’est pas un tableau de candidats ; retraitez le lot, seules ses paires seront refaites.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La décision %1 de %2 porte sur %3, dont la face a été rephotographiée depuis ; décidez encore une fois.</translation>
+      <translation>La décision du %1 de %2 porte sur %3, dont la face a été rephotographiée depuis ; décidez encore une fois.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La décision %1 de %2 porte sur %3, qui n’est plus sur le plateau ; décidez encore une fois.</translation>
+      <translation>La décision du %1 de %2 porte sur %3, qui n’est plus sur le plateau ; décidez encore une fois.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La décision %1 de %2 est sans effet : la décision %3 de %4, plus récente, porte sur la même numérisation ; retirez l’une des deux.</translation>
+      <translation>La décision du %1 de %2 est sans effet : la décision du %3 de %4, plus récente, porte sur la même numérisation ; retirez l’une des deux.</translation>
     </message>
     <message>
       <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
@@ -7637,6 +7631,11 @@
       <source>Decision %1 cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision %1 ne peut pas servir.</translation>
+    </message>
+    <message>
+      <source>Its id is missing or used twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Son identifiant manque ou est utilisé deux fois.</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -7759,14 +7758,14 @@
       <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face arrière (%3) ; les poses des appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
+      <source>The decision of %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La décision %1 de %2 fusionne des fragments qui n’existent plus ; décidez encore une fois.</translation>
+      <translation>La décision du %1 de %2 fusionne des fragments qui n’existent plus ; décidez encore une fois.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
+      <source>The decision of %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La décision %1 de %2 scinde un fragment qui n’existe pas, ou le manque ; décidez encore une fois.</translation>
+      <translation>La décision du %1 de %2 scinde un fragment qui n’existe pas, ou le manque ; décidez encore une fois.</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>

@@ -28,37 +28,6 @@
     </message>
 </context>
 <context>
-    <name>ComputeBatch</name>
-    <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կոշտ սկավառակի վրա մնացել է միայն %1 ՄԲ. խմբաքանակին ավելին է պետք։ Ոչինչ չի կորել. տեղ ազատեք և շարունակեք։</translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. այս համարը մուտքագրվել էր սկավառակի վրա, բայց այնտեղ համատեքստով բեկոր չկա. տվեք այն կատալոգում։</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Սկավառակի վրա հաշվվել է %n բեկոր, իսկ գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</numerusform>
-        <numerusform>Սկավառակի վրա հաշվվել է %n բեկոր, իսկ գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. այս համարը գրվել է սալի վրա, բայց այլ բեկորինն է. նայեք՝ երկուսից որն է կրում այն, և մյուսին նոր համար տվեք։</translation>
-    </message>
-    <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակի մշակման ընթացքում զույգեր են որոշվել կամ դիմակներ խմբագրվել. դրանց համար վերամշակեք։</translation>
-    </message>
-</context>
-<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -5134,6 +5103,31 @@
 <context>
     <name>ostraka::Error</name>
     <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կոշտ սկավառակի վրա մնացել է միայն %1 ՄԲ. խմբաքանակին ավելին է պետք։ Ոչինչ չի կորել. տեղ ազատեք և շարունակեք։</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. այս համարը մուտքագրվել էր սկավառակի վրա, բայց այնտեղ համատեքստով բեկոր չկա. տվեք այն կատալոգում։</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. այս համարը գրվել է սալի վրա, բայց այլ բեկորինն է. նայեք՝ երկուսից որն է կրում այն, և մյուսին նոր համար տվեք։</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակի մշակման ընթացքում զույգեր են որոշվել կամ դիմակներ խմբագրվել. դրանց համար վերամշակեք։</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի վրա հաշվված բեկորներ՝ %1։ Գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</translation>
+    </message>
+    <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չեղարկված է։</translation>
@@ -7584,19 +7578,19 @@
       <translation>Սա թեկնածուների աղյուսակ չէ. վերամշակեք խմբաքանակը, նորից կարվեն միայն դրա զույգերը։</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2-ի %1 որոշումը վերաբերում է %3-ին, որի երեսն այդ ժամանակից վերալուսանկարվել է. նորից որոշեք։</translation>
+      <translation>%2-ի %1-ի որոշումը վերաբերում է %3-ին, որի երեսն այդ ժամանակից վերալուսանկարվել է. նորից որոշեք։</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2-ի %1 որոշումը վերաբերում է %3-ին, որն այլևս սկավառակի վրա չէ. նորից որոշեք։</translation>
+      <translation>%2-ի %1-ի որոշումը վերաբերում է %3-ին, որն այլևս սկավառակի վրա չէ. նորից որոշեք։</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2-ի %1 որոշումը չի գործում. %4-ի %3 որոշումը, որն ավելի ուշ է, նույն սկանի մասին է. դրանցից մեկը հետ վերցրեք։</translation>
+      <translation>%2-ի %1-ի որոշումը չի գործում. %4-ի %3-ի որոշումը, որն ավելի ուշ է, նույն սկանի մասին է. դրանցից մեկը հետ վերցրեք։</translation>
     </message>
     <message>
       <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
@@ -7637,6 +7631,11 @@
       <source>Decision %1 cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 որոշումը հնարավոր չէ օգտագործել։</translation>
+    </message>
+    <message>
+      <source>Its id is missing or used twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրա նույնացուցիչը բացակայում է կամ օգտագործված է երկու անգամ։</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -7759,14 +7758,14 @@
       <translation>Սկավառակի %2 նշիչներից %1-ը հետևի երեսի ոչ մի լուսանկարում չկա (%3). տեսախցիկները հենվում են մյուսների վրա, ուստի հանեք այն, ինչ ծածկում է դրանք։</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
+      <source>The decision of %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2-ի %1 որոշումը միավորում է կտորներ, որոնք այլևս չկան. նորից որոշեք։</translation>
+      <translation>%2-ի %1-ի որոշումը միավորում է կտորներ, որոնք այլևս չկան. նորից որոշեք։</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
+      <source>The decision of %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2-ի %1 որոշումը բաժանում է կտոր, որը չկա, կամ վրիպում է դրանից. նորից որոշեք։</translation>
+      <translation>%2-ի %1-ի որոշումը բաժանում է կտոր, որը չկա, կամ վրիպում է դրանից. նորից որոշեք։</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>

@@ -28,36 +28,6 @@
     </message>
 </context>
 <context>
-    <name>ComputeBatch</name>
-    <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diskte yalnızca %1 MB kaldı; bir parti daha fazlasını ister. Hiçbir şey kaybolmadı: yer açın, sonra sürdürün.</translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: bu numara tabla üzerinde yazıldı, ama orada konteksti olan bir parça yok; numarayı katalogda verin.</translation>
-    </message>
-    <message numerus="yes">
-      <source>%n sherd(s) were counted on the plate, and another number was found; look at the map for one that is missing or cut in two.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Tabla üzerinde %n parça sayıldı, başka bir sayı bulundu; eksik olanı ya da ikiye bölüneni planda arayın.</numerusform>
-      </translation>
-    </message>
-    <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: bu numara plakada yazıldı, ama başka bir parçanın; ikisinden hangisinin taşıdığına bakın ve ötekine yeni bir numara verin.</translation>
-    </message>
-    <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parti işlenirken eşlere karar verildi ya da maskeler düzenlendi; bunlar için yeniden işleyin.</translation>
-    </message>
-</context>
-<context>
     <name>Fields</name>
     <message>
       <source>number</source>
@@ -5086,6 +5056,31 @@
 <context>
     <name>ostraka::Error</name>
     <message>
+      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diskte yalnızca %1 MB kaldı; bir parti daha fazlasını ister. Hiçbir şey kaybolmadı: yer açın, sonra sürdürün.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: bu numara tabla üzerinde yazıldı, ama orada konteksti olan bir parça yok; numarayı katalogda verin.</translation>
+    </message>
+    <message>
+      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: bu numara plakada yazıldı, ama başka bir parçanın; ikisinden hangisinin taşıdığına bakın ve ötekine yeni bir numara verin.</translation>
+    </message>
+    <message>
+      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parti işlenirken eşlere karar verildi ya da maskeler düzenlendi; bunlar için yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabla üzerinde sayılan parça: %1. Başka bir sayı bulundu; eksik olanı ya da ikiye bölüneni planda arayın.</translation>
+    </message>
+    <message>
       <source>Cancelled.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İptal edildi.</translation>
@@ -7536,19 +7531,19 @@
       <translation>Bu bir aday tablosu değil; partiyi yeniden işleyin, yalnız eşleri yeniden yapılır.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, whose side has been reshot since; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2 tarafından verilen %1. karar, yüzü o zamandan beri yeniden çekilen %3 içindir; yeniden karar verin.</translation>
+      <translation>%2 tarafından %1 tarihinde verilen karar, yüzü o zamandan beri yeniden çekilen %3 içindir; yeniden karar verin.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
+      <source>The decision of %1 by %2 concerns %3, which is no longer on the plate; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2 tarafından verilen %1. karar, artık tablada olmayan %3 içindir; yeniden karar verin.</translation>
+      <translation>%2 tarafından %1 tarihinde verilen karar, artık tablada olmayan %3 içindir; yeniden karar verin.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 has no effect: Decision %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2 tarafından verilen %1. karar geçerli değil: daha sonraki %3. karar (%4) aynı tarama içindir; ikisinden birini geri alın.</translation>
+      <translation>%2 tarafından %1 tarihinde verilen karar geçerli değil: daha sonraki %3 tarihli karar (%4) aynı tarama içindir; ikisinden birini geri alın.</translation>
     </message>
     <message>
       <source>A decision is of an unknown kind; a newer version of Ostraka wrote it.</source>
@@ -7589,6 +7584,11 @@
       <source>Decision %1 cannot be used.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. karar kullanılamıyor.</translation>
+    </message>
+    <message>
+      <source>Its id is missing or used twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kimliği eksik ya da iki kez kullanılmış.</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -7711,14 +7711,14 @@
       <translation>Tablanın %2 işaretinden %1 tanesi arka yüzün hiçbir fotoğrafında yok (%3); kameralar ötekilere dayanıyor, onları örteni kaldırın.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 merges fragments that no longer exist; decide again.</source>
+      <source>The decision of %1 by %2 merges fragments that no longer exist; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2 tarafından verilen %1. karar, artık olmayan kırık parçaları birleştiriyor; yeniden karar verin.</translation>
+      <translation>%2 tarafından %1 tarihinde verilen karar, artık olmayan kırık parçaları birleştiriyor; yeniden karar verin.</translation>
     </message>
     <message>
-      <source>Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
+      <source>The decision of %1 by %2 splits a fragment that does not exist, or misses it; decide again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%2 tarafından verilen %1. karar, olmayan bir kırık parçayı bölüyor ya da ıskalıyor; yeniden karar verin.</translation>
+      <translation>%2 tarafından %1 tarihinde verilen karar, olmayan bir kırık parçayı bölüyor ya da ıskalıyor; yeniden karar verin.</translation>
     </message>
     <message>
       <source>The program %1 is not installed, but the selected stereo needs it; install it, or use the built-in stereo.</source>

@@ -7,6 +7,7 @@
 
 #include "archive/bag_reader.h"
 #include "archive/bagit.h"
+#include "catalogue/settings.h"
 #include "files/cannot_write.h"
 #include "files/checksum.h"
 #include "files/new_folder.h"
@@ -142,7 +143,7 @@ Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOpt
   std::string list;
   for (const upkeep::DamagedFile& file : archived.damage) list += sentenceOf(file) + "\n";
   if (!list.empty()) bag->tag("damage.txt", list);
-  const auto record = project.catalogue().project();
+  const auto record = catalogue::Settings(project.catalogue()).project();
   if (!record) return record.error();
   const Result<void> finished = bag->finish({{"External-Description", record->title},
                                              {"External-Identifier", record->code},

@@ -1,8 +1,9 @@
-// Batches, their photographs and their scans.
+#include "catalogue/batches.h"
+
 #include <algorithm>
 #include <cstdlib>
 
-#include "catalogue/catalogue.h"
+#include "base/uuid.h"
 #include "catalogue/history.h"
 #include "records/words.h"
 #include "store/database.h"
@@ -84,17 +85,17 @@ std::string opt(const std::optional<std::int64_t>& value) {
 
 }  // namespace
 
-Result<std::string> Catalogue::nextBatchNumber() const {
-  return database_->door([&] { return records::nextNumber(*database_); });
+Result<std::string> Batches::nextNumber() const {
+  return database_->asResult([&] { return catalogue::nextNumber(*database_); });
 }
 
-Result<store::BatchRow> Catalogue::addBatch(const records::BatchRecord& wanted,
-                                            const records::Provenance& provenance) {
+Result<store::BatchRow> Batches::add(const records::BatchRecord& wanted,
+                                     const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     records::BatchRecord b = wanted;
-    if (b.number.empty()) b.number = records::nextNumber(*database_);
+    if (b.number.empty()) b.number = catalogue::nextNumber(*database_);
     checkBatch(b);
-    if (!b.id.empty() && !store::isUuid(b.id))
+    if (!b.id.empty() && !isUuid(b.id))
       store::refuse("The uuid of a batch is not well formed.", b.id);
     store::Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?");
     if (same.with(b.number).next()) store::refuse("The batch " + b.number + " already exists.");
@@ -104,25 +105,24 @@ Result<store::BatchRow> Catalogue::addBatch(const records::BatchRecord& wanted,
             "operator, counted, state, started_ms, ended_ms, reprojection_px, scale_error_pct, "
             "scale_doubts, rig_sha256, program, settings_sha256, note) VALUES (?, ?, ?, ?, ?, ?, "
             "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .with(b.id.empty() ? store::newId(now()) : b.id, now(), provenance.person, now(),
+        .with(b.id.empty() ? newId(now()) : b.id, now(), provenance.person, now(),
               provenance.person, b.number, b.operator_, b.counted, records::wordOf(b.state),
               b.started_ms, b.ended_ms, b.reprojection_px, b.scale_error_pct, b.scale_doubts,
               b.rig_sha256, b.program, b.settings_sha256, b.note)
         .run();
     const store::BatchRow row{database_->lastRow()};
     setBags(*database_, row, b.bags);
-    remember(*this, provenance, "batch", row.value, "", "", b.number);
+    remember(catalogue_, provenance, "batch", row.value, "", "", b.number);
     return row;
   });
 }
 
-Result<void> Catalogue::saveBatch(const records::BatchRecord& b,
-                                  const records::Provenance& provenance) {
+Result<void> Batches::save(const records::BatchRecord& b, const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     checkBatch(b);
     const std::string old_bags = bagsText(bagsOf(*database_, b.row));
     bool changed =
-        rememberDifferences(*this, provenance, "batch", b.row.value,
+        rememberDifferences(catalogue_, provenance, "batch", b.row.value,
                             {{"operator", b.operator_ ? std::to_string(b.operator_.value) : ""},
                              {"counted", std::to_string(b.counted)},
                              {"state", records::wordOf(b.state)},
@@ -136,7 +136,7 @@ Result<void> Catalogue::saveBatch(const records::BatchRecord& b,
                              {"settings_sha256", b.settings_sha256},
                              {"note", b.note}});
     if (old_bags != bagsText(b.bags)) {
-      remember(*this, provenance, "batch", b.row.value, "bags", old_bags, bagsText(b.bags));
+      remember(catalogue_, provenance, "batch", b.row.value, "bags", old_bags, bagsText(b.bags));
       setBags(*database_, b.row, b.bags);
       changed = true;
     }
@@ -155,10 +155,10 @@ Result<void> Catalogue::saveBatch(const records::BatchRecord& b,
   });
 }
 
-Result<void> Catalogue::setBatchState(store::BatchRow row, records::BatchState state,
-                                      const records::Provenance& provenance) {
+Result<void> Batches::setState(store::BatchRow row, records::BatchState state,
+                               const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    if (!rememberDifferences(*this, provenance, "batch", row.value,
+    if (!rememberDifferences(catalogue_, provenance, "batch", row.value,
                              {{"state", records::wordOf(state)}}))
       return;
     database_
@@ -170,8 +170,8 @@ Result<void> Catalogue::setBatchState(store::BatchRow row, records::BatchState s
   });
 }
 
-Result<std::vector<records::BatchRecord>> Catalogue::batches() const {
-  return database_->door([&] {
+Result<std::vector<records::BatchRecord>> Batches::all() const {
+  return database_->asResult([&] {
     std::vector<records::BatchRecord> all;
     store::Statement rows = database_->sql(std::string(kBatches) + "ORDER BY row DESC");
     while (rows.next()) all.push_back(readBatchRow(*database_, rows));
@@ -179,32 +179,32 @@ Result<std::vector<records::BatchRecord>> Catalogue::batches() const {
   });
 }
 
-Result<records::BatchRecord> Catalogue::batch(store::BatchRow row) const {
-  return database_->door([&] {
+Result<records::BatchRecord> Batches::get(store::BatchRow row) const {
+  return database_->asResult([&] {
     store::Statement rows = database_->sql(std::string(kBatches) + "WHERE row = ?");
     if (!rows.with(row).next()) store::refuse("This batch is not in the catalogue.");
     return readBatchRow(*database_, rows);
   });
 }
 
-Result<records::BatchRecord> Catalogue::batchByNumber(const std::string& number) const {
-  return database_->door([&] {
+Result<records::BatchRecord> Batches::byNumber(const std::string& number) const {
+  return database_->asResult([&] {
     store::Statement rows = database_->sql(std::string(kBatches) + "WHERE number = ?");
     if (!rows.with(number).next()) store::refuse("This batch is not in the catalogue.", number);
     return readBatchRow(*database_, rows);
   });
 }
 
-Result<std::optional<records::BatchRecord>> Catalogue::batchById(const std::string& id) const {
-  return database_->door([&]() -> std::optional<records::BatchRecord> {
+Result<std::optional<records::BatchRecord>> Batches::byId(const std::string& id) const {
+  return database_->asResult([&]() -> std::optional<records::BatchRecord> {
     store::Statement rows = database_->sql(std::string(kBatches) + "WHERE id = ?");
     if (!rows.with(id).next()) return std::nullopt;
     return readBatchRow(*database_, rows);
   });
 }
 
-Result<store::PhotographRow> Catalogue::save(const records::PhotographRecord& p,
-                                             const records::Provenance& provenance) {
+Result<store::PhotographRow> Batches::save(const records::PhotographRecord& p,
+                                           const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     const Result<std::string> path = store::checkedPath(p.path);
     if (!path) throw store::Refused(path.error());
@@ -223,13 +223,13 @@ Result<store::PhotographRow> Catalogue::save(const records::PhotographRecord& p,
               "INSERT INTO photograph (id, created_at, created_by, updated_at, updated_by, "
               "batch, side, camera, stop, take, path, serial, exif, angle_deg, sharpness, used, "
               "reason) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(store::newId(now()), now(), provenance.person, now(), provenance.person, p.batch,
+          .with(newId(now()), now(), provenance.person, now(), provenance.person, p.batch,
                 records::wordOf(p.side), camera, p.stop, p.take, *path, p.serial, exif, p.angle_deg,
                 p.sharpness, p.used, p.reason)
           .run();
       return store::PhotographRow{database_->lastRow()};
     }
-    if (rememberDifferences(*this, provenance, "photograph", row,
+    if (rememberDifferences(catalogue_, provenance, "photograph", row,
                             {{"path", *path},
                              {"serial", p.serial},
                              {"exif", exif},
@@ -249,8 +249,8 @@ Result<store::PhotographRow> Catalogue::save(const records::PhotographRecord& p,
   });
 }
 
-Result<std::vector<records::PhotographRecord>> Catalogue::photographs(store::BatchRow batch) const {
-  return database_->door([&] {
+Result<std::vector<records::PhotographRecord>> Batches::photographs(store::BatchRow batch) const {
+  return database_->asResult([&] {
     std::vector<records::PhotographRecord> all;
     store::Statement rows = database_->sql(
         "SELECT row, batch, side, camera, stop, take, path, serial, exif, angle_deg, sharpness, "
@@ -269,8 +269,8 @@ Result<std::vector<records::PhotographRecord>> Catalogue::photographs(store::Bat
   });
 }
 
-Result<store::ScanRow> Catalogue::save(const records::ScanRecord& s,
-                                       const records::Provenance& provenance) {
+Result<store::ScanRow> Batches::save(const records::ScanRecord& s,
+                                     const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     const Result<std::string> path = store::checkedPath(s.path);
     if (!path) throw store::Refused(path.error());
@@ -288,13 +288,13 @@ Result<store::ScanRow> Catalogue::save(const records::ScanRecord& s,
               "INSERT INTO scan (id, created_at, created_by, updated_at, updated_by, batch, "
               "side, position, name, path, points, coverage_pct, plate_x_mm, plate_y_mm) VALUES "
               "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(store::newId(now()), now(), provenance.person, now(), provenance.person, s.batch,
+          .with(newId(now()), now(), provenance.person, now(), provenance.person, s.batch,
                 records::wordOf(s.side), s.index, s.name, *path, s.points, s.coverage_pct,
                 s.plate_x_mm, s.plate_y_mm)
           .run();
       return store::ScanRow{database_->lastRow()};
     }
-    if (rememberDifferences(*this, provenance, "scan", row,
+    if (rememberDifferences(catalogue_, provenance, "scan", row,
                             {{"name", s.name},
                              {"path", *path},
                              {"points", points},
@@ -313,8 +313,8 @@ Result<store::ScanRow> Catalogue::save(const records::ScanRecord& s,
   });
 }
 
-Result<std::vector<records::ScanRecord>> Catalogue::scans(store::BatchRow batch) const {
-  return database_->door([&] {
+Result<std::vector<records::ScanRecord>> Batches::scans(store::BatchRow batch) const {
+  return database_->asResult([&] {
     std::vector<records::ScanRecord> all;
     store::Statement rows = database_->sql(
         "SELECT row, batch, side, position, name, path, points, coverage_pct, plate_x_mm, "

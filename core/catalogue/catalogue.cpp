@@ -19,13 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isProjectCode(const std::string& code) {
-  if (code.size() < 2 || code.size() > 8) return false;
-  for (const char c : code)
-    if (!((c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'))) return false;
-  return true;
-}
-
 std::string firstText(store::Database& database, const char* sql) {
   std::string text;
   store::Statement rows = database.sql(sql);
@@ -45,147 +38,8 @@ Catalogue::Catalogue(Catalogue&&) noexcept = default;
 Catalogue& Catalogue::operator=(Catalogue&&) noexcept = default;
 Catalogue::~Catalogue() = default;
 
-Result<records::ProjectRecord> Catalogue::project() const {
-  return database_->door([&] {
-    records::ProjectRecord p;
-    store::Statement row = database_->sql(
-        "SELECT id, code, title, institution, licence, rights_holder, numbering, word_for_context "
-        "FROM project");
-    if (row.next())
-      row >> p.id >> p.code >> p.title >> p.institution >> p.licence >> p.rights_holder >>
-          p.numbering >> p.word_for_context;
-    return p;
-  });
-}
-
-Result<void> Catalogue::setProject(const records::ProjectRecord& p,
-                                   const records::Provenance& provenance) {
-  if (!isProjectCode(p.code))
-    return Error{ErrorCode::UnusableInput,
-                 "The project's code must be 2 to 8 capital letters or digits, for example ARM.",
-                 p.code};
-  if (const Result<records::Numbering> scheme = records::Numbering::parse(p.numbering); !scheme)
-    return scheme.error();
-  return database_->inTransaction([&] {
-    const bool first = firstText(*database_, "SELECT id FROM project").empty();
-    if (first) {
-      database_
-          ->sql(
-              "INSERT INTO project (row, id, created_at, created_by, updated_at, updated_by, "
-              "code, title, institution, licence, rights_holder, numbering, word_for_context) "
-              "VALUES (1, ?, ?, ?, ?, ?, ?, '', '', '', '', ?, '')")
-          .with(store::newId(now()), now(), provenance.person, now(), provenance.person, p.code,
-                p.numbering)
-          .run();
-      for (const records::StartingVocabulary& vocabulary : records::startingVocabularies())
-        for (std::size_t i = 0; i < vocabulary.terms.size(); ++i)
-          database_->sql("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)")
-              .with(vocabulary.name, vocabulary.terms[i].term, static_cast<std::int64_t>(i),
-                    nlohmann::json(vocabulary.terms[i].labels).dump(), vocabulary.terms[i].uri)
-              .run();
-    }
-    rememberDifferences(*this, provenance, "project", 1,
-                        {{"code", p.code},
-                         {"title", p.title},
-                         {"institution", p.institution},
-                         {"licence", p.licence},
-                         {"rights_holder", p.rights_holder},
-                         {"numbering", p.numbering},
-                         {"word_for_context", p.word_for_context}});
-    database_
-        ->sql(
-            "UPDATE project SET code = ?, title = ?, institution = ?, licence = ?, "
-            "rights_holder = ?, numbering = ?, word_for_context = ?, updated_at = ?, "
-            "updated_by = ?, revision = revision + 1")
-        .with(p.code, p.title, p.institution, p.licence, p.rights_holder, p.numbering,
-              p.word_for_context, now(), provenance.person)
-        .run();
-  });
-}
-
-Result<std::string> Catalogue::setting(const std::string& key) const {
-  return database_->door([&] {
-    std::string value;
-    store::Statement row = database_->sql("SELECT value FROM setting WHERE key = ?");
-    row.with(key);
-    if (row.next()) row >> value;
-    return value;
-  });
-}
-
-Result<void> Catalogue::setSetting(const std::string& key, const std::string& value) {
-  return database_->inTransaction([&] {
-    database_->sql("INSERT OR REPLACE INTO setting VALUES (?, ?)").with(key, value).run();
-  });
-}
-
-Result<std::vector<records::Term>> Catalogue::vocabulary(const std::string& name) const {
-  return database_->door([&] {
-    std::vector<records::Term> terms;
-    store::Statement rows =
-        database_->sql("SELECT term, labels, uri FROM vocabulary WHERE name = ? ORDER BY position");
-    rows.with(name);
-    while (rows.next()) {
-      records::Term term;
-      std::string labels;
-      rows >> term.term >> labels >> term.uri;
-      const nlohmann::json json = jsonOrDiscarded(labels);
-      for (const auto& [language, label] : json.items())
-        if (label.is_string()) term.labels[language] = label.get<std::string>();
-      terms.push_back(std::move(term));
-    }
-    return terms;
-  });
-}
-
-Result<void> Catalogue::setVocabulary(const std::string& name,
-                                      const std::vector<records::Term>& terms,
-                                      const records::Provenance& provenance) {
-  return database_->inTransaction([&] {
-    std::vector<std::string> older, newer;
-    {
-      store::Statement rows =
-          database_->sql("SELECT term FROM vocabulary WHERE name = ? ORDER BY position");
-      rows.with(name);
-      for (std::string term; rows.next();) {
-        rows >> term;
-        older.push_back(term);
-      }
-    }
-    std::set<std::string> seen;
-    for (const records::Term& term : terms) {
-      if (store::trimmed(term.term).empty() || term.term.find(';') != std::string::npos)
-        store::refuse("A vocabulary term must contain letters and no ';'.", name);
-      if (!seen.insert(term.term).second)
-        store::refuse("The term '" + term.term + "' appears twice in the vocabulary.", name);
-      newer.push_back(term.term);
-    }
-    for (const std::string& term : older) {
-      if (seen.contains(term)) continue;
-      store::Statement used = database_->sql(
-          "SELECT count(*) FROM sherd_term WHERE term = ?1 AND (field = ?2 OR (?2 = 'surface' AND "
-          "field IN ('surface_out', 'surface_in')))");
-      used.with(term, name);
-      std::int64_t count = 0;
-      if (used.next()) used >> count;
-      if (count > 0)
-        store::refuse("Sherds with the term '" + term + "': " + std::to_string(count) +
-                          "; change those first.",
-                      name);
-    }
-    database_->sql("DELETE FROM vocabulary WHERE name = ?").with(name).run();
-    for (std::size_t i = 0; i < terms.size(); ++i)
-      database_->sql("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)")
-          .with(name, terms[i].term, static_cast<std::int64_t>(i),
-                nlohmann::json(terms[i].labels).dump(), terms[i].uri)
-          .run();
-    remember(*this, provenance, "vocabulary", 0, name, store::joinTerms(older),
-             store::joinTerms(newer));
-  });
-}
-
 Result<void> Catalogue::checkIntegrity() const {
-  const Result<std::string> found = database_->door([&]() -> std::string {
+  const Result<std::string> found = database_->asResult([&]() -> std::string {
     const std::string check = firstText(*database_, "PRAGMA integrity_check(1)");
     if (check != "ok") return check;
     const std::string foreign = firstText(*database_, "PRAGMA foreign_key_check");
@@ -205,7 +59,7 @@ Result<void> Catalogue::checkIntegrity() const {
   if (!found->empty()) return store::damagedCatalogue(*found, database_->file());
   // FTS5 compares its index with its texts in the form of an insertion.
   if (readOnly()) return {};
-  return database_->door([&] {
+  return database_->asResult([&] {
     database_->sql("INSERT INTO sherd_text(sherd_text, rank) VALUES('integrity-check', 0)").run();
   });
 }
@@ -213,7 +67,7 @@ Result<void> Catalogue::checkIntegrity() const {
 Result<void> Catalogue::backup(const fs::path& file) const {
   Result<store::PartialFile> copy = store::PartialFile::beside(file);
   if (!copy) return copy.error();
-  const Result<int> written = database_->door([&] {
+  const Result<int> written = database_->asResult([&] {
     const int rows = historyRows(*database_);
     database_->copyTo(copy->path());
     return rows;
@@ -226,7 +80,7 @@ Result<void> Catalogue::backup(const fs::path& file) const {
     const Catalogue read_back(std::move(*opened), clock_);
     if (const Result<void> good = read_back.checkIntegrity(); !good) return good;
     const Result<int> found =
-        read_back.database().door([&] { return historyRows(read_back.database()); });
+        read_back.database().asResult([&] { return historyRows(read_back.database()); });
     if (!found) return found.error();
     if (*found < *written)  // others may have written meanwhile, so more is all right
       return Error{ErrorCode::CannotWrite, "The backup does not contain the saved data; try again.",

@@ -1,7 +1,8 @@
-// Files with their checksums, and the history.
-#include "catalogue/catalogue.h"
+#include "catalogue/files.h"
+
+#include "base/uuid.h"
 #include "catalogue/history.h"
-#include "catalogue/sherd_columns.h"
+#include "records/sherd.h"
 #include "records/words.h"
 #include "store/database.h"
 #include "store/names.h"
@@ -12,9 +13,6 @@ namespace {
 
 constexpr const char* kFiles =
     "SELECT row, id, path, sha256, media_type, role, bytes, state, sherd, batch FROM file ";
-constexpr const char* kHistory =
-    "SELECT at, person, table_name, field, old, new, why, source, row FROM history ";
-
 std::vector<records::FileRecord> readFiles(store::Statement& rows) {
   std::vector<records::FileRecord> all;
   while (rows.next()) {
@@ -28,73 +26,10 @@ std::vector<records::FileRecord> readFiles(store::Statement& rows) {
   return all;
 }
 
-std::vector<records::HistoryEntry> readHistory(store::Statement& rows) {
-  std::vector<records::HistoryEntry> all;
-  while (rows.next()) {
-    records::HistoryEntry h;
-    rows >> h.at_ms >> h.by >> h.table >> h.field >> h.old_value >> h.new_value >> h.why >>
-        h.source >> h.row;
-    all.push_back(std::move(h));
-  }
-  return all;
-}
-
-// The history keeps scans and batches of a sherd by their rows, which tell a person nothing: b004
-// of B0001 is "B0001 b004".
-std::string rowAsNamed(store::Database& database, const std::string& field, std::string value) {
-  const bool batch = field == "batch";
-  if (value.empty() || (!batch && field != "front" && field != "back")) return value;
-  store::Statement name = database.sql(
-      batch ? "SELECT number FROM batch WHERE row = CAST(? AS INTEGER)"
-            : "SELECT b.number || ' ' || s.name FROM scan s JOIN batch b ON b.row = s.batch WHERE "
-              "s.row = CAST(? AS INTEGER)");
-  if (name.with(value).next()) name >> value;
-  return value;
-}
-
 }  // namespace
 
-void remember(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
-              std::int64_t row, const std::string& field, const std::string& old_value,
-              const std::string& new_value) {
-  if (old_value == new_value) return;
-  catalogue.database()
-      .sql(
-          "INSERT INTO history (at, person, table_name, row, field, old, new, why, source) VALUES "
-          "(?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .with(catalogue.now(), provenance.person, table, row, field, old_value, new_value,
-            provenance.why, provenance.source)
-      .run();
-}
-
-bool rememberDifferences(const Catalogue& catalogue, const records::Provenance& provenance,
-                         const char* table, std::int64_t row,
-                         const std::vector<SavedField>& fields) {
-  std::string columns;
-  for (const SavedField& field : fields) {
-    if (!columns.empty()) columns += ", ";
-    columns += field.name;
-  }
-  // Numbers are read with all their digits, so that only a real difference counts.
-  std::vector<std::string> old_values(fields.size());
-  {
-    store::Statement rows =
-        catalogue.database().sql("SELECT " + columns + " FROM " + table + " WHERE row = ?");
-    if (!rows.with(row).next())
-      store::refuse("This " + std::string(table) + " is no longer in the catalogue.");
-    for (std::string& value : old_values) rows.readText(value);
-  }
-  bool any = false;
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (old_values[i] == fields[i].value) continue;
-    remember(catalogue, provenance, table, row, fields[i].name, old_values[i], fields[i].value);
-    any = true;
-  }
-  return any;
-}
-
-Result<store::FileRow> Catalogue::save(const records::FileRecord& f,
-                                       const records::Provenance& provenance) {
+Result<store::FileRow> Files::save(const records::FileRecord& f,
+                                   const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     const Result<std::string> path = store::checkedPath(f.path);
     if (!path) throw store::Refused(path.error());
@@ -109,13 +44,13 @@ Result<store::FileRow> Catalogue::save(const records::FileRecord& f,
               "INSERT INTO file (id, created_at, created_by, updated_at, updated_by, path, "
               "sha256, bytes, media_type, role, state, sherd, batch) VALUES (?, ?, ?, ?, ?, ?, "
               "?, ?, ?, ?, ?, ?, ?)")
-          .with(f.id.empty() ? store::newId(now()) : f.id, now(), provenance.person, now(),
+          .with(f.id.empty() ? newId(now()) : f.id, now(), provenance.person, now(),
                 provenance.person, *path, f.sha256, f.bytes, f.media_type, f.role,
                 records::wordOf(f.state), f.sherd, f.batch)
           .run();
       return store::FileRow{database_->lastRow()};
     }
-    if (rememberDifferences(*this, provenance, "file", row,
+    if (rememberDifferences(catalogue_, provenance, "file", row,
                             {{"path", *path},
                              {"sha256", f.sha256},
                              {"bytes", std::to_string(f.bytes)},
@@ -136,56 +71,26 @@ Result<store::FileRow> Catalogue::save(const records::FileRecord& f,
   });
 }
 
-Result<std::vector<records::FileRecord>> Catalogue::files(store::SherdRow sherd) const {
-  return database_->door([&] {
+Result<std::vector<records::FileRecord>> Files::of(store::SherdRow sherd) const {
+  return database_->asResult([&] {
     store::Statement rows = database_->sql(std::string(kFiles) + "WHERE sherd = ? ORDER BY path");
     rows.with(sherd);
     return readFiles(rows);
   });
 }
 
-Result<std::vector<records::FileRecord>> Catalogue::files(store::BatchRow batch) const {
-  return database_->door([&] {
+Result<std::vector<records::FileRecord>> Files::of(store::BatchRow batch) const {
+  return database_->asResult([&] {
     store::Statement rows = database_->sql(std::string(kFiles) + "WHERE batch = ? ORDER BY path");
     rows.with(batch);
     return readFiles(rows);
   });
 }
 
-Result<std::vector<records::FileRecord>> Catalogue::files() const {
-  return database_->door([&] {
+Result<std::vector<records::FileRecord>> Files::all() const {
+  return database_->asResult([&] {
     store::Statement rows = database_->sql(std::string(kFiles) + "ORDER BY path");
     return readFiles(rows);
-  });
-}
-
-std::int64_t Catalogue::historyLength() const {
-  const Result<std::int64_t> length = database_->door([&] {
-    std::int64_t rows = 0;
-    store::Statement last = database_->sql("SELECT ifnull(max(number), 0) FROM history");
-    if (last.next()) last >> rows;
-    return rows;
-  });
-  return length ? *length : 0;
-}
-
-Result<std::vector<records::HistoryEntry>> Catalogue::history(store::SherdRow sherd) const {
-  return database_->door([&] {
-    std::vector<records::HistoryEntry> all = valueOrThrow(history("sherd", sherd.value));
-    for (records::HistoryEntry& entry : all)
-      for (std::string* value : {&entry.old_value, &entry.new_value})
-        *value = rowAsNamed(*database_, entry.field, std::move(*value));
-    return all;
-  });
-}
-
-Result<std::vector<records::HistoryEntry>> Catalogue::history(const std::string& table,
-                                                              std::int64_t row) const {
-  return database_->door([&] {
-    store::Statement rows = database_->sql(std::string(kHistory) +
-                                           "WHERE table_name = ? AND row = ? ORDER BY number DESC");
-    rows.with(table, row);
-    return readHistory(rows);
   });
 }
 

@@ -1,10 +1,24 @@
 #pragma once
 #include <string>
+#include <vector>
 
-#include "catalogue/catalogue.h"
+#include "catalogue/subject.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "store/database.h"
 
 namespace ostraka::catalogue {
+
+/// Who changed what, when and why; newest first.
+class History : public Subject {
+ public:
+  using Subject::Subject;
+
+  /// The sherd's; its scans and batches by name, B0001 b004.
+  Result<std::vector<records::HistoryEntry>> of(store::SherdRow) const;
+  Result<std::vector<records::HistoryEntry>> of(const std::string& table, std::int64_t row) const;
+  std::int64_t length() const;  ///< rows: grows with every change
+};
 
 /// For the files of this folder: one row of the history. Nothing is written when old == new.
 void remember(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,

@@ -1,6 +1,8 @@
 // From the codes of printed labels back to sherds and bags.
 #include "catalogue/label_codes.h"
 
+#include "catalogue/places.h"
+
 #include <algorithm>
 #include <cctype>
 
@@ -36,8 +38,8 @@ Row rowBy(const Catalogue& catalogue, const char* sql, const Values&... values) 
 }
 
 template <class Row, class Record>
-Row made(Catalogue& catalogue, const Record& record, const records::Provenance& provenance) {
-  const Result<Row> row = catalogue.save(record, provenance);
+Row made(const Catalogue& catalogue, const Record& record, const records::Provenance& provenance) {
+  const Result<Row> row = Places(catalogue).save(record, provenance);
   if (!row) throw store::Refused(row.error());
   return *row;
 }
@@ -88,7 +90,7 @@ std::optional<LabelCode> readLabelCode(std::string_view text) {
 }
 
 Result<store::SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode& label) {
-  return catalogue.database().door([&] {
+  return catalogue.database().asResult([&] {
     if (!label.id_end.empty())
       return rowBy<store::SherdRow>(
           catalogue, "SELECT row FROM sherd WHERE substr(replace(id, '-', ''), -8) = ?",
@@ -104,17 +106,17 @@ Result<store::SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode
 }
 
 Result<std::optional<BagPlace>> placeOfLabel(const Catalogue& catalogue, const LabelCode& label) {
-  return catalogue.database().door([&]() -> std::optional<BagPlace> {
+  return catalogue.database().asResult([&]() -> std::optional<BagPlace> {
     if (label.of != LabelCode::Of::Bag || label.id_end.empty()) return {};
     return placeBy(catalogue, "substr(replace(bag.id, '-', ''), -8) = ?", label.id_end);
   });
 }
 
 Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, store::BagRow bag) {
-  return catalogue.database().door([&] { return placeBy(catalogue, "bag.row = ?", bag); });
+  return catalogue.database().asResult([&] { return placeBy(catalogue, "bag.row = ?", bag); });
 }
 
-Result<store::BagRow> bagAt(Catalogue& catalogue, const BagPlace& place,
+Result<store::BagRow> bagAt(const Catalogue& catalogue, const BagPlace& place,
                             const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
     records::ContextRecord context;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "catalogue/catalogue.h"
+#include "records/records.h"
 
 namespace ostraka::catalogue {
 
@@ -38,7 +39,7 @@ Result<std::optional<BagPlace>> placeOfLabel(const Catalogue& catalogue, const L
 Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, store::BagRow bag);
 /// The bag's row, made with its context, trench and site where they are new. Capitals make no
 /// difference.
-Result<store::BagRow> bagAt(Catalogue& catalogue, const BagPlace& place,
+Result<store::BagRow> bagAt(const Catalogue& catalogue, const BagPlace& place,
                             const records::Provenance& provenance);
 
 }  // namespace ostraka::catalogue

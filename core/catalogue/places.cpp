@@ -1,12 +1,13 @@
-// Persons, sites, trenches, contexts and bags.
+#include "catalogue/places.h"
+
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "catalogue/catalogue.h"
+#include "base/uuid.h"
 #include "catalogue/history.h"
-#include "catalogue/sherd_columns.h"
+#include "catalogue/search.h"
 #include "store/database.h"
 #include "store/names.h"
 #include "store/values.h"
@@ -52,7 +53,7 @@ class Saving {
   Saving(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
          std::int64_t row, const std::string& id)
       : catalogue_(catalogue), provenance_(provenance), table_(table), row_(row), id_(id) {
-    if (!id.empty() && !store::isUuid(id)) store::refuse("The uuid is not well formed.", id);
+    if (!id.empty() && !isUuid(id)) store::refuse("The uuid is not well formed.", id);
   }
 
   template <class... Values>
@@ -77,8 +78,8 @@ class Saving {
       database
           .sql("INSERT INTO " + table_ + " (id, created_at, created_by, updated_at, updated_by, " +
                list + ") VALUES (?, ?, ?, ?, ?" + marks + ")")
-          .with(id_.empty() ? store::newId(now) : id_, now, provenance_.person, now,
-                provenance_.person, values...)
+          .with(id_.empty() ? newId(now) : id_, now, provenance_.person, now, provenance_.person,
+                values...)
           .run();
       row_ = database.lastRow();
       remember(catalogue_, provenance_, table_.c_str(), row_, "", "", label);
@@ -127,8 +128,8 @@ void searchAnew(store::Database& database, const char* which, std::int64_t row) 
 
 }  // namespace
 
-Result<std::vector<records::PersonRecord>> Catalogue::persons() const {
-  return database_->door([&] {
+Result<std::vector<records::PersonRecord>> People::all() const {
+  return database_->asResult([&] {
     std::vector<records::PersonRecord> all;
     store::Statement rows =
         database_->sql("SELECT row, id, name, initials, orcid FROM person ORDER BY initials_key");
@@ -141,8 +142,8 @@ Result<std::vector<records::PersonRecord>> Catalogue::persons() const {
   });
 }
 
-Result<store::PersonRow> Catalogue::save(const records::PersonRecord& p,
-                                         const records::Provenance& provenance) {
+Result<store::PersonRow> People::save(const records::PersonRecord& p,
+                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string name = needed(p.name, "name of a person");
     const std::string initials = needed(p.initials, "person's initials");
@@ -150,16 +151,16 @@ Result<store::PersonRow> Catalogue::save(const records::PersonRecord& p,
     store::Statement same = database_->sql("SELECT row FROM person WHERE initials_key = ?");
     refuseDouble(std::move(same.with(key)), p.row.value,
                  "The initials " + initials + " already belong to another person.");
-    return store::PersonRow{Saving(*this, provenance, "person", p.row.value, p.id)
+    return store::PersonRow{Saving(catalogue_, provenance, "person", p.row.value, p.id)
                                 .done("name initials initials_key orcid", initials,
                                       {{"name", name}, {"initials", initials}, {"orcid", p.orcid}},
                                       name, initials, key, p.orcid)};
   });
 }
 
-Result<store::PersonRow> Catalogue::personByInitials(const std::string& initials,
-                                                     const records::Provenance& provenance) {
-  const Result<store::PersonRow> known = database_->door([&] {
+Result<store::PersonRow> People::byInitials(const std::string& initials,
+                                            const records::Provenance& provenance) {
+  const Result<store::PersonRow> known = database_->asResult([&] {
     store::PersonRow row;
     store::Statement rows = database_->sql("SELECT row FROM person WHERE initials_key = ?");
     if (rows.with(store::uniqueKey(store::trimmed(initials))).next()) rows >> row;
@@ -169,8 +170,8 @@ Result<store::PersonRow> Catalogue::personByInitials(const std::string& initials
   return save(records::PersonRecord{{}, {}, initials, initials, {}}, provenance);
 }
 
-Result<std::vector<records::SiteRecord>> Catalogue::sites() const {
-  return database_->door([&] {
+Result<std::vector<records::SiteRecord>> Places::sites() const {
+  return database_->asResult([&] {
     std::vector<records::SiteRecord> all;
     store::Statement rows = database_->sql(
         "SELECT row, id, code, name, gazetteer, latitude_deg, longitude_deg, location_public FROM "
@@ -185,8 +186,8 @@ Result<std::vector<records::SiteRecord>> Catalogue::sites() const {
   });
 }
 
-Result<store::SiteRow> Catalogue::save(const records::SiteRecord& s,
-                                       const records::Provenance& provenance) {
+Result<store::SiteRow> Places::save(const records::SiteRecord& s,
+                                    const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string code = needed(s.code, "code of a site"), key = store::uniqueKey(code);
     if (s.latitude_deg && !(*s.latitude_deg >= -90 && *s.latitude_deg <= 90))
@@ -196,7 +197,7 @@ Result<store::SiteRow> Catalogue::save(const records::SiteRecord& s,
     refuseDouble(std::move(database_->sql("SELECT row FROM site WHERE code_key = ?").with(key)),
                  s.row.value, "The site " + code + " already exists.");
     const store::SiteRow row{
-        Saving(*this, provenance, "site", s.row.value, s.id)
+        Saving(catalogue_, provenance, "site", s.row.value, s.id)
             .done("code code_key name latitude_deg longitude_deg location_public gazetteer", code,
                   {{"code", code},
                    {"name", s.name},
@@ -211,8 +212,8 @@ Result<store::SiteRow> Catalogue::save(const records::SiteRecord& s,
   });
 }
 
-Result<std::vector<records::TrenchRecord>> Catalogue::trenches() const {
-  return database_->door([&] {
+Result<std::vector<records::TrenchRecord>> Places::trenches() const {
+  return database_->asResult([&] {
     std::vector<records::TrenchRecord> all;
     store::Statement rows = database_->sql(
         "SELECT row, site, id, code, name, parent FROM trench ORDER BY site, code_key");
@@ -225,8 +226,8 @@ Result<std::vector<records::TrenchRecord>> Catalogue::trenches() const {
   });
 }
 
-Result<store::TrenchRow> Catalogue::save(const records::TrenchRecord& t,
-                                         const records::Provenance& provenance) {
+Result<store::TrenchRow> Places::save(const records::TrenchRecord& t,
+                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string code = needed(t.code, "code of a trench"), key = store::uniqueKey(code);
     if (!t.site) store::refuse("A trench needs a site.", code);
@@ -234,7 +235,7 @@ Result<store::TrenchRow> Catalogue::save(const records::TrenchRecord& t,
     refuseDouble(std::move(database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?")
                                .with(t.site, key)),
                  t.row.value, "The trench " + code + " already exists in this site.");
-    const store::TrenchRow row{Saving(*this, provenance, "trench", t.row.value, t.id)
+    const store::TrenchRow row{Saving(catalogue_, provenance, "trench", t.row.value, t.id)
                                    .done("site code code_key name parent", code,
                                          {{"site", rowText(t.site.value)},
                                           {"code", code},
@@ -246,8 +247,8 @@ Result<store::TrenchRow> Catalogue::save(const records::TrenchRecord& t,
   });
 }
 
-Result<std::vector<records::ContextRecord>> Catalogue::contexts() const {
-  return database_->door([&] {
+Result<std::vector<records::ContextRecord>> Places::contexts() const {
+  return database_->asResult([&] {
     std::vector<records::ContextRecord> all;
     store::Statement rows = database_->sql(
         std::string(kContexts) + " ORDER BY site.code_key, trench.code_key, context.number_key");
@@ -256,18 +257,17 @@ Result<std::vector<records::ContextRecord>> Catalogue::contexts() const {
   });
 }
 
-Result<records::ContextRecord> Catalogue::context(store::ContextRow row) const {
-  return database_->door([&] {
+Result<records::ContextRecord> Places::context(store::ContextRow row) const {
+  return database_->asResult([&] {
     store::Statement rows = database_->sql(std::string(kContexts) + " WHERE context.row = ?");
     if (!rows.with(row).next()) store::refuse("This context is no longer in the catalogue.");
     return readContext(rows);
   });
 }
 
-Result<store::ContextRow> Catalogue::contextByPlace(const std::string& site,
-                                                    const std::string& trench,
-                                                    const std::string& number) const {
-  return database_->door([&] {
+Result<store::ContextRow> Places::contextByPlace(const std::string& site, const std::string& trench,
+                                                 const std::string& number) const {
+  return database_->asResult([&] {
     store::ContextRow row;
     store::Statement rows = database_->sql(
         "SELECT context.row FROM context JOIN site ON site.row = context.site LEFT JOIN trench ON "
@@ -280,8 +280,8 @@ Result<store::ContextRow> Catalogue::contextByPlace(const std::string& site,
   });
 }
 
-Result<store::ContextRow> Catalogue::save(const records::ContextRecord& c,
-                                          const records::Provenance& provenance) {
+Result<store::ContextRow> Places::save(const records::ContextRecord& c,
+                                       const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string number = needed(c.number, "number of a context"),
                       key = store::uniqueKey(number);
@@ -303,7 +303,7 @@ Result<store::ContextRow> Catalogue::save(const records::ContextRecord& c,
                                      "= ifnull(?, 0) AND number_key = ?")
                                .with(c.site, c.trench, key)),
                  c.row.value, "The context " + number + " already exists in this place.");
-    const store::ContextRow row{Saving(*this, provenance, "context", c.row.value, c.id)
+    const store::ContextRow row{Saving(catalogue_, provenance, "context", c.row.value, c.id)
                                     .done("site trench number number_key kind excavated_on period "
                                           "date_edtf closed note extra",
                                           number,
@@ -324,12 +324,12 @@ Result<store::ContextRow> Catalogue::save(const records::ContextRecord& c,
   });
 }
 
-Result<std::vector<records::BagRecord>> Catalogue::bags() const {
+Result<std::vector<records::BagRecord>> Places::bags() const {
   return bags(store::ContextRow{});
 }
 
-Result<std::vector<records::BagRecord>> Catalogue::bags(store::ContextRow context) const {
-  return database_->door([&] {
+Result<std::vector<records::BagRecord>> Places::bags(store::ContextRow context) const {
+  return database_->asResult([&] {
     std::vector<records::BagRecord> all;
     store::Statement rows = database_->sql(
         "SELECT row, context, id, number, collected_on, storage, count_written, weight_g, (SELECT "
@@ -347,8 +347,8 @@ Result<std::vector<records::BagRecord>> Catalogue::bags(store::ContextRow contex
   });
 }
 
-Result<store::BagRow> Catalogue::save(const records::BagRecord& b,
-                                      const records::Provenance& provenance) {
+Result<store::BagRow> Places::save(const records::BagRecord& b,
+                                   const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string number = needed(b.number, "number of a bag"), key = store::uniqueKey(number);
     if (!b.context) store::refuse("A bag needs a context.", number);
@@ -362,7 +362,7 @@ Result<store::BagRow> Catalogue::save(const records::BagRecord& b,
                       .with(b.context, key)),
         b.row.value, "The bag " + number + " already exists in this context.");
     return store::BagRow{
-        Saving(*this, provenance, "bag", b.row.value, b.id)
+        Saving(catalogue_, provenance, "bag", b.row.value, b.id)
             .done("context number number_key collected_on storage count_written weight_g", number,
                   {{"context", rowText(b.context.value)},
                    {"number", number},

@@ -132,8 +132,7 @@ void readDecided(const std::filesystem::path& pairs_file, CandidateTable& table)
       RegisteredDecision done;
       done.front = indexOf(table.fronts, pair.at("front").get<std::string>());
       done.back = indexOf(table.backs, pair.at("back").get<std::string>());
-      done.by = pair.at("decided").at("by").get<std::string>();
-      done.at = pair.at("decided").at("at").get<std::string>();
+      done.id = pair.at("decided").at("id").get<std::string>();
       const auto pose = isometryFromJson(pair.at("T_front_from_back"), pairs_file.string());
       if (done.front < 0 || done.back < 0 || !pose) continue;
       done.registration.front_from_back = *pose;

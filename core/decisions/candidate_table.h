@@ -27,7 +27,7 @@ struct RegisteredCandidate {
 /// How the chain registered a pair that a person decided.
 struct RegisteredDecision {
   int front = -1, back = -1;
-  std::string by, at;  ///< of the decision
+  std::string id;  ///< of the decision
   registration::Registration registration;
 };
 

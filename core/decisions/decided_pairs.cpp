@@ -17,13 +17,13 @@ constexpr double kHeld_mm = 5;
 constexpr double kGivenPose_mm = 0.5;
 
 std::string named(const PairDecision& decision) {
-  return "Decision " + std::to_string(decision.number) + " by " + decision.by;
+  return "decision of " + momentOf(decision) + " by " + decision.by;
 }
 
 std::string waiting(const PairDecision& decision, const ScanRef& scan,
                     const std::vector<ScanRef>& scans) {
   const bool photographed_again = resolved({scan.side, scan.id, scan.place_mm, {}}, scans) >= 0;
-  return named(decision) + " concerns " + scan.id +
+  return "The " + named(decision) + " concerns " + scan.id +
          (photographed_again ? ", whose side has been reshot since; decide again."
                              : ", which is no longer on the plate; decide again.");
 }
@@ -105,13 +105,13 @@ SherdPair decidedPair(const CandidateTable& table, const PairTable& free,
   pair.decision.ambiguous = false;
   pair.decision.doubt = pairing::Doubt::None;
   pair.decision.reason.clear();
-  pair.decided = settled.decision.number;
+  pair.decided = settled.decision.id;
   pair.decided_by = settled.decision.by;
   pair.decided_at = settled.decision.at;
   const RegisteredCandidate* known = table.find(settled.front, settled.back);
   for (const RegisteredDecision& done : table.decided)
     if (done.front == settled.front && done.back == settled.back &&
-        done.by == settled.decision.by && done.at == settled.decision.at) {
+        done.id == settled.decision.id) {
       pair.registration = done.registration;
       return pair;
     }
@@ -156,7 +156,8 @@ Settled settledBy(const Decisions& standing, const CandidateTable& table) {
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (const PairDecision* later = laterThan(i, all))
-      settled.warnings.push_back(named(*all[i].decision) + " has no effect: " + named(*later) +
+      settled.warnings.push_back("The " + named(*all[i].decision) + " has no effect: the " +
+                                 named(*later) +
                                  ", which is later, concerns the same scan; withdraw one of them.");
     else
       put(all[i], settled);

@@ -1,9 +1,11 @@
 #include "decisions/decisions.h"
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
+#include "base/uuid.h"
 #include "decisions/candidate_table.h"
 #include "files/files.h"
 #include "files/json.h"
@@ -62,8 +64,8 @@ ordered_json toJson(const PairDecision& d) {
     if (!scan.photographs.empty()) scans.back()["photographs"] = scan.photographs;
   }
   ordered_json out = {
-      {"number", d.number}, {"replaces", d.replaces}, {"kind", nameOf(d.kind)}, {"at", d.at},
-      {"by", d.by},         {"note", d.note},         {"scans", scans}};
+      {"id", d.id}, {"replaces", d.replaces}, {"kind", nameOf(d.kind)}, {"at", d.at},
+      {"by", d.by}, {"note", d.note},         {"scans", scans}};
   if (d.kind == DecisionKind::Pair) {
     if (d.front_from_back) out["T_front_from_back"] = ostraka::toJson(*d.front_from_back);
     out["settle"] = d.settle == Settle::AsGiven ? "as_given" : "by_fractures";
@@ -79,8 +81,8 @@ Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
     return Error{ErrorCode::UnusableInput,
                  "A decision is of an unknown kind; a newer version of Ostraka wrote it.", where};
   d.kind = *kind;
-  d.number = wholeAt(value, "number");
-  d.replaces = value.at("replaces").get<std::vector<int>>();
+  d.id = value.at("id").get<std::string>();
+  d.replaces = value.at("replaces").get<std::vector<std::string>>();
   d.at = value.at("at").get<std::string>();
   d.by = value.at("by").get<std::string>();
   d.note = value.value("note", "");
@@ -101,13 +103,12 @@ Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
   return d;
 }
 
-void nameMoments(PairDecision& decision, const Decisions& all) {
-  decision.replaced_at.clear();
-  for (const int number : decision.replaces) {
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const PairDecision& d) { return d.number == number; });
-    decision.replaced_at.push_back(found == all.end() ? std::string() : found->at);
-  }
+auto withId(const std::string& id) {
+  return [&id](const PairDecision& d) { return d.id == id; };
+}
+
+bool has(const Decisions& all, const std::string& id) {
+  return std::any_of(all.begin(), all.end(), withId(id));
 }
 
 bool aboutPartners(DecisionKind kind) {
@@ -163,21 +164,20 @@ Result<void> checked(const PairDecision& d) {
 
 }  // namespace
 
+std::string momentOf(const PairDecision& decision) {
+  if (decision.at.size() < 16) return decision.at;
+  return decision.at.substr(0, 10) + " " + decision.at.substr(11, 5) + " UTC";
+}
+
 Decisions followed(const Decisions& all, const fs::path& output) {
-  std::error_code none;
-  const Result<nlohmann::json> report = readJson(output / "report.json");
+  const Result<json> report = readJson(output / "report.json");
   if (!report) return {};
-  if (const auto numbers = report->find("decisions");
-      numbers != report->end() && numbers->is_array()) {
-    Decisions found;
-    for (const PairDecision& d : all)
-      if (std::find(numbers->begin(), numbers->end(), d.number) != numbers->end())
-        found.push_back(d);
-    return found;
-  }
-  const auto computed = fs::last_write_time(output / "report.json", none);
-  const auto decided = fs::last_write_time(output / "decisions.json", none);
-  return none || decided > computed ? Decisions() : standing(all);
+  const auto ids = report->find("decisions");
+  if (ids == report->end() || !ids->is_array()) return {};
+  Decisions found;
+  for (const PairDecision& d : all)
+    if (std::find(ids->begin(), ids->end(), d.id) != ids->end()) found.push_back(d);
+  return found;
 }
 
 bool equivalent(const PairDecision& a, const PairDecision& b) {
@@ -223,21 +223,20 @@ int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans) {
 }
 
 Decisions standing(const Decisions& all) {
-  const auto indexOf = [&](int number) {
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (all[i].number == number) return static_cast<int>(i);
-    return -1;
+  const auto indexOf = [&](const std::string& id) {
+    const auto found = std::find_if(all.begin(), all.end(), withId(id));
+    return found == all.end() ? -1 : static_cast<int>(found - all.begin());
   };
   std::vector<bool> holds(all.size(), false);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const bool withdrawal = all[i].kind == DecisionKind::Withdraw;
     holds[i] = !withdrawal;
-    for (const int number : all[i].replaces) {
-      const int j = indexOf(number);
+    for (const std::string& replaced : all[i].replaces) {
+      const int j = indexOf(replaced);
       if (j < 0) continue;
       holds[static_cast<std::size_t>(j)] = false;
       if (!withdrawal) continue;
-      for (const int before : all[static_cast<std::size_t>(j)].replaces)
+      for (const std::string& before : all[static_cast<std::size_t>(j)].replaces)
         if (const int k = indexOf(before); k >= 0)
           holds[static_cast<std::size_t>(k)] =
               all[static_cast<std::size_t>(k)].kind != DecisionKind::Withdraw;
@@ -269,14 +268,16 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
     for (const json& entry : value->at("decisions")) {
       Result<PairDecision> decision = decisionFrom(entry, where);
       if (!decision) return decision.error();
-      if (const Result<void> valid = checked(*decision); !valid)
+      Result<void> valid = checked(*decision);
+      if (valid && (!isUuid(decision->id) || has(decisions, decision->id)))
+        valid = Error{ErrorCode::UnusableInput, "Its id is missing or used twice.", {}};
+      if (!valid)
         return Error{ErrorCode::UnusableInput,
-                     "Decision " + std::to_string(decision->number) + " cannot be used. " +
+                     "Decision " + std::to_string(decisions.size() + 1) + " cannot be used. " +
                          valid.error().what + " Correct it, or restore a copy of the file.",
                      where};
       decisions.push_back(std::move(*decision));
     }
-    for (PairDecision& d : decisions) nameMoments(d, decisions);
   } catch (const json::exception& refused) {
     return unusableJson(
         refused, "Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.",
@@ -302,25 +303,24 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
   if (!decisions) return decisions.error();
   const Decisions holding = standing(*decisions);
   if (decision.kind == DecisionKind::Withdraw) {
-    for (const int number : decision.replaces)
-      if (std::none_of(holding.begin(), holding.end(),
-                       [&](const PairDecision& d) { return d.number == number; }))
+    for (const std::string& id : decision.replaces)
+      if (!has(holding, id))
         return Error{ErrorCode::UnusableInput, "This decision is no longer in effect.",
                      fileIn(output).string()};
   } else {
     decision.replaces.clear();
     for (const PairDecision& other : holding)
       if (aboutPartners(decision.kind) && aboutPartners(other.kind) && shareAScan(decision, other))
-        decision.replaces.push_back(other.number);
+        decision.replaces.push_back(other.id);
     const Result<CandidateTable> now = readCandidatesOf(output);
     for (const PairDecision& other : now ? holding : Decisions())
-      if (std::find(decision.replaces.begin(), decision.replaces.end(), other.number) !=
+      if (std::find(decision.replaces.begin(), decision.replaces.end(), other.id) !=
           decision.replaces.end())
         takeAlong(decision, other, *now);
   }
-  decision.number = decisions->empty() ? 1 : decisions->back().number + 1;
+  using namespace std::chrono;
+  decision.id = newId(duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count());
   decision.at = utcNow();
-  nameMoments(decision, *decisions);
   decisions->push_back(decision);
   const Result<void> written = writeJson(
       fileIn(output), {{"format", kFormat}, {"unit", "mm"}, {"decisions", toJson(*decisions)}});

@@ -29,7 +29,7 @@ struct ScanRef {
   std::string id;
   Eigen::Vector2d place_mm = Eigen::Vector2d::Zero();  ///< mean of the points, side's plate frame
   /// A hash that names the side's photographs, since other sherds may lie at its place when it is
-  /// photographed again; empty where an older program took the decision.
+  /// photographed again; empty for results without photographs.
   std::string photographs = {};
 };
 
@@ -41,11 +41,8 @@ enum class Settle {
 
 /// What a person decided: a value that the window writes and the chain reads.
 struct PairDecision {
-  int number = 0;             ///< 1, 2, ... in the order taken; given when it is appended
-  std::vector<int> replaces;  ///< numbers; empty: the program's own proposal
-  /// `at` of those in `replaces`, which no decision of another file has; from the file, when it is
-  /// read or appended.
-  std::vector<std::string> replaced_at = {};
+  std::string id = {};  ///< a UUID, by which the catalogue knows it, too; given when it is appended
+  std::vector<std::string> replaces = {};  ///< ids; empty: the program's own proposal
   DecisionKind kind = DecisionKind::Pair;
   std::string at;              ///< UTC, 2026-07-14T09:30:12Z; given when it is appended
   std::string by;              ///< initials or name of the person
@@ -55,6 +52,9 @@ struct PairDecision {
   Settle settle = Settle::ByFractures;
   std::array<Eigen::Vector2d, 2> cut_mm{};  ///< Split: a line on the side's plate, a to b
 };
+
+/// When it was taken, for a person: 2026-07-14 09:30 UTC.
+std::string momentOf(const PairDecision& decision);
 
 /// All decisions ever taken, in order; nothing is ever removed.
 using Decisions = std::vector<PairDecision>;
@@ -68,7 +68,7 @@ Result<Decisions> readDecisions(const std::filesystem::path& output);
 /// The same from the file's text; `where` names the file in errors.
 Result<Decisions> parseDecisions(std::string_view text, const std::string& where);
 
-/// Writes the decision behind the others, atomically, with its number and time, and with what it
+/// Writes the decision behind the others, atomically, with its id and time, and with what it
 /// replaces: the standing ones about the same scans (Pair, Aside, Reshoot), or those named already
 /// (Withdraw). What takes one side of a sherd out that was taken out with its other side is about
 /// both. Returns it as written. Errors: those of readDecisions, CannotWrite; UnusableInput
@@ -78,11 +78,10 @@ Result<PairDecision> appendDecision(const std::filesystem::path& output, PairDec
 
 nlohmann::ordered_json toJson(const Decisions& decisions);
 
-/// Those whose numbers OUT/report.json names: what holds may have changed since. None where there
-/// are no results; all that hold where they name none (an earlier program), if nothing was written
-/// since.
+/// Those whose ids OUT/report.json names: what holds may have changed since. None where there are
+/// no results.
 Decisions followed(const Decisions& all, const std::filesystem::path& output);
-/// They differ in nothing but their numbers, moments, persons and notes, as a decision and the same
+/// They differ in nothing but their ids, moments, persons and notes, as a decision and the same
 /// one done again after an undo: results of the one are results of the other.
 bool equivalent(const PairDecision& a, const PairDecision& b);
 bool containedIn(const Decisions& list, const PairDecision& decision);

@@ -261,9 +261,9 @@ ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
     if (pair.registration.fracture_rms_mm > 0)
       pairs.back()["fracture_rms_mm"] =
           pair.registration.fracture_rms_mm;  // null: no fractures to compare
-    if (pair.decided != 0)
+    if (!pair.decided.empty())
       pairs.back()["decided"] = {
-          {"decision", pair.decided}, {"by", pair.decided_by}, {"at", pair.decided_at}};
+          {"id", pair.decided}, {"by", pair.decided_by}, {"at", pair.decided_at}};
     if (pair.registration.scale != 1) pairs.back()["scale"] = pair.registration.scale;
   }
   const auto ids = [](const std::vector<int>& indices, const std::vector<ScanRef>& scans) {

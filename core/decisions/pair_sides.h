@@ -31,7 +31,7 @@ struct SherdPair {
   pairing::Decision decision;
   registration::Registration registration;
   double contour_rms_mm = 0;
-  int decided = 0;                     ///< number of a person's decision; 0: the program's own
+  std::string decided;                 ///< id of a person's decision; empty: the program's own
   std::string decided_by, decided_at;  ///< who and when
 };
 

@@ -112,7 +112,7 @@ EditedPieces editedPieces(std::vector<Scan> scans, batch::Side side, const Decis
         there && (d.kind == DecisionKind::Join ? join(edited.scans, pieces)
                                                : split(edited.scans, pieces.front(), side, d));
     if (!done)
-      edited.warnings.push_back("Decision " + std::to_string(d.number) + " by " + d.by +
+      edited.warnings.push_back("The decision of " + momentOf(d) + " by " + d.by +
                                 (d.kind == DecisionKind::Join
                                      ? " merges fragments that no longer exist;"
                                      : " splits a fragment that does not exist, or misses it;") +

@@ -2,11 +2,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "catalogue/restore.h"
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
+#include "catalogue/places.h"
 #include "exchange/json_fields.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "records/words.h"
+#include "sherds/pair_decisions.h"
+#include "sherds/restore.h"
 #include "tables/import_places.h"
 
 namespace ostraka::exchange {
@@ -44,13 +50,13 @@ class Writing {
   }
 
   Result<ordered_json> batch(store::BatchRow row) {
-    const Result<records::BatchRecord> b = catalogue_.batch(row);
+    const Result<records::BatchRecord> b = Batches(catalogue_).get(row);
     if (!b) return b.error();
     if (persons_.empty()) {
-      const auto persons = catalogue_.persons();
+      const auto persons = People(catalogue_).all();
       if (!persons) return persons.error();
       for (const records::PersonRecord& p : *persons) persons_[p.row] = p.id;
-      const auto bags = catalogue_.bags();
+      const auto bags = Places(catalogue_).bags();
       if (!bags) return bags.error();
       for (const records::BagRecord& bag : *bags) bag_ids_[bag.row] = bag.id;
     }
@@ -68,7 +74,7 @@ class Writing {
     put(one, "program", b->program);
     put(one, "settings_sha256", b->settings_sha256);
     put(one, "note", b->note);
-    const Result<BatchIds> ids = idsOf(catalogue_, row);
+    const Result<sherds::BatchIds> ids = sherds::idsOf(catalogue_, row);
     if (!ids) return ids.error();
     ids_ = *ids;
     for (const auto& part : {&Writing::photographs, &Writing::scans, &Writing::decisions,
@@ -81,7 +87,7 @@ class Writing {
   std::string scanId(store::ScanRow row) const { return row ? ids_.scans.at(row) : std::string(); }
 
   Result<void> photographs(const records::BatchRecord& b, ordered_json& one) {
-    const auto all = catalogue_.photographs(b.row);
+    const auto all = Batches(catalogue_).photographs(b.row);
     if (!all) return all.error();
     for (const records::PhotographRecord& p : *all) {
       ordered_json out = {{"id", ids_.photographs[p.row]},
@@ -102,7 +108,7 @@ class Writing {
   }
 
   Result<void> scans(const records::BatchRecord& b, ordered_json& one) {
-    const auto all = catalogue_.scans(b.row);
+    const auto all = Batches(catalogue_).scans(b.row);
     if (!all) return all.error();
     for (const records::ScanRecord& s : *all) {
       ordered_json out = {{"id", ids_.scans[s.row]}, {"side", records::wordOf(s.side)},
@@ -118,12 +124,13 @@ class Writing {
   }
 
   Result<void> decisions(const records::BatchRecord& b, ordered_json& one) {
-    const auto all = catalogue_.decisions(b.row);
+    const auto all = sherds::PairDecisions(catalogue_).all(b.row);
     if (!all) return all.error();
     for (const records::PairDecision& d : *all) {
       ordered_json out = {{"id", ids_.decisions[d.row]},
                           {"at_ms", d.at_ms},
                           {"verdict", records::wordOf(d.verdict)}};
+      put(out, "decision", d.decision);
       put(out, "by", persons_[d.by]);
       put(out, "front", scanId(d.front));
       put(out, "back", scanId(d.back));
@@ -141,11 +148,12 @@ class Writing {
   }
 
   Result<void> pieces(const records::BatchRecord& b, ordered_json& one) {
-    const auto all = pieceRows(catalogue_, b.row);
+    const auto all = sherds::pieceRows(catalogue_, b.row);
     if (!all) return all.error();
-    for (const PieceRow& d : *all) {
+    for (const sherds::PieceRow& d : *all) {
       ordered_json out = {
           {"id", d.id}, {"at_ms", d.at_ms}, {"side", d.side}, {"verdict", d.verdict}};
+      put(out, "decision", d.decision);
       put(out, "by", d.by);
       put(out, "pieces", d.pieces_json);
       put(out, "cut_mm", d.cut_json);
@@ -157,7 +165,7 @@ class Writing {
   }
 
   Result<void> files(const records::BatchRecord& b, ordered_json& one) {
-    const auto all = catalogue_.files(b.row);
+    const auto all = Files(catalogue_).of(b.row);
     if (!all) return all.error();
     for (const records::FileRecord& f : *all) {
       const std::string at = exportedAs(f.path, b.number);
@@ -176,7 +184,7 @@ class Writing {
   std::set<std::string> exported_;
   std::map<store::PersonRow, std::string> persons_;
   std::map<store::BagRow, std::string> bag_ids_;
-  BatchIds ids_;  ///< of the present batch
+  sherds::BatchIds ids_;  ///< of the present batch
 };
 
 class Entering {
@@ -190,14 +198,14 @@ class Entering {
     batch.id = text(b, "id");
     batch.note = text(b, "note");
     batch.number = number_ = text(b, "number");
-    const Result<std::optional<records::BatchRecord>> there = catalogue_.batchById(batch.id);
+    const Result<std::optional<records::BatchRecord>> there = Batches(catalogue_).byId(batch.id);
     if (!there) return there.error();
     if (*there) {
       read.numbers[number_] = (*there)->number;
       return {};
     }
-    if (catalogue_.batchByNumber(number_)) {
-      const Result<std::string> next = catalogue_.nextBatchNumber();
+    if (Batches(catalogue_).byNumber(number_)) {
+      const Result<std::string> next = Batches(catalogue_).nextNumber();
       if (!next) return next.error();
       batch.number = *next;
       batch.note += (batch.note.empty() ? "" : "\n") + ("Was " + number_ + " where it was made.");
@@ -220,7 +228,7 @@ class Entering {
     batch.rig_sha256 = text(b, "rig_sha256");
     batch.program = text(b, "program");
     batch.settings_sha256 = text(b, "settings_sha256");
-    const Result<store::BatchRow> added = catalogue_.addBatch(batch, provenance_);
+    const Result<store::BatchRow> added = Batches(catalogue_).add(batch, provenance_);
     if (!added) return added.error();
     read.fresh.insert(*added);
     for (const json& p : listOf(b, "photographs"))
@@ -230,11 +238,13 @@ class Entering {
     for (const json& d : listOf(b, "decisions"))
       if (const Result<void> done = decision(d, *added); !done) return done;
     for (const json& d : listOf(b, "piece_decisions")) {
-      const PieceRow piece{
-          text(d, "id"),       text(d, "by"),     text(d, "side"),
-          text(d, "verdict"),  text(d, "pieces"), text(d, "cut_mm"),
-          text(d, "replaces"), text(d, "note"),   wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX)};
-      const auto done = restorePieceRow(catalogue_, *added, {row(d, "by")}, piece);
+      const sherds::PieceRow piece{
+          text(d, "id"),      text(d, "decision"),
+          text(d, "by"),      text(d, "side"),
+          text(d, "verdict"), text(d, "pieces"),
+          text(d, "cut_mm"),  text(d, "replaces"),
+          text(d, "note"),    wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX)};
+      const auto done = sherds::restorePieceRow(catalogue_, *added, {row(d, "by")}, piece);
       if (!done) return done;
     }
     for (const json& f : listOf(b, "files"))
@@ -276,7 +286,8 @@ class Entering {
     take(p, "sharpness", photograph.sharpness);
     photograph.used = p.value("used", true);
     photograph.reason = text(p, "reason");
-    const auto saved = restorePhotograph(catalogue_, photograph, text(p, "id"), provenance_);
+    const auto saved =
+        sherds::restorePhotograph(catalogue_, photograph, text(p, "id"), provenance_);
     return saved ? Result<void>() : saved.error();
   }
 
@@ -292,7 +303,8 @@ class Entering {
     take(s, "plate_x_mm", scan.plate_x_mm);
     take(s, "plate_y_mm", scan.plate_y_mm);
     scan.state = records::fromWord<records::ScanState>(text(s, "state"));
-    const Result<store::ScanRow> saved = restoreScan(catalogue_, scan, text(s, "id"), provenance_);
+    const Result<store::ScanRow> saved =
+        sherds::restoreScan(catalogue_, scan, text(s, "id"), provenance_);
     if (!saved) return saved.error();
     own_[text(s, "id")] = saved->value;
     return {};
@@ -302,6 +314,7 @@ class Entering {
     records::PairDecision decision;
     decision.at_ms = wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX);
     decision.batch = batch;
+    decision.decision = text(d, "decision");
     decision.by = {row(d, "by")};
     decision.front = {own(d, "front")};
     decision.back = {own(d, "back")};
@@ -318,7 +331,8 @@ class Entering {
     take(d, "fracture_overlap", decision.fracture_overlap);
     decision.ambiguous = d.value("ambiguous", false);
     decision.note = text(d, "note");
-    const Result<store::DecisionRow> saved = restoreDecision(catalogue_, decision, text(d, "id"));
+    const Result<store::DecisionRow> saved =
+        sherds::restoreDecision(catalogue_, decision, text(d, "id"));
     if (!saved) return saved.error();
     own_[text(d, "id")] = saved->value;
     return {};
@@ -336,7 +350,7 @@ class Entering {
     file.media_type = text(f, "media_type");
     file.role = "photo";
     file.batch = batch;
-    const auto saved = catalogue_.save(file, provenance_);
+    const auto saved = Files(catalogue_).save(file, provenance_);
     if (!saved) return saved.error();
     read.copies.push_back({text(f, "at"), file.path});
     return {};

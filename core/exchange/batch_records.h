@@ -8,6 +8,7 @@
 #include "archive/bagit.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "records/records.h"
 
 namespace ostraka::exchange {
 

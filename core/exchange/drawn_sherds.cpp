@@ -3,6 +3,9 @@
 #include <algorithm>
 
 #include "cloud/ply.h"
+#include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/sherds.h"
 
 namespace ostraka::exchange {
 
@@ -28,7 +31,7 @@ std::string nameOf(const SherdRecord& sherd) {
 
 Result<void> takeHandMeasures(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
                               drawing::HandMeasures& by_hand) {
-  const auto measured = catalogue.measuredByHand({&sherd, 1});
+  const auto measured = sherds::Measurements(catalogue).byHand({&sherd, 1});
   if (!measured) return measured.error();
   for (const records::Measurement& m : *measured) {
     by_hand[m.kind] = {m.value, {}};
@@ -82,7 +85,7 @@ Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
                                const DrawSherdsOptions& options, Progress& progress,
                                std::stop_token stop) {
   if (const Result<void> good = options.drawing.check(); !good) return good.error();
-  const Result<std::vector<SherdRecord>> sherds = catalogue.sherds(rows);
+  const Result<std::vector<SherdRecord>> sherds = sherds::Sherds(catalogue).of(rows);
   if (!sherds) return sherds.error();
   DrawnSherds all;
   std::int64_t done = 0;

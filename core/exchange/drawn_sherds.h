@@ -10,6 +10,7 @@
 #include "base/result.h"
 #include "catalogue/catalogue.h"
 #include "drawing/drawing.h"
+#include "records/sherd.h"
 
 namespace ostraka::exchange {
 

@@ -6,6 +6,8 @@
 
 #include "archive/bagit.h"
 #include "base/text.h"
+#include "catalogue/batches.h"
+#include "catalogue/settings.h"
 #include "cloud/glb.h"
 #include "cloud/ply.h"
 #include "exchange/drawn_sherds.h"
@@ -17,6 +19,8 @@
 #include "exchange/views_out.h"
 #include "files/files.h"
 #include "model/volume_moment.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "records/words.h"
 #include "store/names.h"
 #include "store/values.h"
@@ -47,7 +51,7 @@ class Exporting {
 
   Result<Exported> run(const std::vector<records::SherdRecord>& sherds, const ExportPlan& plan,
                        std::span<const store::SherdRow> rows) {
-    const Result<records::ProjectRecord> project = catalogue_.project();
+    const Result<records::ProjectRecord> project = Settings(catalogue_).project();
     if (!project) return project.error();
     total_ =
         static_cast<std::int64_t>(plan.files().size() + kDrawingAsCopies * plan.drawn().size() +
@@ -86,7 +90,7 @@ class Exporting {
     for (const records::SherdRecord& sherd : sherds) {
       by_row[sherd.row] = &sherd;
       if (!sherd.batch || scale_doubts.contains(sherd.batch)) continue;
-      const Result<records::BatchRecord> batch = catalogue_.batch(sherd.batch);
+      const Result<records::BatchRecord> batch = Batches(catalogue_).get(sherd.batch);
       if (!batch) return batch.error();
       scale_doubts[sherd.batch] = batch->scale_doubts;
     }

@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "catalogue/catalogue.h"
 #include "drawing/wording.h"
+#include "store/row.h"
 
 namespace ostraka::exchange {
 

@@ -1,8 +1,11 @@
 #include "exchange/export_plan.h"
 
+#include "catalogue/files.h"
 #include "cloud/glb.h"
 #include "exchange/drawn_sherds.h"
 #include "exchange/model_files.h"
+#include "records/sherd.h"
+#include "sherds/sherds.h"
 #include "store/names.h"
 
 namespace ostraka::exchange {
@@ -24,7 +27,7 @@ bool isModel(Form form) {
 
 Result<void> ExportPlan::add(const records::SherdRecord& sherd) {
   const std::string name = slugOf(sherd);
-  const Result<std::vector<records::FileRecord>> files = catalogue_.files(sherd.row);
+  const Result<std::vector<records::FileRecord>> files = Files(catalogue_).of(sherd.row);
   if (!files) return files.error();
   std::string glb;
   for (const records::FileRecord& file : *files) {
@@ -75,7 +78,7 @@ void ExportPlan::addDrawing(const records::SherdRecord& sherd, const std::string
 Result<void> ExportPlan::photographs(store::BatchRow batch, const std::string& number) {
   if (!options_.forms.contains(Form::Photographs) && !options_.forms.contains(Form::Views))
     return {};
-  const Result<std::vector<records::FileRecord>> files = catalogue_.files(batch);
+  const Result<std::vector<records::FileRecord>> files = Files(catalogue_).of(batch);
   if (!files) return files.error();
   const std::string folder = "batches/" + number + "/";
   for (const records::FileRecord& file : *files) {
@@ -98,7 +101,7 @@ Result<void> ExportPlan::photographs(store::BatchRow batch, const std::string& n
 Result<std::vector<records::SherdRecord>> readAll(const Catalogue& catalogue,
                                                   std::span<const store::SherdRow> rows,
                                                   ExportPlan& plan, const std::stop_token& stop) {
-  Result<std::vector<records::SherdRecord>> sherds = catalogue.sherds(rows);
+  Result<std::vector<records::SherdRecord>> sherds = sherds::Sherds(catalogue).of(rows);
   if (!sherds) return sherds;
   for (const records::SherdRecord& sherd : *sherds) {
     if (stop.stop_requested()) return Error::cancelled();

@@ -11,6 +11,7 @@
 #include "exchange/export_folder.h"
 #include "exchange/model_files.h"
 #include "paper/sheet.h"
+#include "records/sherd.h"
 
 namespace ostraka::exchange {
 

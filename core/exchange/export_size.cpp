@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "catalogue/settings.h"
 #include "cloud/ply.h"
 #include "exchange/export_plan.h"
 #include "exchange/lighter_model.h"
@@ -8,6 +9,8 @@
 #include "exchange/sherd_json.h"
 #include "exchange/views_out.h"
 #include "files/files.h"
+#include "records/records.h"
+#include "records/sherd.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -132,7 +135,7 @@ class Sizing {
   Result<void> drawings() {
     const auto& drawn = plan_.drawn();
     size_.drawings = static_cast<int>(drawn.size());
-    const Result<records::ProjectRecord> project = catalogue_.project();
+    const Result<records::ProjectRecord> project = Settings(catalogue_).project();
     if (!project) return project.error();
     std::vector<std::pair<double, const records::SherdRecord*>> order;
     for (const records::SherdRecord* sherd : drawn)
@@ -219,7 +222,7 @@ class Sizing {
   }
 
   Result<void> metadata() {
-    const Result<records::ProjectRecord> project = catalogue_.project();
+    const Result<records::ProjectRecord> project = Settings(catalogue_).project();
     if (!project) return project.error();
     const auto beside = metadataOf(catalogue_, sherds_, *project, options_.program, files_);
     if (!beside) return beside.error();

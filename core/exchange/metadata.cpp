@@ -5,11 +5,15 @@
 #include <set>
 
 #include "archive/bagit.h"
+#include "catalogue/batches.h"
+#include "catalogue/places.h"
 #include "exchange/json_fields.h"
 #include "exchange/vocabularies.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 #include "files/json_text.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "store/names.h"
 
 namespace ostraka::exchange {
@@ -98,7 +102,7 @@ Result<std::string> readMe(const Catalogue& catalogue, const std::set<store::Bat
                            const std::vector<archive::BagFile>& exported) {
   std::string doubts;
   for (const store::BatchRow row : batches) {
-    const Result<records::BatchRecord> batch = catalogue.batch(row);
+    const Result<records::BatchRecord> batch = Batches(catalogue).get(row);
     if (!batch) return batch.error();
     if (!batch->scale_doubts.empty()) doubts += batch->number + ": " + batch->scale_doubts + "\n";
   }
@@ -183,11 +187,11 @@ ordered_json bagJson(const records::BagRecord& b, const std::string& context) {
 
 Result<ordered_json> placesJson(const Catalogue& catalogue,
                                 const std::set<store::ContextRow>& wanted) {
-  const auto sites = catalogue.sites();
-  const auto trenches = catalogue.trenches();
-  const auto contexts = catalogue.contexts();
-  const auto bags = catalogue.bags();
-  const auto persons = catalogue.persons();
+  const auto sites = Places(catalogue).sites();
+  const auto trenches = Places(catalogue).trenches();
+  const auto contexts = Places(catalogue).contexts();
+  const auto bags = Places(catalogue).bags();
+  const auto persons = People(catalogue).all();
   for (const Error* error :
        {sites ? nullptr : &sites.error(), trenches ? nullptr : &trenches.error(),
         contexts ? nullptr : &contexts.error(), bags ? nullptr : &bags.error(),
@@ -221,11 +225,11 @@ class Reading {
  public:
   Reading(Catalogue& catalogue, const records::Provenance& provenance)
       : catalogue_(catalogue), provenance_(provenance) {
-    for (const auto& p : orEmpty(catalogue.persons())) know(p, keyOf(p));
-    for (const auto& s : orEmpty(catalogue.sites())) know(s, keyOf(s));
-    for (const auto& t : orEmpty(catalogue.trenches())) know(t, keyOf(t));
-    for (const auto& c : orEmpty(catalogue.contexts())) know(c, keyOf(c));
-    for (const auto& b : orEmpty(catalogue.bags())) know(b, keyOf(b));
+    for (const auto& p : orEmpty(People(catalogue).all())) know(p, keyOf(p));
+    for (const auto& s : orEmpty(Places(catalogue).sites())) know(s, keyOf(s));
+    for (const auto& t : orEmpty(Places(catalogue).trenches())) know(t, keyOf(t));
+    for (const auto& c : orEmpty(Places(catalogue).contexts())) know(c, keyOf(c));
+    for (const auto& b : orEmpty(Places(catalogue).bags())) know(b, keyOf(b));
   }
 
   Result<void> places(const json& places) {
@@ -328,7 +332,9 @@ class Reading {
       known_[record.id] = same->second;
       return {};
     }
-    const auto row = catalogue_.save(record, provenance_);
+    using Subject =
+        std::conditional_t<std::is_same_v<Record, records::PersonRecord>, People, Places>;
+    const auto row = Subject(catalogue_).save(record, provenance_);
     if (!row) return row.error();
     known_[record.id] = named_[key] = row->value;
     return {};
@@ -360,10 +366,10 @@ Result<std::vector<MetadataFile>> metadataOf(const Catalogue& catalogue,
     if (sherd.batch) batches.insert(sherd.batch);
   }
   // And of the bags that the batches were made of, wherever their sherds are now.
-  const Result<std::vector<records::BagRecord>> bags = catalogue.bags();
+  const Result<std::vector<records::BagRecord>> bags = Places(catalogue).bags();
   if (!bags) return bags.error();
   for (const store::BatchRow row : batches) {
-    const Result<records::BatchRecord> batch = catalogue.batch(row);
+    const Result<records::BatchRecord> batch = Batches(catalogue).get(row);
     if (!batch) return batch.error();
     for (const records::BagRecord& of : *bags)
       if (std::find(batch->bags.begin(), batch->bags.end(), of.row) != batch->bags.end())

@@ -7,6 +7,8 @@
 #include "base/result.h"
 #include "catalogue/catalogue.h"
 #include "exchange/batch_records.h"
+#include "records/records.h"
+#include "records/sherd.h"
 
 namespace ostraka::exchange {
 

@@ -6,10 +6,18 @@
 #include "archive/bag_reader.h"
 #include "base/limits.h"
 #include "base/text.h"
-#include "catalogue/restore.h"
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
 #include "exchange/metadata.h"
 #include "exchange/sherd_json.h"
 #include "files/checksum.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/restore.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "store/names.h"
 #include "store/values.h"
 #include "tables/import_places.h"
@@ -37,9 +45,9 @@ std::string mediaTypeOf(const std::string& path) {
 std::string valueNow(const records::SherdRecord& sherd, const std::string& name) {
   if (const auto value = sherd.measures.find(name); value != sherd.measures.end())
     return store::numberText(value->second);
-  for (const records::SherdField& field : records::sherdFields())
-    if (name == field.name) return records::textOf(sherd, name);
-  return records::textOf(sherd, "extra." + name);
+  for (const records::SherdField& field : sherds::sherdFields())
+    if (name == field.name) return sherds::textOf(sherd, name);
+  return sherds::textOf(sherd, "extra." + name);
 }
 
 // ware_in_out is what another project kept of ours: it says nothing new while our ware is that.
@@ -61,7 +69,7 @@ std::vector<std::pair<std::string, std::string>> ownThatDiffer(const records::Sh
   for (const auto& [field, value] : row.values) {
     if (!field.starts_with("extra.") || field.ends_with("_in_" + from)) continue;
     const std::string name = field.substr(6);
-    if (value != records::textOf(sherd, field) && !isOurs(sherd, name, value))
+    if (value != sherds::textOf(sherd, field) && !isOurs(sherd, name, value))
       differ.emplace_back(name, value);
   }
   return differ;
@@ -76,12 +84,12 @@ std::vector<records::FieldChange> otherVersion(const records::SherdRecord& sherd
   const auto keep = [&](const std::string& name, const std::string& value) {
     kept.push_back({sherd.row, "extra." + name + "_in_" + from, value.empty() ? kNone : value});
   };
-  for (const records::SherdField& field : records::sherdFields()) {
+  for (const records::SherdField& field : sherds::sherdFields()) {
     const std::string name = field.name;
     if (!field.editable || field.kind == records::FieldKind::Number) continue;
     const auto found = row.values.find(name);
     const std::string value = found == row.values.end() ? std::string() : found->second;
-    if (value != records::textOf(sherd, name)) keep(name, value);
+    if (value != sherds::textOf(sherd, name)) keep(name, value);
   }
   for (const auto& [m, initials] : row.measured) {
     const auto value = sherd.measures.find(m.kind);
@@ -94,17 +102,17 @@ std::vector<records::FieldChange> otherVersion(const records::SherdRecord& sherd
 
 bool sameAs(const records::SherdRecord& sherd, const tables::ImportRow& row,
             const std::string& from, const Catalogue& catalogue) {
-  for (const records::SherdField& field : records::sherdFields()) {
+  for (const records::SherdField& field : sherds::sherdFields()) {
     const std::string name = field.name;
     if (name == "state" || name == "batch" || name == "scale" ||
         field.kind == records::FieldKind::Number)
       continue;
     const auto value = row.values.find(name);
-    if ((value == row.values.end() ? std::string() : value->second) != records::textOf(sherd, name))
+    if ((value == row.values.end() ? std::string() : value->second) != sherds::textOf(sherd, name))
       return false;
   }
   if (!ownThatDiffer(sherd, row, from).empty()) return false;
-  const auto measured = catalogue.measurements(sherd.row);
+  const auto measured = sherds::Measurements(catalogue).of(sherd.row);
   if (!measured || measured->size() != row.measured.size()) return false;
   for (const auto& [m, initials] : row.measured) {
     const auto value = sherd.measures.find(m.kind);
@@ -158,7 +166,7 @@ class ReadingBack {
     for (const ReadSherdJson& record : records_) {
       const std::string uuid =
           record.row.values.contains("uuid") ? record.row.values.at("uuid") : "";
-      const Result<store::SherdRow> there = catalogue.sherdById(uuid);
+      const Result<store::SherdRow> there = sherds::Sherds(catalogue).byId(uuid);
       if (!there) return there.error();
       if (!*there) {
         fresh_records.push_back(&record);
@@ -167,13 +175,13 @@ class ReadingBack {
         if (const auto batch = record.row.values.find("batch"); batch != record.row.values.end())
           if (const auto number = beside->numbers.find(batch->second);
               number != beside->numbers.end()) {
-            const Result<records::BatchRecord> known = catalogue.batchByNumber(number->second);
+            const Result<records::BatchRecord> known = Batches(catalogue).byNumber(number->second);
             if (!known) return known.error();
             fresh.back().batch = known->row;
           }
         continue;
       }
-      const Result<records::SherdRecord> sherd = catalogue.sherd(*there);
+      const Result<records::SherdRecord> sherd = sherds::Sherds(catalogue).get(*there);
       if (!sherd) return sherd.error();
       if (sameAs(*sherd, record.row, name_, catalogue)) {
         ++kept.same;
@@ -181,7 +189,7 @@ class ReadingBack {
       }
       ++kept.refused;
       const std::vector<records::FieldChange> other = otherVersion(*sherd, record.row, name_);
-      const auto undo = catalogue.change(other, provenance_);
+      const auto undo = sherds::SherdChanges(catalogue).apply(other, provenance_);
       if (!undo) return undo.error();
       if (!undo->empty()) kept.changes.insert(kept.changes.end(), other.begin(), other.end());
       kept.undo.insert(kept.undo.end(), undo->rbegin(), undo->rend());  // turned at the end
@@ -288,12 +296,13 @@ class ReadingBack {
   Result<void> afterwards(const ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
     if (!record.row.values.contains("uuid")) return {};
-    const Result<store::SherdRow> sherd = catalogue.sherdById(record.row.values.at("uuid"));
+    const Result<store::SherdRow> sherd =
+        sherds::Sherds(catalogue).byId(record.row.values.at("uuid"));
     if (!sherd) return sherd.error();
     if (!*sherd) return {};  // refused
     if (Result<void> done = join(*sherd, record); !done) return done;
     if (Result<void> done = scansOf(*sherd, record); !done) return done;
-    const Result<std::vector<records::FileRecord>> had = catalogue.files(*sherd);
+    const Result<std::vector<records::FileRecord>> had = Files(catalogue).of(*sherd);
     if (!had) return had.error();
     if (!had->empty()) return {};
     std::string model, preview;
@@ -306,15 +315,15 @@ class ReadingBack {
       f.sha256 = file.sha256;
       f.bytes = file.bytes;
       f.role = file.role;
-      f.media_type = intake::mediaTypeOf(file.path);
+      f.media_type = mediaTypeOf(file.path);
       f.sherd = *sherd;
-      const auto saved = catalogue.save(f, provenance_);
+      const auto saved = Files(catalogue).save(f, provenance_);
       if (!saved) return saved.error();
       copies_.push_back({file.path, f.path});
       if (file.role == "model" && file.path.ends_with(".ply")) model = f.path;
       if (file.role == "preview") preview = f.path;
     }
-    return catalogue.setModel(*sherd, model, preview);
+    return sherds::Sherds(catalogue).setModel(*sherd, model, preview);
   }
 
   // With whom the export means: a number may be another sherd's here, or nobody knows whose.
@@ -326,7 +335,7 @@ class ReadingBack {
     for (const std::string& named : store::splitTerms(joins->second)) {
       const auto known = uuids_.find(store::uniqueKey(named));
       const std::string uuid = known == uuids_.end() ? named : known->second;
-      const Result<store::SherdRow> partner = catalogue.sherdById(uuid);
+      const Result<store::SherdRow> partner = sherds::Sherds(catalogue).byId(uuid);
       if (!partner) return partner.error();
       if (*partner) {
         there.push_back(uuid);
@@ -339,7 +348,7 @@ class ReadingBack {
     }
     if (there.empty()) return {};
     const records::FieldChange change{sherd, "joins", store::joinTerms(there)};
-    const auto done = catalogue.change(std::span(&change, 1), provenance_);
+    const auto done = sherds::SherdChanges(catalogue).apply(std::span(&change, 1), provenance_);
     return done ? Result<void>() : done.error();
   }
 
@@ -347,17 +356,17 @@ class ReadingBack {
   // before has its own scans and decisions: one of the same name may be of another piece.
   Result<void> scansOf(store::SherdRow row, const ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
-    const Result<records::SherdRecord> sherd = catalogue.sherd(row);
+    const Result<records::SherdRecord> sherd = sherds::Sherds(catalogue).get(row);
     if (!sherd) return sherd.error();
     if (record.front.empty() || sherd->front || !fresh_batches_.contains(sherd->batch)) return {};
-    const Result<std::vector<records::ScanRecord>> scans = catalogue.scans(sherd->batch);
+    const Result<std::vector<records::ScanRecord>> scans = Batches(catalogue).scans(sherd->batch);
     if (!scans) return scans.error();
     store::ScanRow front, back;
     for (const records::ScanRecord& scan : *scans) {
       if (scan.side == batch::Side::Front && scan.name == record.front) front = scan.row;
       if (scan.side == batch::Side::Back && scan.name == record.back) back = scan.row;
     }
-    return front ? restoreScans(catalogue, row, front, back) : Result<void>();
+    return front ? sherds::restoreScans(catalogue, row, front, back) : Result<void>();
   }
 
   upkeep::Project& project_;

@@ -4,6 +4,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "records/records.h"
 #include "tables/import_table.h"
 #include "upkeep/project.h"
 

@@ -4,11 +4,19 @@
 #include <set>
 
 #include "base/text.h"
+#include "catalogue/batches.h"
+#include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "exchange/json_fields.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 #include "files/json_text.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "records/words.h"
+#include "sherds/measurements.h"
+#include "sherds/pair_decisions.h"
+#include "sherds/sherd_fields.h"
 #include "store/values.h"
 
 namespace ostraka::exchange {
@@ -21,7 +29,7 @@ using records::SherdRecord;
 
 std::string initialsOf(const Catalogue& catalogue, store::PersonRow row) {
   if (!row) return {};
-  if (const auto persons = catalogue.persons())
+  if (const auto persons = catalogue::People(catalogue).all())
     for (const auto& person : *persons)
       if (person.row == row) return person.initials;
   return {};
@@ -46,11 +54,11 @@ ordered_json pairingOf(const Catalogue& catalogue, const SherdRecord& sherd) {
   ordered_json pairing = ordered_json::object();
   if (!sherd.batch) return pairing;
   std::map<store::ScanRow, std::string> names;
-  if (const auto scans = catalogue.scans(sherd.batch))
+  if (const auto scans = catalogue::Batches(catalogue).scans(sherd.batch))
     for (const auto& scan : *scans) names[scan.row] = scan.name;
   put(pairing, "front", names[sherd.front]);
   put(pairing, "back", names[sherd.back]);
-  if (const auto decisions = catalogue.currentDecisions(sherd.batch))
+  if (const auto decisions = sherds::PairDecisions(catalogue).current(sherd.batch))
     for (const auto& d : *decisions)
       if (d.front == sherd.front && d.back == sherd.back && sherd.front) {
         if (d.score) pairing["score"] = *d.score;
@@ -100,7 +108,7 @@ void putTexts(ordered_json& out, const SherdRecord& sherd) {
     const json::json_pointer path{std::string(pointer)};
     if (path.parent_pointer().empty() && std::string_view(field) != "void_reason") continue;
     if (std::string_view(field) == "batch") continue;
-    const std::string text = records::textOf(sherd, field);
+    const std::string text = sherds::textOf(sherd, field);
     if (text.empty()) continue;
     const bool list = std::string_view(field) == "part" ||
                       std::string_view(field) == "decoration" ||
@@ -135,9 +143,10 @@ ordered_json filesJson(const std::vector<SherdFile>& files) {
 
 Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& sherd,
                               const std::vector<SherdFile>& files, const std::string& program) {
-  const Result<records::ProjectRecord> project = catalogue.project();
+  const Result<records::ProjectRecord> project = catalogue::Settings(catalogue).project();
   if (!project) return project.error();
-  const Result<std::vector<records::Measurement>> measured = catalogue.measurements(sherd.row);
+  const Result<std::vector<records::Measurement>> measured =
+      sherds::Measurements(catalogue).of(sherd.row);
   if (!measured) return measured.error();
   ordered_json out = {
       {"@context", "context.jsonld"}, {"format", "ostraka-sherd/1"}, {"id", sherd.id}};
@@ -148,7 +157,7 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
   ordered_json digitisation = ordered_json::object();
   std::string used_program = program;
   if (sherd.batch) {
-    const Result<records::BatchRecord> batch = catalogue.batch(sherd.batch);
+    const Result<records::BatchRecord> batch = catalogue::Batches(catalogue).get(sherd.batch);
     if (!batch) return batch.error();
     digitisation["batch"] = batch->number;
     if (batch->started_ms) digitisation["shot_on"] = utcDay(*batch->started_ms);

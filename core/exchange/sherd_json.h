@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "records/sherd.h"
 #include "tables/import_table.h"
 
 namespace ostraka::exchange {

@@ -3,8 +3,15 @@
 #include <optional>
 #include <set>
 
+#include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "exchange/export_folder.h"
 #include "files/json_text.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "store/values.h"
 #include "tables/column_meanings.h"
 #include "tables/csv.h"
@@ -33,7 +40,8 @@ std::string columnOf(const std::string& kind) {
 using HandColumns = std::map<store::SherdRow, std::set<std::string>>;
 Result<HandColumns> measuredByHand(const Catalogue& catalogue,
                                    std::span<const store::SherdRow> rows) {
-  const Result<std::vector<records::Measurement>> measured = catalogue.measuredByHand(rows);
+  const Result<std::vector<records::Measurement>> measured =
+      sherds::Measurements(catalogue).byHand(rows);
   if (!measured) return measured.error();
   HandColumns columns;
   for (const records::Measurement& m : *measured) columns[m.sherd].insert(columnOf(m.kind));
@@ -41,7 +49,7 @@ Result<HandColumns> measuredByHand(const Catalogue& catalogue,
 }
 
 std::string shownValue(const records::SherdRecord& sherd, const records::SherdField& field) {
-  const std::string text = records::textOf(sherd, field.name);
+  const std::string text = sherds::textOf(sherd, field.name);
   return isNumber(field) && !text.empty() ? tables::tableNumber(*store::parsedNumber(text)) : text;
 }
 
@@ -50,7 +58,7 @@ template <class Use>
 Result<void> eachSherd(const Catalogue& catalogue, std::span<const store::SherdRow> rows, Use use) {
   for (std::size_t i = 0; i < rows.size(); i += kPage) {
     const std::span<const store::SherdRow> some = rows.subspan(i, std::min(kPage, rows.size() - i));
-    const Result<std::vector<records::SherdRecord>> page = catalogue.sherds(some);
+    const Result<std::vector<records::SherdRecord>> page = sherds::Sherds(catalogue).of(some);
     if (!page) return page.error();
     Result<HandColumns> by_hand = measuredByHand(catalogue, some);
     if (!by_hand) return by_hand.error();
@@ -75,7 +83,7 @@ void writeMeanings(TableWriter& table) {
 
 Result<void> writeSherds(const Catalogue& catalogue, std::span<const store::SherdRow> rows,
                          const FilesOfSherds& files, TableWriter& table) {
-  const Result<records::ProjectRecord> project = catalogue.project();
+  const Result<records::ProjectRecord> project = Settings(catalogue).project();
   if (!project) return project.error();
   std::set<std::string> own;  // fields of the user's own, of any of the sherds
   Result<void> read = eachSherd(
@@ -87,7 +95,7 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const store::Sher
       });
   if (!read) return read;
   std::vector<tables::OdsSheet::Column> columns;
-  for (const records::SherdField& field : records::sherdFields())
+  for (const records::SherdField& field : sherds::sherdFields())
     columns.push_back({field.name, isNumber(field)});
   columns.push_back({"measured_by_hand"});
   for (const char* column : kCentreColumns) columns.push_back({column, true});
@@ -101,7 +109,7 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const store::Sher
                      const auto named = files.find(sherd.row);
                      const auto& beside = named == files.end() ? kNoFiles : named->second;
                      std::vector<std::string> values;
-                     for (const records::SherdField& field : records::sherdFields())
+                     for (const records::SherdField& field : sherds::sherdFields())
                        values.push_back(shownValue(sherd, field));
                      values.push_back(store::joinTerms({by_hand.begin(), by_hand.end()}));
                      const auto add = [&](const char* column) {
@@ -112,7 +120,7 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const store::Sher
                      for (const char* column : kFileColumns) add(column);
                      values.push_back(project->licence);
                      for (const std::string& key : own)
-                       values.push_back(records::textOf(sherd, "extra." + key));
+                       values.push_back(sherds::textOf(sherd, "extra." + key));
                      table.row(values);
                    });
 }
@@ -134,9 +142,9 @@ Result<void> writeContexts(const Catalogue& catalogue, std::span<const store::Co
                {"weight_g", true},
                {"storage"}});
   for (const store::ContextRow& row : rows) {
-    const Result<records::ContextRecord> c = catalogue.context(row);
+    const Result<records::ContextRecord> c = Places(catalogue).context(row);
     if (!c) return c.error();
-    Result<std::vector<records::BagRecord>> bags = catalogue.bags(row);
+    Result<std::vector<records::BagRecord>> bags = Places(catalogue).bags(row);
     if (!bags) return bags.error();
     if (bags->empty()) bags->emplace_back();
     for (const records::BagRecord& bag : *bags)

@@ -9,7 +9,7 @@
 #include "pipeline/chain.h"
 #include "review/saved_views.h"
 #include "rig/camera.h"
-#include "stereo/outside_door.h"
+#include "stereo/outside_adapter.h"
 #include "tables/csv.h"
 
 namespace ostraka::exchange {
@@ -74,7 +74,7 @@ std::int64_t fileBytes(const fs::path& file) {
   return code ? 0 : static_cast<std::int64_t>(bytes);
 }
 
-// As the doors write it. That the lens bends it yet changes little.
+// As the adapters write it. That the lens bends it yet changes little.
 double pngBytes(const cv::Mat& picture) {
   std::vector<unsigned char> bytes;
   cv::imencode(".png", picture, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1});

@@ -4,7 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "catalogue/settings.h"
 #include "exchange/json_fields.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/sherd_fields.h"
 #include "store/names.h"
 #include "store/values.h"
 
@@ -17,14 +21,14 @@ using nlohmann::ordered_json;
 Result<ordered_json> vocabulariesJson(const Catalogue& catalogue,
                                       const std::vector<records::SherdRecord>& sherds) {
   std::map<std::string, std::set<std::string>> used;
-  for (const records::SherdField& field : records::sherdFields())
+  for (const records::SherdField& field : sherds::sherdFields())
     if (*field.vocabulary)
       for (const records::SherdRecord& sherd : sherds)
-        for (const std::string& term : store::splitTerms(records::textOf(sherd, field.name)))
+        for (const std::string& term : store::splitTerms(sherds::textOf(sherd, field.name)))
           used[field.vocabulary].insert(term);
   ordered_json all = ordered_json::object();
   for (const auto& [name, terms] : used) {
-    const Result<std::vector<records::Term>> known = catalogue.vocabulary(name);
+    const Result<std::vector<records::Term>> known = Settings(catalogue).vocabulary(name);
     if (!known) return known.error();
     ordered_json list = ordered_json::array();
     for (const records::Term& term : *known) {
@@ -42,7 +46,7 @@ Result<ordered_json> vocabulariesJson(const Catalogue& catalogue,
 Result<void> readVocabularies(Catalogue& catalogue, const json& vocabularies,
                               const records::Provenance& provenance) {
   for (const auto& [name, list] : vocabularies.at("vocabularies").items()) {
-    Result<std::vector<records::Term>> terms = catalogue.vocabulary(name);
+    Result<std::vector<records::Term>> terms = Settings(catalogue).vocabulary(name);
     if (!terms) return terms.error();
     std::set<std::string> known;
     for (const records::Term& term : *terms) {
@@ -64,7 +68,8 @@ Result<void> readVocabularies(Catalogue& catalogue, const json& vocabularies,
       terms->push_back(std::move(term));
     }
     if (terms->size() == before) continue;
-    if (Result<void> set = catalogue.setVocabulary(name, *terms, provenance); !set) return set;
+    if (Result<void> set = Settings(catalogue).setVocabulary(name, *terms, provenance); !set)
+      return set;
   }
   return {};
 }

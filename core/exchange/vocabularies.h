@@ -4,6 +4,8 @@
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "records/records.h"
+#include "records/sherd.h"
 
 namespace ostraka::exchange {
 

@@ -2,10 +2,15 @@
 
 #include <algorithm>
 
+#include "catalogue/batches.h"
 #include "catalogue/catalogue.h"
-#include "catalogue/sherd_columns.h"
+#include "catalogue/history.h"
+#include "catalogue/settings.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "records/words.h"
 #include "review/review.h"
+#include "sherds/sherd_columns.h"
 #include "store/database.h"
 
 namespace ostraka::intake {
@@ -24,7 +29,7 @@ bool isComputed(records::BatchState state) {
 // The state that it had when it was queued; Queued when that is not known.
 records::BatchState stateBefore(const catalogue::Catalogue& catalogue, store::BatchRow batch) {
   const std::vector<records::HistoryEntry> history =
-      catalogue::valueOrThrow(catalogue.history("batch", batch.value));
+      store::valueOrThrow(catalogue::History(catalogue).of("batch", batch.value));
   const auto queued =
       std::find_if(history.begin(), history.end(),
                    [](const records::HistoryEntry& e) { return e.field == "state"; });
@@ -38,35 +43,37 @@ Result<void> queueAgain(catalogue::Catalogue& catalogue, const std::string& batc
                         const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
     const records::BatchRecord batch =
-        catalogue::valueOrThrow(catalogue.batchByNumber(batch_number));
+        store::valueOrThrow(catalogue::Batches(catalogue).byNumber(batch_number));
     if (batch.state <= records::BatchState::Back)
       store::refuse("This batch is still being photographed; it is processed afterwards.",
                     batch_number);
     // What waits cannot be told from what is being computed: both are so until their results are
     // entered. Where it only waits, its beginning forgets this.
     if (batch.state == records::BatchState::Queued || batch.state == records::BatchState::Computed)
-      catalogue::valueOrThrow(catalogue.setSetting(keyOf(batch_number), kAsked));
-    catalogue::valueOrThrow(
-        catalogue.setBatchState(batch.row, records::BatchState::Queued, provenance));
+      store::valueOrThrow(catalogue::Settings(catalogue).setValue(keyOf(batch_number), kAsked));
+    store::valueOrThrow(
+        catalogue::Batches(catalogue).setState(batch.row, records::BatchState::Queued, provenance));
   });
 }
 
 Result<void> beginComputing(catalogue::Catalogue& catalogue, const std::string& batch_number) {
-  const Result<std::string> asked = catalogue.setting(keyOf(batch_number));
+  const Result<std::string> asked = catalogue::Settings(catalogue).value(keyOf(batch_number));
   if (!asked) return asked.error();
-  return asked->empty() ? Result<void>() : catalogue.setSetting(keyOf(batch_number), {});
+  return asked->empty() ? Result<void>()
+                        : catalogue::Settings(catalogue).setValue(keyOf(batch_number), {});
 }
 
 Result<bool> queueIfAsked(catalogue::Catalogue& catalogue, const std::string& batch_number,
                           const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
-    if (catalogue::valueOrThrow(catalogue.setting(keyOf(batch_number))) != kAsked) return false;
-    catalogue::valueOrThrow(catalogue.setSetting(keyOf(batch_number), {}));
+    if (store::valueOrThrow(catalogue::Settings(catalogue).value(keyOf(batch_number))) != kAsked)
+      return false;
+    store::valueOrThrow(catalogue::Settings(catalogue).setValue(keyOf(batch_number), {}));
     const records::BatchRecord batch =
-        catalogue::valueOrThrow(catalogue.batchByNumber(batch_number));
+        store::valueOrThrow(catalogue::Batches(catalogue).byNumber(batch_number));
     if (!isComputed(batch.state)) return false;
-    catalogue::valueOrThrow(
-        catalogue.setBatchState(batch.row, records::BatchState::Queued, provenance));
+    store::valueOrThrow(
+        catalogue::Batches(catalogue).setState(batch.row, records::BatchState::Queued, provenance));
     return true;
   });
 }
@@ -76,12 +83,12 @@ Result<bool> takeOutOfQueue(catalogue::Catalogue& catalogue, const std::string& 
                             const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
     const records::BatchRecord batch =
-        catalogue::valueOrThrow(catalogue.batchByNumber(batch_number));
+        store::valueOrThrow(catalogue::Batches(catalogue).byNumber(batch_number));
     if (batch.state != records::BatchState::Queued || !review::computedToItsEnd(output))
       return false;
     const records::BatchState before = stateBefore(catalogue, batch.row);
     if (!isComputed(before)) return false;
-    catalogue::valueOrThrow(catalogue.setBatchState(batch.row, before, provenance));
+    store::valueOrThrow(catalogue::Batches(catalogue).setState(batch.row, before, provenance));
     return true;
   });
 }

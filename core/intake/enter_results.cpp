@@ -11,16 +11,22 @@
 #include "batch/batch.h"
 #include "batch/exif.h"
 #include "capture/manifest.h"
-#include "catalogue/kept_models.h"
-#include "catalogue/sherd_columns.h"
-#include "catalogue/typed_numbers.h"
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
 #include "cloud/ply.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "intake/read_results.h"
 #include "intake/review_decisions.h"
 #include "intake/same_pieces.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "review/review.h"
+#include "sherds/kept_models.h"
+#include "sherds/pair_decisions.h"
+#include "sherds/sherd_columns.h"
+#include "sherds/sherds.h"
+#include "sherds/typed_numbers.h"
 #include "store/values.h"
 #include "upkeep/project.h"
 
@@ -53,19 +59,19 @@ class Entering {
 
   EnteredResults enter(const ReadResults& read, const fs::path& out, BatchItself then) {
     scans(read.scans, read.edits);
-    catalogue::valueOrThrow(
-        followDecisions(catalogue_, catalogue::valueOrThrow(catalogue_.batch(batch_)).number, out));
+    store::valueOrThrow(followDecisions(
+        catalogue_, store::valueOrThrow(catalogue::Batches(catalogue_).get(batch_)).number, out));
     decide(read);
     // Before the models: what lies under a number that waited is another record's from here on.
     entered_.numbers_left =
-        catalogue::valueOrThrow(catalogue::giveTypedNumbers(catalogue_, batch_, provenance_));
-    taken_back_ = catalogue::valueOrThrow(piecesTakenBack(catalogue_, batch_, out));
-    catalogue::valueOrThrow(forgetModelsOf(catalogue_, batch_, taken_back_, provenance_));
+        store::valueOrThrow(sherds::giveTypedNumbers(catalogue_, batch_, provenance_));
+    taken_back_ = store::valueOrThrow(piecesTakenBack(catalogue_, batch_, out));
+    store::valueOrThrow(forgetModelsOf(catalogue_, batch_, taken_back_, provenance_));
     for (const ReadSherd& sherd : read.sherds) model(sherd);
     for (const ReadFile& file : read.files) {
       records::FileRecord record = file.record;
       if (!file.sherd_front.empty()) record.sherd = sherdOf(file.sherd_front, file.sherd_back);
-      catalogue::valueOrThrow(catalogue_.save(record, provenance_));
+      store::valueOrThrow(catalogue::Files(catalogue_).save(record, provenance_));
       ++entered_.files;
     }
     countOpen();
@@ -76,23 +82,23 @@ class Entering {
 
  private:
   void settle(const ReadResults& read) {
-    records::BatchRecord batch = catalogue::valueOrThrow(catalogue_.batch(batch_));
+    records::BatchRecord batch = store::valueOrThrow(catalogue::Batches(catalogue_).get(batch_));
     const bool open = entered_.open > 0 || entered_.decided_meanwhile;
     batch.state = open || !read.scale_doubts.empty() ? records::BatchState::Review
                                                      : records::BatchState::Done;
     batch.reprojection_px = read.reprojection_px;
     batch.scale_error_pct = read.scale_error_pct;
     batch.scale_doubts = read.scale_doubts;
-    catalogue::valueOrThrow(catalogue_.saveBatch(batch, provenance_));
+    store::valueOrThrow(catalogue::Batches(catalogue_).save(batch, provenance_));
   }
 
   // Pieces are numbered anew by each computation, in the order of their places; what a person said
   // about one must stay with it, so it is known by its place.
   void scans(std::vector<records::ScanRecord> found, const decisions::Decisions& edits) {
     const std::vector<records::ScanRecord> known =
-        catalogue::valueOrThrow(catalogue_.scans(batch_));
+        store::valueOrThrow(catalogue::Batches(catalogue_).scans(batch_));
     const std::vector<int> same =
-        samePieces(known, found, edits, catalogue::typedOn(catalogue_, batch_));
+        samePieces(known, found, edits, sherds::typedOn(catalogue_, batch_));
     for (std::size_t i = 0; i < known.size(); ++i) {
       const bool gone = same[i] < 0;
       if (gone && !known[i].isThere()) continue;
@@ -100,7 +106,7 @@ class Entering {
       scan.index = -static_cast<int>(scan.row.value);  // out of the way of the others
       if (gone) {
         scan.name += "-earlier" + std::to_string(scan.row.value);
-        catalogue::valueOrThrow(catalogue_.save(scan, provenance_));
+        store::valueOrThrow(catalogue::Batches(catalogue_).save(scan, provenance_));
         continue;
       }
       records::ScanRecord& now = found[static_cast<std::size_t>(same[i])];
@@ -112,7 +118,8 @@ class Entering {
             .run();
     }
     for (const records::ScanRecord& scan : found) {
-      rows_[scan.name] = catalogue::valueOrThrow(catalogue_.save(scan, provenance_));
+      rows_[scan.name] =
+          store::valueOrThrow(catalogue::Batches(catalogue_).save(scan, provenance_));
       ++entered_.scans;
     }
   }
@@ -129,7 +136,7 @@ class Entering {
     std::vector<records::PairDecision> standing;  // the program's words that were not taken back
     std::map<store::DecisionRow, bool> withdrawn;
     const std::vector<records::PairDecision> all =
-        catalogue::valueOrThrow(catalogue_.decisions(batch_));
+        store::valueOrThrow(sherds::PairDecisions(catalogue_).all(batch_));
     for (const records::PairDecision& d : all)
       if (!d.by && d.verdict == records::Verdict::Withdraw) withdrawn[d.replaces] = true;
     for (const records::PairDecision& d : all)
@@ -151,17 +158,17 @@ class Entering {
         back.batch = batch_;
         back.verdict = records::Verdict::Withdraw;
         back.replaces = old.row;
-        catalogue::valueOrThrow(catalogue_.decide(back, provenance_));
+        store::valueOrThrow(sherds::PairDecisions(catalogue_).add(back, provenance_));
       }
-    const std::size_t before = catalogue::valueOrThrow(catalogue_.sherdRows(batch_)).size();
+    const std::size_t before = store::valueOrThrow(sherds::Sherds(catalogue_).rows(batch_)).size();
     for (const records::PairDecision& d : said)
       if (!isIn(standing, d)) {
-        catalogue::valueOrThrow(catalogue_.decide(d, provenance_));
+        store::valueOrThrow(sherds::PairDecisions(catalogue_).add(d, provenance_));
         ++entered_.decisions;
       }
-    const std::size_t after = catalogue::valueOrThrow(catalogue_.sherdRows(batch_)).size();
+    const std::size_t after = store::valueOrThrow(sherds::Sherds(catalogue_).rows(batch_)).size();
     entered_.new_sherds = after > before ? static_cast<int>(after - before) : 0;
-    current_ = catalogue::valueOrThrow(catalogue_.currentDecisions(batch_));
+    current_ = store::valueOrThrow(sherds::PairDecisions(catalogue_).current(batch_));
     for (const records::PairDecision& d : current_) entered_.kept_decisions += d.by ? 1 : 0;
   }
 
@@ -179,7 +186,8 @@ class Entering {
   void model(const ReadSherd& read) {
     const store::SherdRow sherd = sherdOf(read.front, read.back);
     if (!sherd || read.model_path.empty()) return;
-    catalogue::valueOrThrow(catalogue_.setModel(sherd, read.model_path, read.preview_path));
+    store::valueOrThrow(
+        sherds::Sherds(catalogue_).setModel(sherd, read.model_path, read.preview_path));
     catalogue_.database()
         .sql(
             "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview') AND "
@@ -188,9 +196,9 @@ class Entering {
         .run();
     ++entered_.models;
     for (const auto& [kind, value] : read.measures) {
-      catalogue::setMeasure(
-          catalogue_, {sherd, kind, {}, value, std::nullopt, "program", {}, read.model_sha256},
-          provenance_, catalogue::MeasureRank::PersonFirst);
+      sherds::setMeasure(catalogue_,
+                         {sherd, kind, {}, value, std::nullopt, "program", {}, read.model_sha256},
+                         provenance_, sherds::MeasureRank::PersonFirst);
       ++entered_.measurements;
     }
   }
@@ -198,7 +206,8 @@ class Entering {
   // Doubtful pairs, and scans that nobody has paired or set aside; not those that were joined to
   // others and are no pieces any more.
   void countOpen() {
-    for (const records::ScanRecord& scan : catalogue::valueOrThrow(catalogue_.scans(batch_)))
+    for (const records::ScanRecord& scan :
+         store::valueOrThrow(catalogue::Batches(catalogue_).scans(batch_)))
       entered_.open += scan.state == records::ScanState::Open && rows_.contains(scan.name) ? 1 : 0;
     for (const records::PairDecision& d :
          current_)  // a doubtful pair is two open scans, and one question
@@ -221,13 +230,13 @@ Result<EnteredResults> entered(catalogue::Catalogue& catalogue, const fs::path& 
   // Models that one entering has kept and not entered yet are in use by nobody for another one.
   static std::mutex one_by_one;
   const std::scoped_lock alone(one_by_one);
-  const Result<records::BatchRecord> record = catalogue.batch(batch);
+  const Result<records::BatchRecord> record = catalogue::Batches(catalogue).get(batch);
   if (!record) return record.error();
-  if (const Result<void> dropped = catalogue::dropUnusedModels(catalogue, project, record->number);
+  if (const Result<void> dropped = sherds::dropUnusedModels(catalogue, project, record->number);
       !dropped)
     return dropped.error();
-  const Result<ReadResults> read =
-      catalogue.database().door([&] { return readResults(project, *record, out, progress, stop); });
+  const Result<ReadResults> read = catalogue.database().asResult(
+      [&] { return readResults(project, *record, out, progress, stop); });
   if (!read) return read.error();
   return catalogue.database().inTransaction(
       [&] { return Entering(catalogue, batch, provenance).enter(*read, out, then); });
@@ -250,11 +259,11 @@ Result<bool> enterLostModels(const fs::path& project, const std::string& batch, 
   if (!fs::exists(out / "report.json", failed)) return false;
   Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(project);
   if (!catalogue) return catalogue.error();
-  const Result<records::BatchRecord> record = catalogue->batchByNumber(batch);
+  const Result<records::BatchRecord> record = catalogue::Batches(*catalogue).byNumber(batch);
   if (!record) return record.error();
-  const Result<std::vector<store::SherdRow>> rows = catalogue->sherdRows(record->row);
+  const Result<std::vector<store::SherdRow>> rows = sherds::Sherds(*catalogue).rows(record->row);
   if (!rows) return rows.error();
-  const Result<std::vector<records::SherdRecord>> sherds = catalogue->sherds(*rows);
+  const Result<std::vector<records::SherdRecord>> sherds = sherds::Sherds(*catalogue).of(*rows);
   if (!sherds) return sherds.error();
   if (std::none_of(sherds->begin(), sherds->end(), [](const records::SherdRecord& sherd) {
         return sherd.front && sherd.back && sherd.model_path.empty();
@@ -271,7 +280,7 @@ Result<bool> enterLostModels(const fs::path& project, const std::string& batch, 
 Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& project,
                              store::BatchRow batch, const records::Provenance& provenance,
                              Progress& progress, std::stop_token stop) {
-  const Result<records::BatchRecord> record = catalogue.batch(batch);
+  const Result<records::BatchRecord> record = catalogue::Batches(catalogue).get(batch);
   if (!record) return record.error();
   const Result<batch::Batch> folder =
       batch::readBatch(project / "batches" / record->number, {}, progress);
@@ -284,11 +293,11 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
     records::PhotographRecord shot;
     records::FileRecord file;
   };
-  const Result<std::vector<Photograph>> read = catalogue.database().door([&] {
+  const Result<std::vector<Photograph>> read = catalogue.database().asResult([&] {
     std::vector<Photograph> all;
     for (const batch::Shot& shot : folder->shots) {
       if (stop.stop_requested()) throw store::Refused(Error::cancelled());
-      const std::string bytes = catalogue::valueOrThrow(readFile(shot.file));
+      const std::string bytes = store::valueOrThrow(readFile(shot.file));
       Photograph p;
       p.shot.batch = batch;
       p.shot.side = shot.side;
@@ -322,8 +331,8 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
   if (!read) return read.error();
   return catalogue.database().inTransaction([&] {
     for (const Photograph& p : *read) {
-      catalogue::valueOrThrow(catalogue.save(p.shot, provenance));
-      catalogue::valueOrThrow(catalogue.save(p.file, provenance));
+      store::valueOrThrow(catalogue::Batches(catalogue).save(p.shot, provenance));
+      store::valueOrThrow(catalogue::Files(catalogue).save(p.file, provenance));
     }
     return static_cast<int>(read->size());
   });

@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "records/records.h"
 
 namespace ostraka::intake {
 

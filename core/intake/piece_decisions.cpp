@@ -2,19 +2,25 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/uuid.h"
 #include "files/json_numbers.h"
 #include "files/json_text.h"
+#include "records/records.h"
 #include "records/words.h"
 #include "store/database.h"
 #include "store/names.h"
 #include "store/statement.h"
 
-namespace ostraka::intake {
+namespace ostraka::records {
 
 template <>
-struct records::Words<PieceVerdict> {
+struct Words<intake::PieceVerdict> {
   static constexpr std::array<const char*, 3> all = {"join", "cut", "withdraw"};
 };
+
+}  // namespace ostraka::records
+
+namespace ostraka::intake {
 
 namespace {
 
@@ -76,9 +82,10 @@ Result<PieceDecisionRow> decidePieces(catalogue::Catalogue& catalogue, const Pie
     check(database, d, provenance);
     database
         .sql(
-            "INSERT INTO piece_decision (id, at, person, batch, side, verdict, pieces, cut_mm, "
-            "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .with(store::newId(catalogue.now()), catalogue.now(), provenance.person, d.batch,
+            "INSERT INTO piece_decision (id, decision, at, person, batch, side, verdict, pieces, "
+            "cut_mm, "
+            "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .with(newId(catalogue.now()), d.decision, catalogue.now(), provenance.person, d.batch,
               records::wordOf(d.side), records::wordOf(d.verdict), piecesText(d), cutText(d),
               d.replaces, d.note)
         .run();
@@ -88,17 +95,18 @@ Result<PieceDecisionRow> decidePieces(catalogue::Catalogue& catalogue, const Pie
 
 Result<std::vector<PieceDecision>> pieceDecisions(const catalogue::Catalogue& catalogue,
                                                   store::BatchRow batch) {
-  return catalogue.database().door([&] {
+  return catalogue.database().asResult([&] {
     std::vector<PieceDecision> all;
     store::Statement rows = catalogue.database().sql(
-        "SELECT row, batch, side, verdict, pieces, cut_mm, person, replaces, note, at FROM "
+        "SELECT row, decision, batch, side, verdict, pieces, cut_mm, person, replaces, note, at "
+        "FROM "
         "piece_decision WHERE batch = ? ORDER BY row");
     rows.with(batch);
     while (rows.next()) {
       PieceDecision d;
       std::string side, verdict, pieces, cut;
-      rows >> d.row >> d.batch >> side >> verdict >> pieces >> cut >> d.by >> d.replaces >>
-          d.note >> d.at_ms;
+      rows >> d.row >> d.decision >> d.batch >> side >> verdict >> pieces >> cut >> d.by >>
+          d.replaces >> d.note >> d.at_ms;
       d.side = records::fromWord<batch::Side>(side);
       d.verdict = records::fromWord<PieceVerdict>(verdict);
       readTexts(d, pieces, cut);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "records/records.h"
 
 namespace ostraka::intake {
 
@@ -26,6 +27,7 @@ struct NamedPiece {
 /// One row of the append-only list beside the pair decisions.
 struct PieceDecision {
   PieceDecisionRow row;
+  std::string decision;  ///< its id in the batch's decisions.json
   store::BatchRow batch;
   batch::Side side = batch::Side::Front;
   PieceVerdict verdict = PieceVerdict::Join;

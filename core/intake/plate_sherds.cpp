@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <utility>
 
+#include "catalogue/batches.h"
 #include "intake/same_pieces.h"
+#include "sherds/sherds.h"
 
 namespace ostraka::intake {
 
 PlateSherds::PlateSherds(const catalogue::Catalogue& catalogue, const std::string& batch_number) {
-  const auto batch = catalogue.batchByNumber(batch_number);
+  const auto batch = catalogue::Batches(catalogue).byNumber(batch_number);
   if (!batch) return;
-  const auto scans = catalogue.scans(batch->row);
-  const auto rows = catalogue.sherdRows(batch->row);
+  const auto scans = catalogue::Batches(catalogue).scans(batch->row);
+  const auto rows = sherds::Sherds(catalogue).rows(batch->row);
   if (!scans || !rows) return;
-  auto sherds = catalogue.sherds(*rows);
+  auto sherds = sherds::Sherds(catalogue).of(*rows);
   if (!sherds) return;
   sherds_ = std::move(*sherds);
-  if (auto again = catalogue::photographedAgain(catalogue, batch->row)) again_ = std::move(*again);
+  if (auto again = sherds::photographedAgain(catalogue, batch->row)) again_ = std::move(*again);
   for (const records::ScanRecord& scan : *scans) {
     if (scan.side != batch::Side::Front || !scan.isThere()) continue;
     if (!scan.plate_x_mm || !scan.plate_y_mm) continue;
@@ -41,11 +43,11 @@ const records::SherdRecord* PlateSherds::at(const Eigen::Vector2d& place_mm) con
   return ofScan(scanAt(place_mm));
 }
 
-const catalogue::PhotographedAgain* PlateSherds::again(const Eigen::Vector2d& place_mm) const {
+const sherds::PhotographedAgain* PlateSherds::again(const Eigen::Vector2d& place_mm) const {
   const int scan = scanAt(place_mm);
   if (scan < 0) return nullptr;
   const auto found =
-      std::find_if(again_.begin(), again_.end(), [&](const catalogue::PhotographedAgain& one) {
+      std::find_if(again_.begin(), again_.end(), [&](const sherds::PhotographedAgain& one) {
         return one.front == fronts_[static_cast<std::size_t>(scan)].row;
       });
   return found == again_.end() ? nullptr : &*found;

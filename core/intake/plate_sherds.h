@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/photographed_again.h"
 #include "decisions/decisions.h"
 #include "records/sherd.h"
+#include "sherds/photographed_again.h"
 
 namespace ostraka::intake {
 
@@ -27,7 +27,7 @@ class PlateSherds {
   const records::SherdRecord* at(const Eigen::Vector2d& place_mm) const;
 
   /// As what the piece that lies there was photographed again since; null: it was not.
-  const catalogue::PhotographedAgain* again(const Eigen::Vector2d& place_mm) const;
+  const sherds::PhotographedAgain* again(const Eigen::Vector2d& place_mm) const;
 
   /// When the batch is computed with this Join of two fronts. Of a piece that no sherd has the
   /// number is empty; both are for a join of backs.
@@ -40,7 +40,7 @@ class PlateSherds {
   std::vector<records::ScanRecord> fronts_;  ///< those with a place
   std::vector<decisions::ScanRef> places_;
   std::vector<records::SherdRecord> sherds_;
-  std::vector<catalogue::PhotographedAgain> again_;
+  std::vector<sherds::PhotographedAgain> again_;
 };
 
 }  // namespace ostraka::intake

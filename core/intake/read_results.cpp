@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "catalogue/kept_models.h"
-#include "catalogue/sherd_columns.h"
 #include "cloud/ply.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
+#include "sherds/kept_models.h"
+#include "sherds/sherd_columns.h"
 #include "store/values.h"
 
 namespace ostraka::intake {
@@ -60,8 +60,8 @@ class Reading {
         stop_(std::move(stop)) {}
 
   ReadResults all() {
-    const json pairs = catalogue::valueOrThrow(readJson(out_ / "pairs.json"));
-    const json report = catalogue::valueOrThrow(readJson(out_ / "report.json"));
+    const json pairs = store::valueOrThrow(readJson(out_ / "pairs.json"));
+    const json report = store::valueOrThrow(readJson(out_ / "report.json"));
     try {
       // Two scans and three files of the model a pair, and the reports: about that many files.
       total_ = 5 * static_cast<std::int64_t>(pairs.at("pairs").size()) + 3;
@@ -109,7 +109,7 @@ class Reading {
       d.batch = batch_;
       const auto& pose = p.at("T_front_from_back");
       d.front_from_back =
-          catalogue::valueOrThrow(isometryFromJson(pose, (out_ / "pairs.json").string()));
+          store::valueOrThrow(isometryFromJson(pose, (out_ / "pairs.json").string()));
       d.score = numberIn(p, "score");
       d.margin = numberIn(p, "margin");
       d.fracture_rms_mm = numberIn(p, "fracture_rms_mm");
@@ -128,7 +128,7 @@ class Reading {
     std::vector<fs::path> files;
     std::error_code code;
     if (fs::exists(table, code)) {
-      const json candidates = catalogue::valueOrThrow(readJson(table));
+      const json candidates = store::valueOrThrow(readJson(table));
       for (const json& scan : candidates.at(side + "s")) {
         files.push_back(work / scan.at("file").get<std::string>());
         photographs_[side] = scan.value("photographs", "");
@@ -150,7 +150,7 @@ class Reading {
       scan.name = path.stem().string();
       scan.index = std::atoi(scan.name.c_str() + 1);
       scan.path = relativeTo(project_, path);
-      const PointCloud cloud = catalogue::valueOrThrow(readPlyCloud(path));
+      const PointCloud cloud = store::valueOrThrow(readPlyCloud(path));
       scan.points = static_cast<int>(cloud.size());
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (const Eigen::Vector3f& point : cloud.points) sum += point.cast<double>();
@@ -162,7 +162,7 @@ class Reading {
   }
 
   void edits() {
-    for (decisions::PairDecision& d : catalogue::valueOrThrow(decisions::readDecisions(out_))) {
+    for (decisions::PairDecision& d : store::valueOrThrow(decisions::readDecisions(out_))) {
       if (d.kind != decisions::DecisionKind::Join && d.kind != decisions::DecisionKind::Split)
         continue;
       const std::string& seen = d.scans.front().photographs;
@@ -180,9 +180,8 @@ class Reading {
       stopIfAsked();
       const fs::path made =
           out_ / "sherds" /
-          catalogue::valueOrThrow(store::checkedPath(s.at("number").get<std::string>()));
-      sherd.folder =
-          catalogue::valueOrThrow(catalogue::keepModel(project_, batch_number_, made)) + "/";
+          store::valueOrThrow(store::checkedPath(s.at("number").get<std::string>()));
+      sherd.folder = store::valueOrThrow(sherds::keepModel(project_, batch_number_, made)) + "/";
       sherd.model_path = sherd.folder + "model.ply";
       sherd.preview_path = sherd.folder + "preview.png";
       const fs::path folder = project_ / sherd.folder;
@@ -191,7 +190,7 @@ class Reading {
       file(folder / "preview.png", "preview", sherd.front, sherd.back);
       if (has_scale) {  // without a scale no length is known
         for (const auto& [name, value] : figures.at("measures").items()) {
-          const catalogue::SherdColumn* column = catalogue::sherdColumn(name);
+          const sherds::SherdColumn* column = sherds::sherdColumn(name);
           if (column && column->measure && value.is_number() && value.get<double>() > 0)
             sherd.measures[column->measure] = value.get<double>();
         }
@@ -206,7 +205,7 @@ class Reading {
     stopIfAsked();
     std::error_code code;
     if (!fs::is_regular_file(path, code)) return {};
-    const std::string bytes = catalogue::valueOrThrow(readFile(path));
+    const std::string bytes = store::valueOrThrow(readFile(path));
     ReadFile read;
     read.record.path = relativeTo(project_, path);
     read.record.sha256 = sha256(bytes);

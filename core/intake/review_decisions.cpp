@@ -5,13 +5,18 @@
 #include <set>
 
 #include "base/text.h"
+#include "catalogue/batches.h"
 #include "catalogue/catalogue.h"
-#include "catalogue/kept_models.h"
-#include "catalogue/sherd_columns.h"
+#include "catalogue/places.h"
 #include "decisions/decided_pairs.h"
 #include "intake/edited_pieces.h"
 #include "intake/piece_decisions.h"
+#include "records/sherd.h"
 #include "review/review.h"
+#include "sherds/kept_models.h"
+#include "sherds/pair_decisions.h"
+#include "sherds/sherd_columns.h"
+#include "sherds/sherds.h"
 #include "store/database.h"
 #include "upkeep/project.h"
 
@@ -21,39 +26,13 @@ namespace {
 namespace fs = std::filesystem;
 using decisions::DecisionKind;
 
-// Rows that stand for a decision say its number in the file, so that a withdrawal finds them, and
-// its moment: a file on another computer, or one begun anew, counts from 1 as well.
-std::string markOf(int number, const std::string& at) {
-  return "decision " + std::to_string(number) + (at.empty() ? "" : " of " + at);
-}
-
-std::string marked(const decisions::PairDecision& d) {
-  return markOf(d.number, d.at) + (d.note.empty() ? "" : ": " + d.note);
-}
-
-bool begins(const std::string& note, const std::string& mark) {
-  return note == mark || note.rfind(mark + ":", 0) == 0;
-}
-
-// An earlier program wrote the number only; a decision is entered after it was taken.
-bool marksEarlierWay(const std::string& note, std::int64_t entered_ms, int number,
-                     const std::string& at) {
-  return begins(note, markOf(number, {})) && (at.empty() || utcDay(entered_ms) >= at.substr(0, 10));
-}
-
 // The rows of this decision, of pairs or of pieces, that were not taken back.
 template <class Row>
-std::vector<Row> rowsOf(const std::vector<Row>& all, int number, const std::string& at) {
+std::vector<Row> rowsOf(const std::vector<Row>& all, const std::string& id) {
   using Kind = decltype(Row::verdict);
-  std::vector<Row> exactly, earlier_way;
-  for (const Row& row : all) {
-    if (!row.by || row.verdict == Kind::Withdraw) continue;
-    if (begins(row.note, markOf(number, at)))
-      exactly.push_back(row);
-    else if (marksEarlierWay(row.note, row.at_ms, number, at))
-      earlier_way.push_back(row);
-  }
-  std::vector<Row>& rows = exactly.empty() ? earlier_way : exactly;
+  std::vector<Row> rows;
+  for (const Row& row : all)
+    if (row.verdict != Kind::Withdraw && row.decision == id) rows.push_back(row);
   std::erase_if(rows, [&](const Row& row) {
     return std::any_of(all.begin(), all.end(), [&](const Row& other) {
       return other.verdict == Kind::Withdraw && other.replaces == row.row;
@@ -63,9 +42,10 @@ std::vector<Row> rowsOf(const std::vector<Row>& all, int number, const std::stri
 }
 
 template <class Row>
-Row takenBack(const Row& earlier, const std::string& note) {
+Row takenBack(const Row& earlier, const std::string& by_decision, const std::string& note) {
   Row back = earlier;
   back.row = {};
+  back.decision = by_decision;
   back.verdict = decltype(back.verdict)::Withdraw;
   back.replaces = earlier.row;
   back.note = note;
@@ -75,19 +55,19 @@ Row takenBack(const Row& earlier, const std::string& note) {
 Result<void> withdraw(catalogue::Catalogue& catalogue, store::BatchRow batch,
                       const decisions::PairDecision& decision,
                       const records::Provenance& provenance) {
-  const auto all = catalogue.decisions(batch);
+  const auto all = sherds::PairDecisions(catalogue).all(batch);
   if (!all) return all.error();
   const auto pieces = pieceDecisions(catalogue, batch);
   if (!pieces) return pieces.error();
-  for (std::size_t i = 0; i < decision.replaces.size(); ++i) {
-    const int number = decision.replaces[i];
-    const std::string at =
-        i < decision.replaced_at.size() ? decision.replaced_at[i] : std::string();
-    for (const records::PairDecision& row : rowsOf(*all, number, at))
-      if (const auto done = catalogue.decide(takenBack(row, marked(decision)), provenance); !done)
+  for (const std::string& id : decision.replaces) {
+    for (const records::PairDecision& row : rowsOf(*all, id))
+      if (const auto done = sherds::PairDecisions(catalogue).add(
+              takenBack(row, decision.id, decision.note), provenance);
+          !done)
         return done.error();
-    for (const PieceDecision& row : rowsOf(*pieces, number, at))
-      if (const auto done = decidePieces(catalogue, takenBack(row, marked(decision)), provenance);
+    for (const PieceDecision& row : rowsOf(*pieces, id))
+      if (const auto done =
+              decidePieces(catalogue, takenBack(row, decision.id, decision.note), provenance);
           !done)
         return done.error();
   }
@@ -112,7 +92,7 @@ const records::ScanRecord* scanOf(const std::vector<records::ScanRecord>& scans,
   return named == scans.end() ? nullptr : &*named;
 }
 
-// What the program calls the results: none where an earlier one left no such table.
+// What the program calls the results: none where there is no such table.
 using Table = std::optional<decisions::CandidateTable>;
 
 Result<Table> tableOf(const fs::path& output) {
@@ -139,7 +119,8 @@ std::vector<records::PairDecision> rowsFor(store::BatchRow batch,
   records::PairDecision row;
   row.batch = batch;
   row.front_from_back = decision.front_from_back;
-  row.note = marked(decision);
+  row.decision = decision.id;
+  row.note = decision.note;
   row.verdict = decision.kind == DecisionKind::Pair    ? records::Verdict::Accept
                 : decision.kind == DecisionKind::Aside ? records::Verdict::Aside
                                                        : records::Verdict::Reshoot;
@@ -165,7 +146,8 @@ Result<void> enterPieces(catalogue::Catalogue& catalogue, store::BatchRow batch,
   row.verdict = decision.kind == DecisionKind::Join ? PieceVerdict::Join : PieceVerdict::Cut;
   for (const decisions::ScanRef& ref : decision.scans) row.pieces.push_back({ref.id, ref.place_mm});
   row.cut_mm = decision.cut_mm;
-  row.note = marked(decision);
+  row.decision = decision.id;
+  row.note = decision.note;
   const auto entered = decidePieces(catalogue, row, provenance);
   return entered ? Result<void>() : Result<void>(entered.error());
 }
@@ -191,21 +173,21 @@ class Following {
   Following(catalogue::Catalogue& catalogue, store::BatchRow batch, const decisions::Decisions& all,
             const Table& table)
       : catalogue_(catalogue), batch_(batch), all_(all), standing_(decisions::standing(all)) {
-    want(table, catalogue::valueOrThrow(catalogue.scans(batch)));
+    want(table, store::valueOrThrow(catalogue::Batches(catalogue).scans(batch)));
   }
 
   /// How many were added.
   int rows() {
     pieces();
     const std::vector<records::PairDecision> held =
-        catalogue::valueOrThrow(catalogue_.decisions(batch_));
+        store::valueOrThrow(sherds::PairDecisions(catalogue_).all(batch_));
     for (const Wanted& wanted : wanted_)
-      if (!isAmong(rowsOf(held, wanted.of->number, wanted.of->at), wanted.row))
-        count(catalogue_.decide(wanted.row, actOf(*wanted.of)));
+      if (!isAmong(rowsOf(held, wanted.of->id), wanted.row))
+        count(sherds::PairDecisions(catalogue_).add(wanted.row, actOf(*wanted.of)));
     std::map<store::DecisionRow, const decisions::PairDecision*> stale;
     for (const decisions::PairDecision& d : all_)
-      for (const records::PairDecision& row : rowsOf(held, d.number, d.at))
-        if (!isWanted(d, row) && isSurelyOf(d, row)) stale[row.row] = &d;
+      for (const records::PairDecision& row : rowsOf(held, d.id))
+        if (!isWanted(d, row)) stale[row.row] = &d;
     while (takeBack(stale)) {
     }
     return added_;
@@ -243,13 +225,8 @@ class Following {
   }
   bool isWanted(const decisions::PairDecision& d, const records::PairDecision& row) const {
     return std::any_of(wanted_.begin(), wanted_.end(), [&](const Wanted& wanted) {
-      return wanted.of->number == d.number && isAmong({wanted.row}, row);
+      return wanted.of->id == d.id && isAmong({wanted.row}, row);
     });
-  }
-
-  // What only an earlier program marked may be of another file: of this person it must be.
-  bool isSurelyOf(const decisions::PairDecision& d, const records::PairDecision& row) {
-    return begins(row.note, markOf(d.number, d.at)) || row.by == actOf(d).person;
   }
 
   // Of what holds no more those rows that count; one that a later row is above of does no harm,
@@ -257,11 +234,12 @@ class Following {
   bool takeBack(std::map<store::DecisionRow, const decisions::PairDecision*>& stale) {
     bool any = false;
     for (const records::PairDecision& counts :
-         catalogue::valueOrThrow(catalogue_.currentDecisions(batch_))) {
+         store::valueOrThrow(sherds::PairDecisions(catalogue_).current(batch_))) {
       const auto found = stale.find(counts.row);
       if (found == stale.end()) continue;
-      const auto [provenance, note] = endOf(*found->second, counts.by);
-      count(catalogue_.decide(takenBack(counts, note), provenance));
+      const End end = endOf(*found->second, counts.by);
+      count(sherds::PairDecisions(catalogue_)
+                .add(takenBack(counts, end.decision, end.note), end.provenance));
       stale.erase(found);
       any = true;
     }
@@ -270,34 +248,37 @@ class Following {
 
   // Where the pieces of a join are now is asked by the chain alone.
   void pieces() {
-    const std::vector<PieceDecision> held =
-        catalogue::valueOrThrow(pieceDecisions(catalogue_, batch_));
+    const std::vector<PieceDecision> held = store::valueOrThrow(pieceDecisions(catalogue_, batch_));
     for (const decisions::PairDecision& d : all_) {
       if (!isOfPieces(d)) continue;
-      const std::vector<PieceDecision> rows = rowsOf(held, d.number, d.at);
+      const std::vector<PieceDecision> rows = rowsOf(held, d.id);
       const bool holds =
           std::any_of(standing_.begin(), standing_.end(),
-                      [&](const decisions::PairDecision& s) { return s.number == d.number; });
+                      [&](const decisions::PairDecision& s) { return s.id == d.id; });
       if (holds && rows.empty()) count(enterPieces(catalogue_, batch_, d, actOf(d)));
       if (holds) continue;
       for (const PieceDecision& row : rows) {
-        const auto [provenance, note] = endOf(d, row.by);
-        count(decidePieces(catalogue_, takenBack(row, note), provenance));
+        const End end = endOf(d, row.by);
+        count(decidePieces(catalogue_, takenBack(row, end.decision, end.note), end.provenance));
       }
     }
   }
 
   records::Provenance actOf(const decisions::PairDecision& d) {
-    return {catalogue::valueOrThrow(catalogue_.personByInitials(d.by, {})), "window", d.note};
+    return {store::valueOrThrow(catalogue::People(catalogue_).byInitials(d.by, {})), "window",
+            d.note};
   }
-  // Who took it back, and the note that says so; nobody did where its scans are gone.
-  std::pair<records::Provenance, std::string> endOf(const decisions::PairDecision& d,
-                                                    store::PersonRow by) {
+  // Who took it back, and by which decision; nobody did where its scans are gone.
+  struct End {
+    records::Provenance provenance;
+    std::string decision, note;
+  };
+  End endOf(const decisions::PairDecision& d, store::PersonRow by) {
     for (auto end = all_.rbegin(); end != all_.rend(); ++end)
       if (end->kind == DecisionKind::Withdraw &&
-          std::find(end->replaces.begin(), end->replaces.end(), d.number) != end->replaces.end())
-        return {actOf(*end), marked(*end)};
-    return {{by, "process", {}}, markOf(d.number, d.at) + " does not hold for these results"};
+          std::find(end->replaces.begin(), end->replaces.end(), d.id) != end->replaces.end())
+        return {actOf(*end), end->id, end->note};
+    return {{by, "process", {}}, {}, "It does not hold for the current results."};
   }
   template <class T>
   void count(const Result<T>& row) {
@@ -321,9 +302,9 @@ Result<void> enterDecision(catalogue::Catalogue& catalogue, const std::string& b
   const Result<Table> table = finds_scans ? tableOf(output) : Table();
   if (!table) return table.error();
   return catalogue.together([&]() -> Result<void> {
-    const auto batch = catalogue.batchByNumber(batch_number);
+    const auto batch = catalogue::Batches(catalogue).byNumber(batch_number);
     if (!batch) return batch.error();
-    const auto person = catalogue.personByInitials(decision.by, {});
+    const auto person = catalogue::People(catalogue).byInitials(decision.by, {});
     if (!person) return person.error();
     const records::Provenance provenance{*person, "window", decision.note};
     if (decision.kind == DecisionKind::Withdraw)
@@ -332,7 +313,7 @@ Result<void> enterDecision(catalogue::Catalogue& catalogue, const std::string& b
     if (*table)  // of earlier photographs, or about a piece that is gone
       if (const auto meant = decisions::settledBy({decision}, **table); !meant.warnings.empty())
         return Error{ErrorCode::Missing, meant.warnings.front(), batch_number};
-    const auto scans = catalogue.scans(batch->row);
+    const auto scans = catalogue::Batches(catalogue).scans(batch->row);
     if (!scans) return scans.error();
     for (const decisions::ScanRef& ref : decision.scans)
       if (scanIn(*table, *scans, ref) == nullptr)
@@ -341,7 +322,8 @@ Result<void> enterDecision(catalogue::Catalogue& catalogue, const std::string& b
                          " is not in the catalogue yet; it is added with the next results.",
                      batch_number};
     for (const records::PairDecision& row : rowsFor(batch->row, decision, *table, *scans))
-      if (const auto entered = catalogue.decide(row, provenance); !entered) return entered.error();
+      if (const auto entered = sherds::PairDecisions(catalogue).add(row, provenance); !entered)
+        return entered.error();
     return {};
   });
 }
@@ -352,7 +334,7 @@ Result<int> followDecisions(catalogue::Catalogue& catalogue, const std::string& 
   if (!all) return all.error();
   const Result<Table> table = tableOf(output);
   if (!table) return table.error();
-  const auto batch = catalogue.batchByNumber(batch_number);
+  const auto batch = catalogue::Batches(catalogue).byNumber(batch_number);
   if (!batch) return batch.error();
   return catalogue.database().inTransaction(
       [&] { return Following(catalogue, batch->row, *all, *table).rows(); });
@@ -363,7 +345,7 @@ Result<int> catchUp(const fs::path& project, const std::string& batch_number,
   if (!review::computedToItsEnd(output)) return 0;
   Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(project);
   if (!catalogue) return catalogue.error();
-  const Result<records::BatchRecord> batch = catalogue->batchByNumber(batch_number);
+  const Result<records::BatchRecord> batch = catalogue::Batches(*catalogue).byNumber(batch_number);
   if (!batch) return 0;  // nothing of it is entered
   const bool computed =
       batch->state == records::BatchState::Review || batch->state == records::BatchState::Done;
@@ -371,41 +353,11 @@ Result<int> catchUp(const fs::path& project, const std::string& batch_number,
   return followDecisions(*catalogue, batch_number, output);
 }
 
-Result<void> settleBatch(catalogue::Catalogue& catalogue, const std::string& batch_number,
-                         const std::string& person, bool nothing_to_do) {
-  // In one step: the queue may take the batch meanwhile.
-  return catalogue.database().inTransaction([&] {
-    const records::BatchRecord batch =
-        catalogue::valueOrThrow(catalogue.batchByNumber(batch_number));
-    if (batch.state != records::BatchState::Review && batch.state != records::BatchState::Done)
-      return;
-    const records::BatchState state = nothing_to_do && batch.scale_doubts.empty()
-                                          ? records::BatchState::Done
-                                          : records::BatchState::Review;
-    if (state == batch.state) return;
-    records::Provenance provenance{{}, "window", {}};
-    if (!person.empty())
-      provenance.person = catalogue::valueOrThrow(catalogue.personByInitials(person, {}));
-    catalogue::valueOrThrow(catalogue.setBatchState(batch.row, state, provenance));
-  });
-}
-
-Result<void> settleByResults(const fs::path& project, const std::string& batch_number,
-                             const std::string& person) {
-  Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(project);
-  if (!catalogue) return catalogue.error();
-  const fs::path output = project / "results" / batch_number;
-  const Result<review::Review> review = review::loadReview(output);
-  if (!review) return review.error();
-  return settleBatch(*catalogue, batch_number, person,
-                     review->waiting() == 0 && !review::wantsComputing(output));
-}
-
 Result<std::set<store::ScanRow>> piecesTakenBack(const catalogue::Catalogue& catalogue,
                                                  store::BatchRow batch, const fs::path& output) {
   const auto all = decisions::readDecisions(output);
   if (!all) return all.error();
-  const auto scans = catalogue.scans(batch);
+  const auto scans = catalogue::Batches(catalogue).scans(batch);
   if (!scans) return scans.error();
   const decisions::Decisions hold = decisions::standing(*all);
   std::set<store::ScanRow> pieces;
@@ -423,24 +375,24 @@ Result<void> forgetModelsOf(catalogue::Catalogue& catalogue, store::BatchRow bat
                             const records::Provenance& provenance) {
   if (pieces.empty()) return {};
   return catalogue.together([&]() -> Result<void> {
-    const auto rows = catalogue.sherdRows(batch);
+    const auto rows = sherds::Sherds(catalogue).rows(batch);
     if (!rows) return rows.error();
-    const auto sherds = catalogue.sherds(*rows);
+    const auto sherds = sherds::Sherds(catalogue).of(*rows);
     if (!sherds) return sherds.error();
     for (const records::SherdRecord& sherd : *sherds)
       if (pieces.contains(sherd.front) || pieces.contains(sherd.back))
-        catalogue::forgetModel(catalogue, sherd.row, provenance);
+        sherds::forgetModel(catalogue, sherd.row, provenance);
     return {};
   });
 }
 
 Result<void> forgetPiecesOf(catalogue::Catalogue& catalogue, const std::string& batch_number,
                             const decisions::PairDecision& withdrawal, const fs::path& output) {
-  const auto batch = catalogue.batchByNumber(batch_number);
+  const auto batch = catalogue::Batches(catalogue).byNumber(batch_number);
   if (!batch) return batch.error();
   const auto pieces = piecesTakenBack(catalogue, batch->row, output);
   if (!pieces) return pieces.error();
-  const auto person = catalogue.personByInitials(withdrawal.by, {});
+  const auto person = catalogue::People(catalogue).byInitials(withdrawal.by, {});
   if (!person) return person.error();
   return forgetModelsOf(catalogue, batch->row, *pieces, {*person, "window", withdrawal.note});
 }

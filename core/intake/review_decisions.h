@@ -37,17 +37,6 @@ Result<int> followDecisions(catalogue::Catalogue& catalogue, const std::string& 
 Result<int> catchUp(const std::filesystem::path& project, const std::string& batch_number,
                     const std::filesystem::path& output);
 
-/// A computed batch is done when nobody needs to look, nothing needs to be computed and its scale
-/// is not in doubt, and wants a person otherwise. One that is being shot, waits or failed is left
-/// as it is.
-Result<void> settleBatch(catalogue::Catalogue& catalogue, const std::string& batch_number,
-                         const std::string& person, bool nothing_to_do);
-
-/// The same by what OUT of the batch says now: who is asked, what is to be computed. Reads files
-/// and opens the project by itself: callable in any thread.
-Result<void> settleByResults(const std::filesystem::path& project, const std::string& batch_number,
-                             const std::string& person);
-
 /// The pieces that were made by joins and cuts which the results of OUT followed, and which hold no
 /// more: they were taken back since, or while it was computed.
 Result<std::set<store::ScanRow>> piecesTakenBack(const catalogue::Catalogue& catalogue,

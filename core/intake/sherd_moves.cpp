@@ -4,8 +4,12 @@
 #include <array>
 #include <map>
 
-#include "catalogue/sherd_columns.h"
-#include "catalogue/typed_numbers.h"
+#include "catalogue/places.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/sherd_columns.h"
+#include "sherds/sherds.h"
+#include "sherds/typed_numbers.h"
 #include "store/names.h"
 
 namespace ostraka::intake {
@@ -48,12 +52,14 @@ class Mover {
     const auto key = std::array{place.site, place.trench, context};
     auto known = contexts_.find(key);
     if (known == contexts_.end()) {
-      const store::ContextRow row = catalogue::valueOrThrow(
-          catalogue_.contextByPlace(store::trimmed(key[0]), store::trimmed(key[1]), context));
-      known = contexts_
-                  .emplace(key, row ? catalogue::valueOrThrow(catalogue_.context(row))
-                                    : records::ContextRecord())
-                  .first;
+      const store::ContextRow row = store::valueOrThrow(
+          catalogue::Places(catalogue_)
+              .contextByPlace(store::trimmed(key[0]), store::trimmed(key[1]), context));
+      known =
+          contexts_
+              .emplace(key, row ? store::valueOrThrow(catalogue::Places(catalogue_).context(row))
+                                : records::ContextRecord())
+              .first;
     }
     place.site = known->second.site_code;
     place.trench = known->second.trench_code;
@@ -64,8 +70,8 @@ class Mover {
   // The number names the place where the sherd was, not the one where it comes.
   bool namesOnly(const records::SherdRecord& sherd, const records::SherdRecord& moved) const {
     if (sherd.number.empty()) return false;
-    const Result<bool> before = catalogue::fitsThePlace(catalogue_, sherd, sherd.number);
-    const Result<bool> then = catalogue::fitsThePlace(catalogue_, moved, sherd.number);
+    const Result<bool> before = sherds::fitsThePlace(catalogue_, sherd, sherd.number);
+    const Result<bool> then = sherds::fitsThePlace(catalogue_, moved, sherd.number);
     return before && *before && !(then && *then);
   }
 
@@ -78,13 +84,14 @@ class Mover {
 
 Result<Move> moveOf(const catalogue::Catalogue& catalogue,
                     std::span<const records::FieldChange> wanted) {
-  return catalogue.database().door([&] {
+  return catalogue.database().asResult([&] {
     std::vector<store::SherdRow> rows;
     for (const records::FieldChange& change : wanted)
       if (rows.empty() || rows.back() != change.sherd) rows.push_back(change.sherd);
     Mover mover(catalogue);
     std::size_t begin = 0;
-    for (const records::SherdRecord& sherd : catalogue::valueOrThrow(catalogue.sherds(rows))) {
+    for (const records::SherdRecord& sherd :
+         store::valueOrThrow(sherds::Sherds(catalogue).of(rows))) {
       std::size_t end = begin;
       while (end < wanted.size() && wanted[end].sherd == sherd.row) ++end;
       mover.move(sherd, wanted.subspan(begin, end - begin));

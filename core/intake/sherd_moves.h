@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "records/sherd.h"
 
 namespace ostraka::intake {
 

@@ -42,8 +42,8 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
           isometryFromJson(p.at("T_front_from_back"), file.string());
       if (!pose) return pose.error();
       pairs.pairs.push_back(
-          {decisions::indexOf(fronts, p.at("front")),
-           decisions::indexOf(backs, p.at("back")),
+          {indexOf(fronts, p.at("front")),
+           indexOf(backs, p.at("back")),
            p.at("score"),
            p.at("margin"),
            p.at("ambiguous"),
@@ -83,6 +83,7 @@ decisions::PairOptions optionsOf(const Run& run) {
   options.threads = run.options.threads;
   options.candidates.threads = run.options.threads;
   options.candidates.method = run.options.pairing;
+  options.registration.method = run.options.registration;
   // Sherds are turned over beside where they lay on a plate; over a sheet they may come anywhere.
   const bool beside = run.batch.plate && run.batch.way == batch::Way::Rig;
   options.place = beside ? decisions::PlaceEvidence::Weak : decisions::PlaceEvidence::None;
@@ -130,10 +131,10 @@ Result<StageNotes> decide(const Run& run, const fs::path& folder,
                    settled.warnings};
   QuietProgress quiet;  // about a second each, after all others are compared
   for (decisions::SherdPair& pair : pairs->pairs) {
-    if (pair.decided == 0 || pair.registration.start >= 0) continue;
+    if (pair.decided.empty() || pair.registration.start >= 0) continue;
     if (run.stop.stop_requested()) return Error::cancelled();
     const auto decision = std::find_if(decisions.begin(), decisions.end(),
-                                       [&](const auto& d) { return d.number == pair.decided; });
+                                       [&](const auto& d) { return d.id == pair.decided; });
     const scan::Scan& front = fronts.value[static_cast<std::size_t>(pair.decision.front)];
     const scan::Scan& back = backs.value[static_cast<std::size_t>(pair.decision.back)];
     const Result<registration::Registration> found =
@@ -187,16 +188,18 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
     return StageNotes{{{"candidates", pairs->candidates}, {"pairs", pairs->pairs.size()}},
                       kept.warnings};
   };
-  Result<StageRecord> record = runStage(run.held, "pairs",
-                                        {{"poses", poses.record.outputs_hash},
-                                         {"front_masks", front_masks.record.outputs_hash},
-                                         {"back_masks", back_masks.record.outputs_hash},
-                                         {"fronts", fronts.record.outputs_hash},
-                                         {"backs", backs.record.outputs_hash},
-                                         {"pairing", static_cast<int>(run.options.pairing)},
-                                         {"photographs", run.photographs},
-                                         {"leaves", "candidates"}},
-                                        compare, run.progress);
+  Result<StageRecord> record =
+      runStage(run.held, "pairs",
+               {{"poses", poses.record.outputs_hash},
+                {"front_masks", front_masks.record.outputs_hash},
+                {"back_masks", back_masks.record.outputs_hash},
+                {"fronts", fronts.record.outputs_hash},
+                {"backs", backs.record.outputs_hash},
+                {"pairing", static_cast<int>(run.options.pairing)},
+                {"registration", static_cast<int>(run.options.registration)},
+                {"photographs", run.photographs},
+                {"leaves", "candidates"}},
+               compare, run.progress);
   if (!record) return record.error();
   std::string folder = "pairs";
   const decisions::Decisions decisions = aboutPartners(run.decisions);

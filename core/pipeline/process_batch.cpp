@@ -303,7 +303,7 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   report.scale_doubts =
       poses.record.notes.figures.value("scale_doubts", std::vector<std::string>());
   report.draft = poses.record.notes.figures.value("draft", false);
-  for (const decisions::PairDecision& d : run.decisions) report.decisions.push_back(d.number);
+  for (const decisions::PairDecision& d : run.decisions) report.decisions.push_back(d.id);
   report.poses = &poses.value;
   report.front_masks = &front.masks.value;
   report.back_masks = &back.masks.value;

@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "pairing/candidates.h"
+#include "registration/register_sides.h"
 
 namespace ostraka::pipeline {
 
@@ -32,6 +33,7 @@ struct ProcessOptions {
   /// with the pixels; the cameras are found in the originals. Millions of pixels.
   double megapixels = 5;
   pairing::Method pairing = pairing::Method::Default;
+  registration::Method registration = registration::Method::Default;
   int threads = 0;  ///< 0: all that this process may use; the result does not depend on it
 
   Result<void> check() const;

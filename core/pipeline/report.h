@@ -33,7 +33,7 @@ struct ReportInput {
   std::vector<std::string> unpaired_front, unpaired_back, set_aside, reshoot, warnings;
   std::vector<std::string> scale_doubts;  ///< while there is one a person must decide
   bool draft = false;                     ///< ProcessSummary::draft
-  std::vector<int> decisions;             ///< numbers of those that were followed
+  std::vector<std::string> decisions;     ///< ids of those that were followed
   const Poses* poses = nullptr;
   const Masks* front_masks = nullptr;
   const Masks* back_masks = nullptr;

@@ -16,8 +16,8 @@
 #include "pipeline/run_log.h"
 #include "pipeline/view_masks.h"
 #include "rig/turntable.h"
-#include "stereo/colmap_door.h"
-#include "stereo/openmvs_door.h"
+#include "stereo/colmap_adapter.h"
+#include "stereo/openmvs_adapter.h"
 #include "stereo/stereo.h"
 
 namespace ostraka::pipeline {

@@ -6,10 +6,6 @@
 
 #include "base/result.h"
 
-namespace ostraka::catalogue {
-class Catalogue;
-}  // namespace ostraka::catalogue
-
 namespace ostraka::records {
 
 /// `{site}-{trench}-{context}-{n:04}`: how sherds are numbered. n counts for each combination of
@@ -39,10 +35,5 @@ class Numbering {
                    std::string* lacking) const;
   std::vector<Part> parts_;
 };
-
-/// The next running number of a count (Numbering::counter) in a block, as those given so far have
-/// it; not reserved.
-Result<int> nextNumber(const catalogue::Catalogue& catalogue, const std::string& counter, int first,
-                       int last);
 
 }  // namespace ostraka::records

@@ -116,6 +116,7 @@ enum class Verdict { Accept, Reject, Aside, Reshoot, Withdraw };
 /// One row of the append-only list. front or back may be none for Aside and Reshoot.
 struct PairDecision {
   store::DecisionRow row;
+  std::string decision = {};  ///< its id in the batch's decisions.json; empty: the program's own
   store::BatchRow batch;
   store::ScanRow front, back;
   std::optional<Eigen::Isometry3d> front_from_back;  ///< mm

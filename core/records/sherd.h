@@ -84,10 +84,6 @@ struct SherdField {
   const char* vocabulary;  ///< part, surface, ... or ""
   bool editable;
 };
-/// All fields in the order of the CSV.
-const std::vector<SherdField>& sherdFields();
-/// The field's value as text ('; ' between the terms of a list), as in CSV and in edits.
-std::string textOf(const SherdRecord& sherd, const std::string& field);
 
 /// A person's answer to ChangePreview::question.
 enum class Confirmation { None, Given };

@@ -118,8 +118,8 @@ void PairFit::coarse(FittedPose& pose) const {
   pose.score = fracture(pose, false, 1.2, 0.6, 0.3).spread;
 }
 
-double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteConstraint* silhouettes,
-                          double reach_px) const {
+void PairFit::askConstraints(FittedPose& pose, double radius,
+                             const SilhouetteConstraint* silhouettes, double reach_px) const {
   const Vector3d at = pivot(pose.front_from_back);
   const double robust = std::max(0.12, std::min(radius, 3.0 * pose.sigma_mm));
   const FractureFit strip = fracture(pose, true, radius, robust, pose.sigma_mm);
@@ -145,6 +145,12 @@ double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteConst
   // Few pairs tell little of their own noise: half of what strips of photographs show is assumed.
   pose.sigma_mm = strip.pairs < 100 ? 0.15 : std::clamp(strip.sigma_mm, 0.02, 0.3);
   pose.fracture = strip;
+}
+
+double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteConstraint* silhouettes,
+                          double reach_px) const {
+  const Vector3d at = pivot(pose.front_from_back);
+  askConstraints(pose, radius, silhouettes, reach_px);
   return solve(pose, at);
 }
 
@@ -172,6 +178,15 @@ void PairFit::weighed(FittedPose& pose) const {
     // Weights come from residuals, and a constraint that is new on the way has large ones.
     pose.settled = round >= 3;
     if (fineRound(pose, last_radius_mm_, nullptr, 0) < 1e-3 && pose.settled) break;
+  }
+  judge(pose);
+}
+
+void PairFit::measure(FittedPose& pose) const {
+  pose.alike = breakMisfit(front_, back_, pose.front_from_back).alike;
+  for (const bool settled : {false, true}) {  // the strips' own noise first, then the weights
+    pose.settled = settled;
+    askConstraints(pose, last_radius_mm_, nullptr, 0);
   }
   judge(pose);
 }

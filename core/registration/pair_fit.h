@@ -41,7 +41,10 @@ class PairFit {
   /// Goes on from weighed() with the photographs' outlines.
   void withSilhouettes(FittedPose& pose, const SilhouetteConstraint& silhouettes) const;
 
-  /// Of a small change of the pose about its pivot, once weighed() has run.
+  /// What is known of a pose that another method found: as weighed(), but nothing moves.
+  void measure(FittedPose& pose) const;
+
+  /// Of a small change of the pose about its pivot, once weighed() or measure() has run.
   Matrix6 covariance(const FittedPose& pose) const;
   /// 1-sigma RMS displacement over the sherd.
   double uncertainty(const Matrix6& covariance) const;
@@ -55,6 +58,8 @@ class PairFit {
   double solve(FittedPose& pose, const Eigen::Vector3d& at) const;
   FractureFit fracture(const FittedPose& pose, bool fine, double radius, double robust,
                        double sigma) const;
+  void askConstraints(FittedPose& pose, double radius, const SilhouetteConstraint* silhouettes,
+                      double reach_px) const;
   double fineRound(FittedPose& pose, double radius, const SilhouetteConstraint* silhouettes,
                    double reach_px) const;
   void judge(FittedPose& pose) const;

@@ -98,6 +98,15 @@ Registration reported(const FittedPose& best, const PairFit& pair, const Strip& 
   return found;
 }
 
+// With how far the breaks differ there, and whether the pose can be believed.
+Registration checked(Registration found, const Strip& front, const Strip& back) {
+  const BreakMisfit misfit = breakMisfit(front, back, found.front_from_back);
+  found.misfit_mm = misfit.rms_mm;
+  found.misfit_places = misfit.places;
+  judgeRegistration(front, back, found);
+  return found;
+}
+
 // The likelihood of a pose of the same pair, for comparing poses: points that do not fit cost as
 // Tukey's weight has it, and 30 or so places along a fracture are independent.
 double poseGap(const FittedPose& best, const FittedPose& other) {
@@ -136,12 +145,14 @@ void turnLoose(FittedPose& best, std::vector<FittedPose>& rivals, const Strip& f
   best = *turned;
 }
 
+// The paper's registration. What it does not state about its pose (overlap, uncertainty, whether
+// the faces cross) is measured as for our own.
 Result<Registration> byBoundaries(const Strip& front, const Strip& back,
                                   std::span<const Isometry3d> starts,
+                                  const Constraints& constraints,
                                   const RegistrationOptions& options, std::stop_token stop) {
   BilateralBoundaryIcpOptions icp;
   icp.first_radius_mm = options.first_radius_mm;
-  icp.free_scale = options.scale == Scale::Free;
   std::optional<BilateralBoundaryFit> best;
   int best_start = -1;
   std::optional<Error> failure;
@@ -159,15 +170,12 @@ Result<Registration> byBoundaries(const Strip& front, const Strip& back,
     best_start = start.start;
   }
   if (!best) return *failure;
-  Registration found;
-  found.front_from_back = best->front_from_back;
-  found.scale = best->scale;
-  found.fracture_rms_mm = best->rms_mm;
-  found.start = best_start;
-  found.fracture_overlap = 1;
-  found.runner_up_gap = 1e9;
-  found.uncertainty_mm = 0.1;  // the method's own median error on clean scans; it knows no better
-  return found;
+  const PairFit pair(front, back, constraints, options);
+  FittedPose pose;
+  pose.front_from_back = pose.begun = best->front_from_back;
+  pose.start = best_start;
+  pair.measure(pose);
+  return checked(reported(pose, pair, front, back), front, back);
 }
 
 }  // namespace
@@ -194,8 +202,8 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
   if (auto ok = options.check(); !ok) return ok.error();
   if (starts.empty())
     return Error{ErrorCode::NotEnough, "No start pose was given for the registration.", {}};
-  if (options.method == Method::BilateralBoundary || options.scale == Scale::Free)
-    return byBoundaries(front, back, starts, options, stop);
+  if (options.method == Method::BilateralBoundary)
+    return byBoundaries(front, back, starts, constraints, options, stop);
   const PairFit pair(front, back, constraints, options);
   std::vector<FittedPose> poses = startPoses(front, starts, constraints, options);
   const auto each = [&](std::vector<FittedPose>& list, void (PairFit::*fit)(FittedPose&) const) {
@@ -250,10 +258,7 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
     found.runner_up_gap = gap;
     found.runner_up_mm = away;
   }
-  const BreakMisfit misfit = breakMisfit(front, back, found.front_from_back);
-  found.misfit_mm = misfit.rms_mm;
-  found.misfit_places = misfit.places;
-  judgeRegistration(front, back, found);
+  found = checked(std::move(found), front, back);
   progress.report(3, 3);
   return found;
 }

@@ -30,11 +30,9 @@ enum class Method {
   Default,           ///< strip, rest on the plate and silhouettes in one estimate
   BilateralBoundary  ///< the paper's BBICP, equation 2, point to point
 };
-enum class Scale { Fixed, Free };  ///< Free: BilateralBoundary also finds the back's size
 
 struct RegistrationOptions {
   Method method = Method::Default;
-  Scale scale = Scale::Fixed;
   StripOptions strip;
   double first_radius_mm = 3.0;  ///< start poses hold to a third of a wall in height
   double last_radius_mm = 0.35;  ///< about one scan spacing; grows with the strips' own noise
@@ -60,7 +58,7 @@ enum class FailedCheck {
 /// Where the back belongs, and how far that can be trusted.
 struct Registration {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
-  double scale = 1;             ///< front size / back size; 1 unless Scale::Free
+  double scale = 1;             ///< front size / back size, where the batch has none
   double fracture_rms_mm = 0;   ///< normal-checked closest pairs of the strips, point to plane
   double fracture_overlap = 0;  ///< share of the strip points in reach that have a partner
   double misfit_mm = 0;         ///< how far the breaks differ, noise averaged away; 0: nothing met

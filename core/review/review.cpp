@@ -80,7 +80,7 @@ void pairUp(ReviewCard& card, const decisions::SherdPair& pair,
   card.decision = pair.decided;
   card.decided_by = pair.decided_by;
   card.decided_at = pair.decided_at;
-  card.state = pair.decided != 0         ? CardState::Decided
+  card.state = !pair.decided.empty()     ? CardState::Decided
                : pair.decision.ambiguous ? CardState::Ask
                                          : CardState::Sure;
   card.doubt = pair.decision.doubt;
@@ -120,7 +120,7 @@ void nameDecision(ReviewCard& card, const decisions::CandidateTable& table,
     if (d.kind != kind) continue;
     for (const decisions::ScanRef& ref : d.scans)
       if (ref.side == batch::Side::Front && decisions::resolved(ref, table.fronts) == card.front) {
-        card.decision = d.number;
+        card.decision = d.id;
         card.decided_by = d.by;
         card.decided_at = d.at;
       }
@@ -242,6 +242,18 @@ Result<void> computedToItsEnd(const std::filesystem::path& output) {
   return Error{ErrorCode::Missing,
                "The batch is not fully processed; let the queue process it, then review its pairs.",
                output.string()};
+}
+
+ReviewCounts countsOf(const Review& review) {
+  ReviewCounts counts;
+  for (const ReviewCard& card : review.cards) {
+    counts.sherds += card.back >= 0 ? 1 : 0;
+    counts.sure += card.state == CardState::Sure ? 1 : 0;
+    counts.decided += card.state == CardState::Decided ? 1 : 0;
+  }
+  counts.ask = review.waiting();
+  counts.reshoot = review.toReshoot();
+  return counts;
 }
 
 bool wantsComputing(const std::filesystem::path& output) {

@@ -51,7 +51,7 @@ struct ReviewCard {
   int rival_back = -1, rival_front = -1;
   double fracture_rms_mm = 0, rival_fracture_rms_mm = 0;
 
-  int decision = 0;  ///< number; 0: none
+  std::string decision;  ///< its id; empty: none
   std::string decided_by, decided_at;
 };
 
@@ -70,6 +70,16 @@ struct Review {
 
 /// What a card shows of a candidate; its score is the review's to give.
 ReviewCandidate candidateOf(const decisions::RegisteredCandidate& candidate);
+
+/// How many sherds of a review are in which state.
+struct ReviewCounts {
+  int sherds = 0;   ///< fronts with a back
+  int sure = 0;     ///< the program's word
+  int decided = 0;  ///< a person's word
+  int ask = 0;      ///< wants a person: doubtful pairs, and scans without a partner
+  int reshoot = 0;  ///< to be photographed again, says a person
+};
+ReviewCounts countsOf(const Review& review);
 
 /// Milliseconds, for 60 sherds too. Errors: those of assigned().
 Result<Review> reviewOf(const decisions::CandidateTable& table,

@@ -102,6 +102,7 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
   constexpr double kUsual_mm = 45;
   decisions::PairOptions pair_options;
   pair_options.candidates.method = options.pairing;
+  pair_options.registration.method = options.registration;
   pair_options.candidates.threads = options.threads;
   pair_options.threads = options.threads;
   std::vector<scan::Scan> sized_fronts, sized_backs;

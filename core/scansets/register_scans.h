@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "pairing/candidates.h"
+#include "registration/register_sides.h"
 
 namespace ostraka::scansets {
 
@@ -15,6 +16,7 @@ struct RegisterOptions {
   std::filesystem::path output;       ///< OUT; created, or continued when of the same scans
   pairing::Scale scale = pairing::Scale::Fixed;
   pairing::Method pairing = pairing::Method::Default;
+  registration::Method registration = registration::Method::Default;
   int threads = 0;  ///< 0: all that this process may use; the result does not depend on it
   Result<void> check() const;
 };

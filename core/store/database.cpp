@@ -172,7 +172,7 @@ Result<void> Database::connectWhereNothingCanBeWritten() {
   if (!has_wal && !fs::exists(index, ignored))
     return connect(uriOf(file_, "immutable=1"), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
   if (Result<void> opened = connect(file_.string(), SQLITE_OPEN_READONLY); !opened) return opened;
-  if (door([&] { exec("SELECT count(*) FROM sqlite_schema"); })) return {};
+  if (asResult([&] { exec("SELECT count(*) FROM sqlite_schema"); })) return {};
   return connectToCopy();
 }
 
@@ -194,7 +194,7 @@ Result<void> Database::connectToCopy() {
   if (Result<void> opened = connect(scratch_->path() / "catalogue.sqlite", SQLITE_OPEN_READWRITE);
       !opened)
     return opened;
-  return door([&] { exec("PRAGMA query_only = ON"); });
+  return asResult([&] { exec("PRAGMA query_only = ON"); });
 }
 
 Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode) {
@@ -214,7 +214,7 @@ Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode
   else
     opened = database->connectWhereNothingCanBeWritten();
   if (!opened) return opened.error();
-  const Result<void> prepared = database->door([&] {
+  const Result<void> prepared = database->asResult([&] {
     int reserved = static_cast<int>(kReservedBytes);
     if (mode == Mode::Create)
       sqlite3_file_control(database->handle_, "main", SQLITE_FCNTL_RESERVE_BYTES, &reserved);
@@ -360,7 +360,7 @@ Result<void> Database::rewriteWithChecksums(const fs::path& file) {
   const std::string name = fs::absolute(file_).string();
   const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_URI;  // which the new file's name needs
   if (Result<void> opened = connect(name, flags); !opened) return opened;
-  return door([&] {
+  return asResult([&] {
     exec("PRAGMA locking_mode = EXCLUSIVE");
     exec("PRAGMA journal_mode = DELETE");  // busy while others have it open
     int reserved = static_cast<int>(kReservedBytes);

@@ -48,7 +48,7 @@ class Database {
   }
   /// Where failures become Errors.
   template <class Work>
-  auto door(Work work) const -> Result<std::invoke_result_t<Work>> {
+  auto asResult(Work work) const -> Result<std::invoke_result_t<Work>> {
     try {
       if constexpr (std::same_as<std::invoke_result_t<Work>, void>) {
         work();
@@ -83,7 +83,7 @@ class Database {
   };
   template <class Work>
   auto within(const char* begin, Work work) -> Result<std::invoke_result_t<Work>> {
-    return door([&] {
+    return asResult([&] {
       Scope scope(*this, begin);
       if constexpr (std::same_as<std::invoke_result_t<Work>, void>) {
         work();
@@ -111,5 +111,15 @@ class Database {
   std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;
   int depth_ = 0;
 };
+
+/// A value, or Refused with its error.
+template <class T>
+T valueOrThrow(Result<T> result) {
+  if (!result) throw Refused(result.error());
+  return std::move(*result);
+}
+inline void valueOrThrow(const Result<void>& result) {
+  if (!result) throw Refused(result.error());
+}
 
 }  // namespace ostraka::store

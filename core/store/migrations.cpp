@@ -13,7 +13,7 @@ int schemaVersion(Database& database) {
 
 Result<void> migrate(Database& database, std::span<const Migration> steps,
                      const std::function<Result<void>()>& backup) {
-  const Result<int> found = database.door([&] { return schemaVersion(database); });
+  const Result<int> found = database.asResult([&] { return schemaVersion(database); });
   if (!found) return found.error();
   const int newest = steps.empty() ? 0 : steps.back().number;
   if (*found > newest)

@@ -5,10 +5,6 @@
 
 namespace ostraka::store {
 
-/// UUID, version 7 (RFC 9562): 48 bits of time, then chance.
-std::string newId(std::int64_t now_ms);
-bool isUuid(std::string_view text);
-
 bool isUtf8(std::string_view text);  ///< well formed, and without NUL
 /// Composed (Unicode NFC), so that the same letters are the same bytes.
 std::string composed(std::string_view text);

@@ -12,8 +12,8 @@ struct sqlite3_stmt;
 
 namespace ostraka::store {
 
-/// The door to SQLite: inside core/catalogue a failure travels as one of these, and Database::door
-/// turns it into an Error.
+/// The way to SQLite: inside the catalogue a failure travels as one of these, and
+/// Database::asResult turns it into an Error.
 struct SqlFailure : std::runtime_error {
   SqlFailure(int code_, const std::string& text) : std::runtime_error(text), code(code_) {}
   int code;  ///< SQLite's extended result code

@@ -6,8 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "catalogue/settings.h"
 #include "files/files.h"
 #include "files/json_text.h"
+#include "records/sherd.h"
+#include "sherds/sherd_fields.h"
 #include "store/names.h"
 #include "store/values.h"
 #include "tables/column_names.h"
@@ -200,7 +203,7 @@ class Mapper {
 };
 
 std::vector<ColumnChoice> remembered(const catalogue::Catalogue& catalogue, const CsvTable& table) {
-  const Result<std::string> text = catalogue.setting(settingOf(table.columns));
+  const Result<std::string> text = catalogue::Settings(catalogue).value(settingOf(table.columns));
   std::vector<ColumnChoice> choices;
   const json saved = text ? jsonOrDiscarded(*text) : json();
   if (!saved.is_object()) return choices;
@@ -236,7 +239,7 @@ std::vector<std::string> fieldsOfTables(bool of_contexts) {
             "period",       "date_edtf",     "closed",   "note",    "bag",
             "collected_on", "count_written", "weight_g", "storage", "uuid"};
   std::vector<std::string> fields;
-  for (const records::SherdField& field : records::sherdFields()) fields.emplace_back(field.name);
+  for (const records::SherdField& field : sherds::sherdFields()) fields.emplace_back(field.name);
   return fields;
 }
 
@@ -300,7 +303,7 @@ Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping
     columns.push_back(choice.column);
     choices[choice.column] = {choice.field, choice.unit};
   }
-  return catalogue.setSetting(settingOf(columns), choices.dump());
+  return catalogue::Settings(catalogue).setValue(settingOf(columns), choices.dump());
 }
 
 Result<ColumnChoice> parseColumnChoice(std::string_view text) {

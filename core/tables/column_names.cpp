@@ -5,6 +5,7 @@
 #include <map>
 
 #include "records/sherd.h"
+#include "sherds/sherd_fields.h"
 #include "store/names.h"
 
 namespace ostraka::tables {
@@ -190,7 +191,7 @@ void add(Dictionary& dictionary, const Names& one) {
 const Dictionary& dictionaryOf(bool contexts) {
   static const Dictionary of_sherds = [] {
     Dictionary all;
-    for (const records::SherdField& field : records::sherdFields())
+    for (const records::SherdField& field : sherds::sherdFields())
       all.emplace(store::plainKey(field.name), field.name);
     for (const Names& one : kOfSherds) add(all, one);
     return all;

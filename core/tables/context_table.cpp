@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/text.h"
+#include "catalogue/history.h"
+#include "catalogue/places.h"
 #include "files/json_text.h"
 #include "store/names.h"
 #include "store/values.h"
@@ -81,7 +83,7 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
                       const records::Provenance& provenance) {
   const auto row = places.context(values.raw("site"), values.raw("trench"), values.raw("context"));
   if (!row) return row.error();
-  Result<records::ContextRecord> found = catalogue.context(*row);
+  Result<records::ContextRecord> found = catalogue::Places(catalogue).context(*row);
   if (!found) return found.error();
   records::ContextRecord context = *found;
   values.text("kind", context.kind);
@@ -94,12 +96,13 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
     return Error{ErrorCode::UnusableInput, "The column closed accepts yes or no.", {}};
   if (!closed.empty()) context.closed = closed == "yes";
   context.extra_json = values.extra(context.extra_json);
-  if (const auto saved = catalogue.save(context, provenance); !saved) return saved.error();
+  if (const auto saved = catalogue::Places(catalogue).save(context, provenance); !saved)
+    return saved.error();
   const std::string number = values.raw("bag");
   if (number.empty()) return {};
   const auto bag_row = places.bag(*row, number);
   if (!bag_row) return bag_row.error();
-  Result<std::vector<records::BagRecord>> bags = catalogue.bags(*row);
+  Result<std::vector<records::BagRecord>> bags = catalogue::Places(catalogue).bags(*row);
   if (!bags) return bags.error();
   records::BagRecord bag = *byRow(*bags, *bag_row);
   values.text("collected_on", bag.collected_on);
@@ -111,7 +114,7 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
   if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count)))
     return Error{ErrorCode::UnusableInput, "The column count_written accepts a whole number.", {}};
   bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
-  const auto saved = catalogue.save(bag, provenance);
+  const auto saved = catalogue::Places(catalogue).save(bag, provenance);
   return saved ? Result<void>() : saved.error();
 }
 
@@ -130,19 +133,20 @@ class ContextRows {
   Result<void> row(const CsvRow& row) {
     const Values values(table_, row);
     const auto known =
-        catalogue_.contextByPlace(values.raw("site"), values.raw("trench"), values.raw("context"));
+        catalogue::Places(catalogue_)
+            .contextByPlace(values.raw("site"), values.raw("trench"), values.raw("context"));
     const bool fresh = !known || !*known;
-    const std::int64_t before = catalogue_.historyLength();
+    const std::int64_t before = History(catalogue_).length();
     const Result<void> entered =
         catalogue_.together([&] { return enterRow(catalogue_, places_, values, provenance_); });
     if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
     if (!entered) {
       places_.forget();
       places_.forgetMade();
-      store::refuse({row.line, "context", values.raw("context"), entered.error().sentence()});
+      refuse({row.line, "context", values.raw("context"), entered.error().sentence()});
       return {};
     }
-    const bool changed = catalogue_.historyLength() > before;
+    const bool changed = History(catalogue_).length() > before;
     ++(fresh ? report_.fresh : changed ? report_.changed : report_.same);
     report_.rows.emplace_back(row.line, fresh     ? RowFate::Fresh
                                         : changed ? RowFate::Changed
@@ -177,7 +181,8 @@ Result<store::ContextRow> Places::context(const std::string& site_code,
                           "\n" + store::uniqueKey(number);
   if (const auto known = known_.find(key); known != known_.end())
     return store::ContextRow{known->second};
-  const Result<store::ContextRow> there = catalogue_.contextByPlace(site_code, trench_code, number);
+  const Result<store::ContextRow> there =
+      catalogue::Places(catalogue_).contextByPlace(site_code, trench_code, number);
   if (!there) return there;
   if (*there) {
     known_[key] = there->value;
@@ -186,21 +191,22 @@ Result<store::ContextRow> Places::context(const std::string& site_code,
   if (unknown_ == UnknownPlaces::Refuse)
     return unknown("context", site_code + " " + trench_code + " " + number);
   store::SiteRow site;
-  const Result<std::vector<records::SiteRecord>> sites = catalogue_.sites();
+  const Result<std::vector<records::SiteRecord>> sites = catalogue::Places(catalogue_).sites();
   if (!sites) return sites.error();
   for (const records::SiteRecord& s : *sites)
     if (store::uniqueKey(s.code) == store::uniqueKey(site_code)) site = s.row;
   if (!site) {
     records::SiteRecord record;
     record.code = record.name = site_code;
-    const Result<store::SiteRow> made = catalogue_.save(record, provenance_);
+    const Result<store::SiteRow> made = catalogue::Places(catalogue_).save(record, provenance_);
     if (!made) return made.error();
     site = *made;
     made_.push_back(site_code);
   }
   store::TrenchRow trench;
   if (!trench_code.empty()) {
-    const Result<std::vector<records::TrenchRecord>> trenches = catalogue_.trenches();
+    const Result<std::vector<records::TrenchRecord>> trenches =
+        catalogue::Places(catalogue_).trenches();
     if (!trenches) return trenches.error();
     for (const records::TrenchRecord& t : *trenches)
       if (t.site == site && store::uniqueKey(t.code) == store::uniqueKey(trench_code))
@@ -209,7 +215,7 @@ Result<store::ContextRow> Places::context(const std::string& site_code,
       records::TrenchRecord record;
       record.site = site;
       record.code = trench_code;
-      const Result<store::TrenchRow> made = catalogue_.save(record, provenance_);
+      const Result<store::TrenchRow> made = catalogue::Places(catalogue_).save(record, provenance_);
       if (!made) return made.error();
       trench = *made;
       made_.push_back(site_code + " " + trench_code);
@@ -219,7 +225,7 @@ Result<store::ContextRow> Places::context(const std::string& site_code,
   record.site = site;
   record.trench = trench;
   record.number = number;
-  const Result<store::ContextRow> made = catalogue_.save(record, provenance_);
+  const Result<store::ContextRow> made = catalogue::Places(catalogue_).save(record, provenance_);
   if (made) known_[key] = made->value;
   return made;
 }
@@ -228,7 +234,7 @@ Result<store::BagRow> Places::bag(store::ContextRow context, const std::string& 
   const std::string key = std::to_string(context.value) + "\n" + store::uniqueKey(number);
   if (const auto known = known_.find(key); known != known_.end())
     return store::BagRow{known->second};
-  const Result<std::vector<records::BagRecord>> bags = catalogue_.bags(context);
+  const Result<std::vector<records::BagRecord>> bags = catalogue::Places(catalogue_).bags(context);
   if (!bags) return bags.error();
   for (const records::BagRecord& bag : *bags)
     if (store::uniqueKey(bag.number) == store::uniqueKey(number)) {
@@ -239,7 +245,7 @@ Result<store::BagRow> Places::bag(store::ContextRow context, const std::string& 
   records::BagRecord record;
   record.context = context;
   record.number = number;
-  const Result<store::BagRow> made = catalogue_.save(record, provenance_);
+  const Result<store::BagRow> made = catalogue::Places(catalogue_).save(record, provenance_);
   if (made) known_[key] = made->value;
   return made;
 }

@@ -4,6 +4,14 @@
 #include <set>
 
 #include "base/text.h"
+#include "base/uuid.h"
+#include "catalogue/places.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "store/names.h"
 #include "store/values.h"
 #include "tables/column_meanings.h"
@@ -25,7 +33,7 @@ using records::SherdRecord;
 using store::SherdRow;
 
 const SherdField* fieldNamed(const std::string& name) {
-  for (const SherdField& field : records::sherdFields())
+  for (const SherdField& field : sherds::sherdFields())
     if (name == field.name) return &field;
   return nullptr;
 }
@@ -47,7 +55,7 @@ class Importing {
         options_(options),
         provenance_(provenance),
         report_(report) {
-    if (const auto persons = catalogue.persons())
+    if (const auto persons = catalogue::People(catalogue).all())
       for (const auto& person : *persons) persons_[person.initials] = person.row;
   }
 
@@ -118,13 +126,13 @@ class Importing {
         return refuse(refusal, column, value, "This appears in two rows of the table.");
     SherdRow by_uuid, by_number;
     if (!uuid.empty()) {
-      if (!store::isUuid(uuid)) return refuse(refusal, "uuid", uuid, "Not a uuid.");
-      const Result<SherdRow> found = catalogue_.sherdById(uuid);
+      if (!isUuid(uuid)) return refuse(refusal, "uuid", uuid, "Not a uuid.");
+      const Result<SherdRow> found = sherds::Sherds(catalogue_).byId(uuid);
       if (!found) return found.error();
       by_uuid = *found;
     }
     if (!number.empty()) {
-      const Result<SherdRow> found = catalogue_.sherdByNumber(number);
+      const Result<SherdRow> found = sherds::Sherds(catalogue_).byNumber(number);
       if (!found) return found.error();
       by_number = *found;
     }
@@ -140,7 +148,7 @@ class Importing {
     SherdRecord record;
     record.id = store::uniqueKey(valueOf(row, "uuid"));
     record.batch = row.batch;
-    return catalogue_.addSherd(record, provenance_);
+    return sherds::Sherds(catalogue_).add(record, provenance_);
   }
 
   Result<bool> change(std::size_t at, SherdRow sherd, bool fresh, Refusal& refusal) {
@@ -156,7 +164,7 @@ class Importing {
             return refuse(refusal, "bag", bag, made.error().sentence());
       }
     }
-    const Result<SherdRecord> now = catalogue_.sherd(sherd);
+    const Result<SherdRecord> now = sherds::Sherds(catalogue_).get(sherd);
     if (!now) return now.error();
     std::vector<FieldChange> changes;
     const bool confirmed =
@@ -170,7 +178,7 @@ class Importing {
         continue;  // capitals make no difference
       const std::string value = typed == kClear ? std::string() : typed;
       // Else a measure of the program, rounded in a table, would come back as a person's.
-      const std::string before = records::textOf(*now, name);
+      const std::string before = sherds::textOf(*now, name);
       if (field && field->kind == FieldKind::Number && !before.empty() &&
           showsInTable(value, *store::parsedNumber(before)))
         continue;
@@ -185,14 +193,15 @@ class Importing {
         continue;
       }
       if (by_program && !fresh) {  // a table of before the latest computation
-        const Result<std::vector<double>> computed = catalogue_.everComputed(sherd, kindOf(name));
+        const Result<std::vector<double>> computed =
+            sherds::Measurements(catalogue_).everComputed(sherd, kindOf(name));
         if (!computed) return computed.error();
         if (std::any_of(computed->begin(), computed->end(),
                         [&](double one) { return showsInTable(value, one); }))
           continue;
       }
       const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;
-      if (value != records::textOf(*now, own)) changes.push_back({sherd, own, value, confirmation});
+      if (value != sherds::textOf(*now, own)) changes.push_back({sherd, own, value, confirmation});
     }
     const auto joins = joins_.of(at, *now, catalogue_);
     if (!joins) return refuse(refusal, "joins", valueOf(row, "joins"), joins.error().sentence());
@@ -200,7 +209,7 @@ class Importing {
                       std::set(now->joins.begin(), now->joins.end())) {
       std::vector<std::string> ids;
       for (const SherdRow partner : **joins) {
-        const Result<SherdRecord> other = catalogue_.sherd(partner);
+        const Result<SherdRecord> other = sherds::Sherds(catalogue_).get(partner);
         if (!other) return other.error();
         ids.push_back(other->id);
       }
@@ -208,7 +217,8 @@ class Importing {
     }
     bool changed = false;
     if (!changes.empty()) {
-      const Result<std::vector<FieldChange>> undo = catalogue_.change(changes, provenance_);
+      const Result<std::vector<FieldChange>> undo =
+          sherds::SherdChanges(catalogue_).apply(changes, provenance_);
       if (!undo) return named(changes, undo.error(), refusal);
       changed = !undo->empty();
       done_ = std::move(changes);
@@ -222,7 +232,7 @@ class Importing {
       by.person = person == persons_.end() ? store::PersonRow{} : person->second;
       const auto before = now->measures.find(m.kind);
       changed |= before == now->measures.end() || before->second != m.value;
-      if (const Result<void> done = catalogue_.measure(m, by); !done)
+      if (const Result<void> done = sherds::Measurements(catalogue_).add(m, by); !done)
         return refuse(refusal, m.kind, {}, done.error().sentence());
     }
     return changed;
@@ -234,7 +244,8 @@ class Importing {
 
   // Computed where the table comes from: it gives way to what is computed or measured here.
   Result<void> measureByProgram(const FieldChange& number, Refusal& refusal) {
-    const auto shown = catalogue_.preview(std::span(&number, 1));  // as strict as with typed ones
+    const auto shown = sherds::SherdChanges(catalogue_)
+                           .preview(std::span(&number, 1));  // as strict as with typed ones
     if (!shown) return shown.error();
     if (!shown->front().refusal.empty())
       return refuse(refusal, number.field, number.value, shown->front().refusal);
@@ -244,12 +255,12 @@ class Importing {
     m.value = *store::parsedNumber(number.value);
     Provenance by = provenance_;
     by.person = {};
-    return catalogue_.measure(m, by);
+    return sherds::Measurements(catalogue_).add(m, by);
   }
 
   // Which column it was.
   Error named(const std::vector<FieldChange>& changes, const Error& error, Refusal& refusal) {
-    const auto shown = catalogue_.preview(changes);
+    const auto shown = sherds::SherdChanges(catalogue_).preview(changes);
     if (!shown) return error;
     for (const records::ChangePreview& change : *shown)
       if (!change.refusal.empty())

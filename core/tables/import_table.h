@@ -11,6 +11,8 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "tables/column_mapping.h"
 
 namespace ostraka::tables {

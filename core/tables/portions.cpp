@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "catalogue/settings.h"
 #include "files/json_numbers.h"
 #include "files/json_text.h"
 
@@ -28,7 +29,8 @@ Result<void> remember(Catalogue& catalogue, const std::string& source, std::size
       all.push_back({{"source", other.source}, {"entered", other.entered}, {"of", other.of}});
   if (entered < of) all.push_back({{"source", source}, {"entered", entered}, {"of", of}});
   if (all.size() > kMostKept) all.erase(all.begin());
-  return catalogue.setSetting(kUnfinished, all.empty() ? std::string() : all.dump());
+  return catalogue::Settings(catalogue).setValue(kUnfinished,
+                                                 all.empty() ? std::string() : all.dump());
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ Result<std::size_t> enterInPortions(Catalogue& catalogue, std::size_t count,
 
 std::vector<UnfinishedImport> unfinishedImports(const Catalogue& catalogue) {
   std::vector<UnfinishedImport> list;
-  const Result<std::string> kept = catalogue.setting(kUnfinished);
+  const Result<std::string> kept = catalogue::Settings(catalogue).value(kUnfinished);
   if (!kept) return list;
   const json all = jsonOrDiscarded(*kept);
   if (!all.is_array()) return list;
@@ -88,7 +90,7 @@ std::vector<UnfinishedImport> unfinishedImports(const Catalogue& catalogue) {
 }
 
 Result<void> forgetUnfinishedImports(Catalogue& catalogue) {
-  return catalogue.setSetting(kUnfinished, {});
+  return catalogue::Settings(catalogue).setValue(kUnfinished, {});
 }
 
 }  // namespace ostraka::tables

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "records/sherd.h"
+#include "sherds/sherds.h"
 #include "store/names.h"
 #include "store/values.h"
 
@@ -13,8 +15,8 @@ using records::SherdRecord;
 using store::SherdRow;
 
 Result<SherdRow> byName(const std::string& name, const Catalogue& catalogue) {
-  const Result<SherdRow> sherd = catalogue.sherdByNumber(name);
-  return !sherd || *sherd ? sherd : catalogue.sherdById(name);
+  const Result<SherdRow> sherd = sherds::Sherds(catalogue).byNumber(name);
+  return !sherd || *sherd ? sherd : sherds::Sherds(catalogue).byId(name);
 }
 
 }  // namespace
@@ -50,8 +52,10 @@ std::optional<std::size_t> TableJoins::rowOf(const std::string& name) const {
 Result<SherdRow> TableJoins::sherdOf(std::size_t i, const Catalogue& catalogue) const {
   const Row& row = rows_[i];
   if (row.sherd) return row.sherd;
-  const Result<SherdRow> sherd = row.uuid.empty() ? SherdRow() : catalogue.sherdById(row.uuid);
-  return !sherd || *sherd || row.number.empty() ? sherd : catalogue.sherdByNumber(row.number);
+  const Result<SherdRow> sherd =
+      row.uuid.empty() ? SherdRow() : sherds::Sherds(catalogue).byId(row.uuid);
+  return !sherd || *sherd || row.number.empty() ? sherd
+                                                : sherds::Sherds(catalogue).byNumber(row.number);
 }
 
 Result<std::optional<std::vector<SherdRow>>> TableJoins::of(std::size_t i, const SherdRecord& now,

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "records/sherd.h"
 #include "tables/import_table.h"
 
 namespace ostraka::tables {

@@ -69,7 +69,7 @@ Result<fs::path> Project::backUp(int keep, int days) const {
 }
 
 Result<bool> Project::backUpIfChanged(std::chrono::milliseconds after) const {
-  const Result<std::int64_t> changed = catalogue_.database().door([&] {
+  const Result<std::int64_t> changed = catalogue_.database().asResult([&] {
     std::int64_t at = 0;
     store::Statement last =
         catalogue_.database().sql("SELECT at FROM history ORDER BY number DESC LIMIT 1");

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "catalogue/sherd_columns.h"
+#include "sherds/sherd_columns.h"
 #include "store/database.h"
 #include "store/file_header.h"
 #include "store/values.h"
@@ -35,7 +35,7 @@ Result<std::optional<Damage>> lookAt(const KnownFile& file, const fs::path& fold
 }  // namespace
 
 Result<std::vector<KnownFile>> knownFiles(const catalogue::Catalogue& catalogue) {
-  return catalogue.database().door([&] {
+  return catalogue.database().asResult([&] {
     std::vector<KnownFile> files;
     store::Statement rows = catalogue.database().sql(
         "SELECT f.path, f.sha256, f.role, f.bytes, iif(s.number = '', s.id, s.number), b.number "
@@ -103,7 +103,7 @@ Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue, const fs:
 Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue, const fs::path& folder,
                                 std::int64_t most_bytes, Progress& progress, std::stop_token stop) {
   // Reads each page that is in use; unlike checkIntegrity it keeps nobody from writing.
-  const Result<std::string> pages = catalogue.database().door([&] {
+  const Result<std::string> pages = catalogue.database().asResult([&] {
     std::string found;
     store::Statement check = catalogue.database().sql("PRAGMA integrity_check(1)");
     if (check.next()) check >> found;
@@ -142,14 +142,14 @@ Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue, const fs:
 }
 
 Result<void> checkPaths(const catalogue::Catalogue& catalogue) {
-  return catalogue.database().door([&] {
+  return catalogue.database().asResult([&] {
     store::Statement rows = catalogue.database().sql(
         "SELECT path FROM file UNION SELECT path FROM photograph UNION SELECT path FROM scan "
         "UNION SELECT model_path FROM sherd UNION SELECT preview_path FROM sherd");
     while (rows.next()) {
       std::string path;
       rows >> path;
-      if (!path.empty()) catalogue::valueOrThrow(store::checkedPath(path));
+      if (!path.empty()) store::valueOrThrow(store::checkedPath(path));
     }
   });
 }

@@ -2,7 +2,11 @@
 #include <map>
 #include <set>
 
-#include "catalogue/sherd_columns.h"
+#include "catalogue/search.h"
+#include "records/sherd.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherd_columns.h"
+#include "sherds/sherds.h"
 #include "store/database.h"
 #include "upkeep/row_repair.h"
 
@@ -56,7 +60,7 @@ bool addSherdOfHistory(catalogue::Catalogue& repaired, std::int64_t row) {
         .sql(
             "INSERT INTO sherd (row, id, created_at, created_by, updated_at, updated_by, "
             "number_sort) VALUES (?, ?, ?, ?, ?, ?, ?)")
-        .with(row, id, at, by, at, by, catalogue::kBehindAllNumbers)
+        .with(row, id, at, by, at, by, sherds::kBehindAllNumbers)
         .run();
     database.sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
     catalogue::searchAnew(database, store::SherdRow{row});
@@ -86,7 +90,7 @@ bool changeTogether(catalogue::Catalogue& repaired, const RepairedRow& row,
   for (const Change& change : changes)
     fields.push_back({store::SherdRow{row.row}, change.field, change.value});
   const store::PersonRow by = changes.empty() ? store::PersonRow{} : changes.back().by;
-  return isDone(repaired.change(fields, {by, "repair", {}}));
+  return isDone(sherds::SherdChanges(repaired).apply(fields, {by, "repair", {}}));
 }
 
 }  // namespace
@@ -95,7 +99,7 @@ Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_kno
                            RepairReport& report) {
   store::Database& database = repaired.database();
   std::vector<RepairedRow> unknown;
-  const Result<void> done = database.door([&] {
+  const Result<void> done = database.asResult([&] {
     for (RepairedRow& row : report.rows) {
       if (row.row == 0 || !row.field.empty()) continue;
       const bool sherd = row.table == "sherd";
@@ -124,8 +128,8 @@ Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_kno
       while (rows.next()) rows >> numberless.emplace_back();
     }
     for (const store::SherdRow& row : numberless) {
-      const records::SherdRecord sherd = catalogue::valueOrThrow(repaired.sherd(row));
-      catalogue::setNumber(repaired, sherd, sherd.number);
+      const records::SherdRecord sherd = store::valueOrThrow(sherds::Sherds(repaired).get(row));
+      sherds::setNumber(repaired, sherd, sherd.number);
     }
   });
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <utility>
 
+#include "catalogue/settings.h"
 #include "files/cannot_write.h"
 #include "files/files.h"
 #include "records/numbering.h"
@@ -83,7 +84,7 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
   if (const Result<void> done = store::migrate(catalogue->database(), store::migrations(), save);
       !done)
     return done.error();
-  const Result<records::ProjectRecord> record = catalogue->project();
+  const Result<records::ProjectRecord> record = catalogue::Settings(*catalogue).project();
   if (!record) return record.error();
   if (record->id.empty()) return store::damagedCatalogue("it contains no project", file);
   return catalogue;
@@ -136,7 +137,8 @@ Result<Project> Project::create(const fs::path& folder, const records::ProjectRe
       const Result<void> ready = store::migrate(**database, store::migrations(), {});
       if (!ready) return ready;
       catalogue::Catalogue catalogue(std::move(*database), orSystemClock(clock));
-      const Result<void> set = catalogue.setProject(record, {{}, "new project", {}});
+      const Result<void> set =
+          catalogue::Settings(catalogue).setProject(record, {{}, "new project", {}});
       if (!set) return set;
     }
     return file->become(folder / kFile, store::PartialFile::Existing::Refused);

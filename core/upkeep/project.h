@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "records/records.h"
 
 namespace ostraka::upkeep {
 

@@ -144,7 +144,7 @@ class Repair {
       const Result<catalogue::Catalogue> original = opened(base_, store::Database::Mode::ReadOnly);
       if (!original) return original.error();
       if (Result<void> copied =
-              original->database().door([&] { original->database().copyTo(base->path()); });
+              original->database().asResult([&] { original->database().copyTo(base->path()); });
           !copied)
         return copied;
     }
@@ -157,7 +157,7 @@ class Repair {
       Result<catalogue::Catalogue> source = opened(base->path(), store::Database::Mode::ReadWrite);
       if (!source) return source.error();
       fs::resize_file(fresh.path(), 0);
-      return source->database().door([&] { source->database().copyTo(fresh.path()); });
+      return source->database().asResult([&] { source->database().copyTo(fresh.path()); });
     }
     return checked(fresh.path());
   }
@@ -189,7 +189,7 @@ class Repair {
         !rows)
       return notForTheDisk(rows.error());
     catalogue::Catalogue repaired(std::move(*database), clock_);
-    const Result<std::int64_t> last = backup->database().door([&] {
+    const Result<std::int64_t> last = backup->database().asResult([&] {
       std::int64_t number = 0;
       store::Statement row = backup->database().sql("SELECT max(number) FROM history");
       if (row.next()) row >> number;

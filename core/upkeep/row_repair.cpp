@@ -5,7 +5,8 @@
 #include <set>
 
 #include "base/text.h"
-#include "catalogue/sherd_columns.h"
+#include "catalogue/search.h"
+#include "sherds/sherd_columns.h"
 #include "store/database.h"
 
 namespace ostraka::upkeep {
@@ -85,7 +86,7 @@ class Collecting {
  private:
   // What cannot be written is no damage: everything ends here, instead of passing rows over.
   bool insertRow(const store::Statement& row) {
-    catalogue::valueOrThrow(fresh_.door([&] { fresh_.sql(insert_).withRow(row).run(); }));
+    store::valueOrThrow(fresh_.asResult([&] { fresh_.sql(insert_).withRow(row).run(); }));
     return fresh_.changes() > 0;
   }
 
@@ -211,8 +212,8 @@ void dropWhatPointsAtNothing(store::Database& fresh, RepairReport& report) {
     const std::string where = " WHERE " + column + " IS NOT NULL AND " + column +
                               " NOT IN (SELECT " + target + " FROM " + parent + ")";
     fitting = numberOf(fresh, "SELECT count(*) FROM " + table + where);
-    const Result<void> unset =
-        fresh.door([&] { fresh.script("UPDATE " + table + " SET " + column + " = NULL" + where); });
+    const Result<void> unset = fresh.asResult(
+        [&] { fresh.script("UPDATE " + table + " SET " + column + " = NULL" + where); });
     if (!unset && unset.error().code == ErrorCode::CannotWrite) throw store::Refused(unset.error());
     if (!unset) fresh.script("DELETE FROM " + table + where);
     for (std::int64_t i = 0; i < fitting; ++i)
@@ -224,7 +225,7 @@ void dropWhatPointsAtNothing(store::Database& fresh, RepairReport& report) {
 
 Result<void> collectRows(store::Database& damaged, store::Database& backup, store::Database& fresh,
                          RepairReport& report) {
-  if (Result<void> off = fresh.door([&] { fresh.script("PRAGMA foreign_keys = OFF"); }); !off)
+  if (Result<void> off = fresh.asResult([&] { fresh.script("PRAGMA foreign_keys = OFF"); }); !off)
     return off;
   const Result<void> done = fresh.inTransaction([&] {
     // Rows of the history are only added to, but for a repair.
@@ -240,7 +241,7 @@ Result<void> collectRows(store::Database& damaged, store::Database& backup, stor
     for (const std::string& trigger : triggers) fresh.script(trigger);
   });
   if (!done) return done;
-  return fresh.door([&] { fresh.script("PRAGMA foreign_keys = ON"); });
+  return fresh.asResult([&] { fresh.script("PRAGMA foreign_keys = ON"); });
 }
 
 }  // namespace ostraka::upkeep

@@ -206,7 +206,7 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
   const VirtualRig rig = options.rig ? asVirtual(*options.rig, options.width)
                                      : makeRig(options.width, options.stops, rig_random);
   const int stops = static_cast<int>(rig.angles_rad.size());
-  const rendering::Lighting lighting = makeLighting(room_random);
+  const rendering::Lighting lighting = rendering::makeLighting(room_random);
   progress.note(NoteLevel::Info,
                 "virtualrig: " + std::to_string(sherds->size()) + " sherds made and laid down");
   if (options.scans_only) return writeScans(*sherds, *layout, rig, options, progress, stop);
@@ -286,7 +286,7 @@ Result<void> simulateCalibration(const SimulateOptions& options, Progress& progr
   vessels::Random rig_random(vessels::mixed(options.seed, 3)),
       room_random(vessels::mixed(options.seed, 4));
   const VirtualRig rig = makeRig(options.width, options.stops, rig_random);
-  const rendering::Lighting lighting = makeLighting(room_random);
+  const rendering::Lighting lighting = rendering::makeLighting(room_random);
   const rendering::PlateSurface plate(options.plate, options.seed);
   if (Result<void> r = writePlateAndBoard(options.output); !r) return r;
   ShotReport report(progress, 13 * kCameras);

@@ -45,7 +45,7 @@ class VirtualPlace {
         layout_(std::move(layout)),
         plate_(options.plate, options.seed) {
     vessels::Random room_random(vessels::mixed(options.seed, 4));
-    lighting_ = makeLighting(room_random);
+    lighting_ = rendering::makeLighting(room_random);
     for (const bool small : {false, true}) {
       vessels::Random rig_random(vessels::mixed(options.seed, 3));
       const int width = small ? std::min(options.width, kPreviewWidth) : options.width;

@@ -127,6 +127,7 @@ CREATE TABLE scan (
 -- Only added to. person NULL: the program.
 CREATE TABLE pair_decision (
   row INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, at INTEGER NOT NULL,
+  decision TEXT NOT NULL DEFAULT '',  -- its id in the batch's decisions.json; '': the program's own
   person INTEGER REFERENCES person, batch INTEGER NOT NULL REFERENCES batch,
   front INTEGER REFERENCES scan, back INTEGER REFERENCES scan,
   front_from_back TEXT NOT NULL DEFAULT '', score REAL, margin REAL,

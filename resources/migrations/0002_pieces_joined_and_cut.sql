@@ -1,6 +1,7 @@
 -- What people said about pieces that the masks separated or joined wrongly. Only added to.
 CREATE TABLE piece_decision (
   row INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, at INTEGER NOT NULL,
+  decision TEXT NOT NULL DEFAULT '',  -- its id in the batch's decisions.json
   person INTEGER REFERENCES person, batch INTEGER NOT NULL REFERENCES batch,
   side TEXT NOT NULL CHECK (side IN ('front', 'back')),
   verdict TEXT NOT NULL CHECK (verdict IN ('join', 'cut', 'withdraw')),

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/files.h"
 #include "files/files.h"
 #include "records/sherd.h"
 #include "upkeep/project.h"
@@ -94,7 +95,7 @@ void enterPhotograph(const fs::path& project, const std::string& bytes) {
   file.bytes = static_cast<std::int64_t>(bytes.size());
   file.media_type = "image/jpeg";
   file.role = "photo";
-  ASSERT_TRUE(opened->catalogue().save(file, {}));
+  ASSERT_TRUE(catalogue::Files(opened->catalogue()).save(file, {}));
   ASSERT_TRUE(ostraka::writeFileAtomically(project / file.path, bytes));
 }
 

@@ -65,8 +65,8 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
   const std::pair<const char*, std::vector<const char*>> commands[] = {
       {"process",
        {"PHOTOGRAPHS", "BACK", "--sheet", "--output", "--rig", "--threads", "--dense", "--masks",
-        "--pairing"}},
-      {"register", {"--front", "--back", "--output", "--scale", "--pairing"}},
+        "--pairing", "--registration"}},
+      {"register", {"--front", "--back", "--output", "--scale", "--pairing", "--registration"}},
       {"dense", {"IMAGES", "--cameras", "--masks", "--output"}},
       {"evaluate", {"OUT", "--truth", "--align"}},
       {"draw", {"MODEL.ply", "--output", "--scale", "--rim", "--plates", "--paint"}},

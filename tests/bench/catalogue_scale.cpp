@@ -9,8 +9,11 @@
 #include <ctime>
 #include <functional>
 
-#include "catalogue/filter.h"
-#include "catalogue/many_changes.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/filter.h"
+#include "sherds/many_changes.h"
+#include "sherds/sherds.h"
 #include "tables/csv.h"
 #include "tables/import_table.h"
 #include "upkeep/project.h"
@@ -79,7 +82,7 @@ int changeAll(catalogue::Catalogue& all, const std::vector<store::SherdRow>& ids
   for (const char* what : {"a field of all rows changed", "and taken back"}) {
     Result<std::vector<records::FieldChange>> undo = std::vector<records::FieldChange>();
     const double time =
-        milliseconds([&] { undo = catalogue::changeMany(all, changes, {}, quiet, {}); });
+        milliseconds([&] { undo = sherds::changeMany(all, changes, {}, quiet, {}); });
     if (!undo) return std::fprintf(stderr, "%s\n", undo.error().sentence().c_str()), 1;
     undone = undo->size();
     std::printf("%-40s %8zu rows  %9.1f s\n", what, undone, time / 1000);
@@ -107,25 +110,25 @@ int run(const std::filesystem::path& folder, int rows, const std::string& change
   }
   measure("open the project, all rows by number", [&] {
     Result<upkeep::Project> project = upkeep::Project::open(folder);
-    return project->catalogue().sherdRows({}, {})->size();
+    return sherds::Sherds(project->catalogue()).rows({}, {})->size();
   });
   Result<upkeep::Project> project = upkeep::Project::open(folder);
   if (!project) return std::fprintf(stderr, "%s\n", project.error().sentence().c_str()), 1;
   catalogue::Catalogue& all = project->catalogue();
-  const std::vector<store::SherdRow> ids = *all.sherdRows({}, {});
+  const std::vector<store::SherdRow> ids = *sherds::Sherds(all).rows({}, {});
   std::size_t jump = 0;
   measure("a page of 128 somewhere", [&] {
     jump = (jump + 37'777) % (ids.size() - 128);
-    return all.sherds(std::span(ids).subspan(jump, 128))->size();
+    return sherds::Sherds(all).of(std::span(ids).subspan(jump, 128))->size();
   });
   for (const char* line :
        {"rim T3 thickness>6", "burnished", "oven", "ARM1-T3-0212", "T3", "burnt", "ware:grey",
         "part:rim -burnt", "thickness>12", "note:*", "context:0300", "zzz"})
-    measure(line, [&] { return all.sherdRows(*catalogue::parseFilter(line), {})->size(); });
+    measure(line, [&] { return sherds::Sherds(all).rows(*sherds::parseFilter(line), {})->size(); });
   for (const char* field : {"number", "length_mm", "thickness_mean_mm", "weight_g", "context",
                             "bag", "ware", "part", "state", "updated"})
     measure((std::string("all, ordered by ") + field).c_str(), [&] {
-      return all.sherdRows({}, {field, true})->size();
+      return sherds::Sherds(all).rows({}, {field, true})->size();
     });
   return changes == "changes" ? changeAll(all, ids) : 0;
 }

@@ -28,6 +28,7 @@
 #include <thread>
 #include <vector>
 
+#include "catalogue/batches.h"
 #include "ui/frame/look.h"
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
@@ -120,9 +121,9 @@ bool makeProject(const std::filesystem::path& batch, const std::filesystem::path
   }
   records::BatchRecord queued;
   queued.state = records::BatchState::Queued;
-  const auto row = project->catalogue().addBatch(queued, {});
+  const auto row = catalogue::Batches(project->catalogue()).add(queued, {});
   if (!row) return false;
-  const std::string number = project->catalogue().batch(*row)->number;
+  const std::string number = catalogue::Batches(project->catalogue()).get(*row)->number;
   std::filesystem::copy(batch, project->batchFolder(number),
                         std::filesystem::copy_options::recursive);
   std::filesystem::remove_all(project->batchFolder(number) / "truth");

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "project_commands.h"
+#include "sherds/sherds.h"
 #include "small_disk.h"
 
 namespace ostraka::test {
@@ -56,7 +57,7 @@ TEST_F(FullDiskOfACatalogue, AnImportSaysHowManyRowsAreIn) {
       [&](const Ended& ended) {
         expectReadable("work");
         const Result<upkeep::Project> open = upkeep::Project::open(at("work"));
-        const std::size_t entered = open->catalogue().sherdRows({}, {})->size() - 3;
+        const std::size_t entered = sherds::Sherds(open->catalogue()).rows({}, {})->size() - 3;
         if (ended.errors.find("300 rows in total") != std::string::npos)
           EXPECT_NE(
               ended.errors.find("300 rows in total, " + std::to_string(entered) + " imported"),

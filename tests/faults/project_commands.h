@@ -2,6 +2,7 @@
 #include "exported_project.h"
 #include "flipped_bits.h"
 #include "program.h"
+#include "sherds/sherds.h"
 #include "upkeep/backups.h"
 
 /// Commands of the built program on a small project with three sherds.
@@ -22,7 +23,7 @@ class ProjectCommands : public exchange::ExportedProject {
     ASSERT_TRUE(open) << open.error().sentence();
     const Result<void> whole = open->catalogue().checkIntegrity();
     EXPECT_TRUE(whole) << whole.error().sentence();
-    EXPECT_EQ(open->catalogue().sherdRows({}, {})->size(), sherds);
+    EXPECT_EQ(sherds::Sherds(open->catalogue()).rows({}, {})->size(), sherds);
     for (const auto& entry : std::filesystem::recursive_directory_iterator(at(project)))
       EXPECT_EQ(entry.path().filename().string().find(".partial"), std::string::npos)
           << entry.path();

@@ -1,7 +1,7 @@
 
-#include "catalogue/filter.h"
 #include "exchange/sherd_json.h"
 #include "must.h"
+#include "sherds/filter.h"
 #include "store/names.h"
 #include "tables/csv.h"
 #include "targets.h"
@@ -18,8 +18,8 @@ void table(std::string_view bytes) {
     for (const std::string& value : row.values) {
       must(store::isUtf8(value), "values are UTF-8");
       must(tables::unguarded(tables::guarded(value)) == value, "the guard can be taken off");
-      if (const Result<catalogue::Filter> filter = catalogue::parseFilter(value))
-        must(catalogue::parseFilter(filter->text()).has_value(), "a filter's text is a filter");
+      if (const Result<sherds::Filter> filter = sherds::parseFilter(value))
+        must(sherds::parseFilter(filter->text()).has_value(), "a filter's text is a filter");
     }
     written += tables::csvLine(row.values);
   }

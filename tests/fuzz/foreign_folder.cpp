@@ -7,6 +7,7 @@
 
 #include "files/files.h"
 #include "must.h"
+#include "records/records.h"
 #include "upkeep/project.h"
 
 namespace ostraka::fuzz {

@@ -20,8 +20,8 @@ const std::vector<std::string> kOrder = {
     "colmap",       "ground",     "hull",    "mask",      "stereo",     "scan",     "pairing",
     "registration", "model",      "drawing", "decisions", "checks",     "pipeline", "scansets",
     "review",       "evaluate",   "devices", "cameras",   "turntables", "capture",  "vessels",
-    "rendering",    "virtualrig", "store",   "records",   "catalogue",  "upkeep",   "intake",
-    "archive",      "tables",     "exchange"};
+    "rendering",    "virtualrig", "store",   "records",   "catalogue",  "sherds",   "upkeep",
+    "intake",       "archive",    "tables",  "exchange"};
 // The window's folders likewise; all of them may use core.
 const std::vector<std::string> kUiOrder = {"words",  "jobs",     "frame",  "viewport", "capture",
                                            "masks",  "queue",    "review", "map",      "catalogue",
@@ -182,28 +182,28 @@ TEST(Structure, NoIncludeOfTheWindowGoesUpwards) {
 }
 
 // Words that may stand in one folder of the window only.
-TEST(Structure, TheWindowKeepsThreadsVtkAndSqlBehindTheirDoors) {
-  struct Door {
+TEST(Structure, TheWindowKeepsThreadsVtkAndSqlInTheirFolders) {
+  struct Behind {
     const char* word;
     const char* folder;  // "" for none
   };
-  const Door doors[] = {{"#include <vtk", "viewport"},
-                        {"std::thread", "jobs"},
-                        {"std::jthread", "jobs"},
-                        {"QThreadPool", "jobs"},
-                        {"QtConcurrent", "jobs"},
-                        {"moveToThread", "jobs"},
-                        {"processEvents", ""},
-                        {"QEventLoop", ""},
-                        {"QSqlQuery", ""},
-                        {"sqlite3_", ""},
-                        {"SIGNAL(", ""}};
+  const Behind folders[] = {{"#include <vtk", "viewport"},
+                            {"std::thread", "jobs"},
+                            {"std::jthread", "jobs"},
+                            {"QThreadPool", "jobs"},
+                            {"QtConcurrent", "jobs"},
+                            {"moveToThread", "jobs"},
+                            {"processEvents", ""},
+                            {"QEventLoop", ""},
+                            {"QSqlQuery", ""},
+                            {"sqlite3_", ""},
+                            {"SIGNAL(", ""}};
   for (const fs::path& file : sourcesUnder(root() / "ui")) {
     const std::string folder = (*std::next(file.lexically_relative(root()).begin())).string();
     for (const std::string& line : linesOf(file))
-      for (const Door& door : doors)
-        if (folder != door.folder) {
-          EXPECT_EQ(line.find(door.word), std::string::npos) << file << ": " << line;
+      for (const Behind& behind : folders)
+        if (folder != behind.folder) {
+          EXPECT_EQ(line.find(behind.word), std::string::npos) << file << ": " << line;
         }
   }
 }
@@ -213,8 +213,7 @@ TEST(Structure, NoFolderHoldsMoreThanThirtyFilesOrThreeAndAHalfThousandLines) {
   struct Size {
     int files = 30, lines = 3500;
   };
-  const std::map<std::string, Size> too_large = {{"core/catalogue", {30, 4650}},
-                                                 {"ui/capture", {51, 5250}},
+  const std::map<std::string, Size> too_large = {{"ui/capture", {51, 5250}},
                                                  {"ui/catalogue", {30, 4600}},
                                                  {"ui/frame", {45, 3500}},
                                                  {"ui/review", {30, 3850}}};

@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include "catalogue/batches.h"
+#include "records/records.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -85,9 +87,9 @@ Result<QString> BatchImporter::enter(const Imported& copied, const PlaceText& pl
   batch.started_ms = copied.first_taken_ms;  // the day of the import is not the photographs'
   batch.ended_ms = copied.last_taken_ms;
   batch.state = records::BatchState::Failed;  // until its files are in place
-  const auto row = rows.addBatch(batch, provenance);
+  const auto row = catalogue::Batches(rows).add(batch, provenance);
   if (!row) return row.error();
-  const auto made = rows.batch(*row);
+  const auto made = catalogue::Batches(rows).get(*row);
   if (!made) return made.error();
   std::error_code error;
   std::filesystem::rename(copied.folder, project.batchFolder(made->number), error);
@@ -97,7 +99,8 @@ Result<QString> BatchImporter::enter(const Imported& copied, const PlaceText& pl
                      .arg(QString::fromStdString(error.message()))
                      .toStdString(),
                  project.batchFolder(made->number).string()};
-  if (const auto queued = rows.setBatchState(*row, records::BatchState::Queued, provenance);
+  if (const auto queued =
+          catalogue::Batches(rows).setState(*row, records::BatchState::Queued, provenance);
       !queued)
     return queued.error();
   return QString::fromStdString(made->number);

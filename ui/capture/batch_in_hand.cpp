@@ -4,9 +4,11 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "catalogue/batches.h"
 #include "catalogue/label_codes.h"
-#include "catalogue/photographed_again.h"
-#include "catalogue/typed_numbers.h"
+#include "records/sherd.h"
+#include "sherds/photographed_again.h"
+#include "sherds/typed_numbers.h"
 #include "ui/frame/project_session.h"
 #include "upkeep/project.h"
 
@@ -28,7 +30,7 @@ void BatchInHand::resume() {
   number_.clear();
   row_ = 0;
   if (session_ == nullptr) return;
-  const auto batches = session_->project().catalogue().batches();
+  const auto batches = catalogue::Batches(session_->project().catalogue()).all();
   if (!batches) return;
   const auto last = std::find_if(batches->begin(), batches->end(), [](const auto& batch) {
     return batch.state <= records::BatchState::Back;
@@ -39,7 +41,8 @@ void BatchInHand::resume() {
 
 void BatchInHand::resume(const QString& number) {
   if (session_ == nullptr) return;
-  const auto batch = session_->project().catalogue().batchByNumber(number.toStdString());
+  const auto batch =
+      catalogue::Batches(session_->project().catalogue()).byNumber(number.toStdString());
   if (batch && batch->state <= records::BatchState::Back) take(*batch);
 }
 
@@ -53,7 +56,7 @@ void BatchInHand::take(const records::BatchRecord& batch) {
 int BatchInHand::index() const {
   QString number = number_;
   if (number.isEmpty() && session_ != nullptr)
-    if (const auto next = session_->project().catalogue().nextBatchNumber())
+    if (const auto next = catalogue::Batches(session_->project().catalogue()).nextNumber())
       number = QString::fromStdString(*next);
   number.remove(QLatin1Char('B'));
   return number.toInt();
@@ -89,7 +92,7 @@ std::vector<std::vector<std::filesystem::path>> BatchInHand::files(batch::Side s
 
 records::BatchState BatchInHand::state() const {
   if (session_ == nullptr || row_ == 0) return records::BatchState::Placed;
-  const auto batch = session_->project().catalogue().batch({row_});
+  const auto batch = catalogue::Batches(session_->project().catalogue()).get({row_});
   return batch ? batch->state : records::BatchState::Placed;
 }
 
@@ -101,7 +104,7 @@ bool BatchInHand::isComputed() const {
 PlaceText BatchInHand::place() const {
   if (session_ == nullptr || row_ == 0) return {};
   const catalogue::Catalogue& rows = session_->project().catalogue();
-  const auto batch = rows.batch({row_});
+  const auto batch = catalogue::Batches(rows).get({row_});
   if (!batch || batch->bags.empty()) return {};
   const auto place = catalogue::placeOf(rows, batch->bags.front());
   if (!place || !*place) return {};
@@ -112,7 +115,7 @@ PlaceText BatchInHand::place() const {
 QStringList BatchInHand::toPhotographAgain() const {
   QStringList sherds;
   if (session_ == nullptr) return sherds;
-  if (const auto waiting = catalogue::toPhotographAgain(session_->project().catalogue()))
+  if (const auto waiting = sherds::toPhotographAgain(session_->project().catalogue()))
     for (const records::SherdRecord& sherd : *waiting)
       sherds << QStringLiteral("%1 (%2)").arg(QString::fromStdString(sherd.number),
                                               QString::fromStdString(sherd.batch_number));
@@ -124,9 +127,9 @@ QStringList BatchInHand::numbersThatMayFit() const {
   QStringList numbers;
   if (session_ == nullptr || row_ == 0) return numbers;
   const catalogue::Catalogue& rows = session_->project().catalogue();
-  if (const auto typed = catalogue::typedNumbers(rows, {row_}))
-    for (const catalogue::TypedNumber& one : *typed) {
-      const auto fits = catalogue::fitsTheBatch(rows, {row_}, one.number);
+  if (const auto typed = sherds::typedNumbers(rows, {row_}))
+    for (const sherds::TypedNumber& one : *typed) {
+      const auto fits = sherds::fitsTheBatch(rows, {row_}, one.number);
       if (!fits || *fits) numbers << QString::fromStdString(one.number);
     }
   return numbers;
@@ -136,8 +139,8 @@ QStringList BatchInHand::numbersOfAnotherBag() const {
   QStringList numbers;
   if (of_another_bag_.isEmpty() || session_ == nullptr) return numbers;
   const QStringList fit = numbersThatMayFit();
-  if (const auto typed = catalogue::typedNumbers(session_->project().catalogue(), {row_}))
-    for (const catalogue::TypedNumber& one : *typed)
+  if (const auto typed = sherds::typedNumbers(session_->project().catalogue(), {row_}))
+    for (const sherds::TypedNumber& one : *typed)
       if (const QString number = QString::fromStdString(one.number);
           of_another_bag_.contains(number) && !fit.contains(number))
         numbers << number;
@@ -148,7 +151,7 @@ Result<void> BatchInHand::begin(const PlaceText& place) {
   catalogue::Catalogue& rows = session_->project().catalogue();
   const records::Provenance provenance = session_->provenance();
   if (row_ != 0) {  // begun before the person counted, or under another bag
-    auto batch = rows.batch({row_});
+    auto batch = catalogue::Batches(rows).get({row_});
     if (!batch) return batch.error();
     const bool moved = place != this->place();
     if (batch->counted == counted_ && !moved) return {};
@@ -160,7 +163,7 @@ Result<void> BatchInHand::begin(const PlaceText& place) {
       batch->bags.clear();
       if (*bag != 0) batch->bags.push_back({*bag});
     }
-    return rows.saveBatch(*batch, provenance);
+    return catalogue::Batches(rows).save(*batch, provenance);
   }
   const Result<std::int64_t> bag = bagRowOf(rows, place, provenance);
   if (!bag) return bag.error();
@@ -169,9 +172,9 @@ Result<void> BatchInHand::begin(const PlaceText& place) {
   batch.operator_ = provenance.person;
   batch.counted = counted_;
   batch.started_ms = rows.now();
-  const auto row = rows.addBatch(batch, provenance);
+  const auto row = catalogue::Batches(rows).add(batch, provenance);
   if (!row) return row.error();
-  const auto made = rows.batch(*row);
+  const auto made = catalogue::Batches(rows).get(*row);
   if (!made) return made.error();
   row_ = row->value;
   number_ = QString::fromStdString(made->number);
@@ -180,15 +183,15 @@ Result<void> BatchInHand::begin(const PlaceText& place) {
 }
 
 Result<void> BatchInHand::setState(records::BatchState state) {
-  Result<void> set =
-      session_->project().catalogue().setBatchState({row_}, state, session_->provenance());
+  Result<void> set = catalogue::Batches(session_->project().catalogue())
+                         .setState({row_}, state, session_->provenance());
   session_->tellBatchChanged(number_);
   return set;
 }
 
 Result<void> BatchInHand::queue(int seen) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  auto batch = rows.batch({row_});
+  auto batch = catalogue::Batches(rows).get({row_});
   if (!batch) return batch.error();
   batch->ended_ms = rows.now();
   // What a person has counted is what the scans are compared with.
@@ -196,7 +199,8 @@ Result<void> BatchInHand::queue(int seen) {
     batch->counted = counted_;
   else if (seen > 0)
     batch->counted = seen;
-  if (Result<void> saved = rows.saveBatch(*batch, session_->provenance()); !saved) return saved;
+  if (Result<void> saved = catalogue::Batches(rows).save(*batch, session_->provenance()); !saved)
+    return saved;
   return setState(records::BatchState::Queued);
 }
 

@@ -2,6 +2,7 @@
 #include <QAction>
 #include <utility>
 
+#include "catalogue/settings.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
@@ -68,7 +69,8 @@ void CaptureScreen::chooseRig(const RigChoice& choice) {
 }
 
 void CaptureScreen::keepChoice(const RigChoice& choice) {
-  (void)session_->project().catalogue().setSetting(kRigKey, choice.toJson().toStdString());
+  (void)catalogue::Settings(session_->project().catalogue())
+      .setValue(kRigKey, choice.toJson().toStdString());
 }
 
 // A rig that does not open leaves the place to the one that worked.
@@ -88,7 +90,8 @@ void CaptureScreen::followRig(const std::optional<Error>& why_not) {
 
 RigChoice CaptureScreen::rigChoice() const {
   if (session_ == nullptr) return {};
-  const Result<std::string> rig = session_->project().catalogue().setting(kRigKey);
+  const Result<std::string> rig =
+      catalogue::Settings(session_->project().catalogue()).value(kRigKey);
   return RigChoice::fromJson(rig ? QString::fromStdString(*rig) : QString());
 }
 

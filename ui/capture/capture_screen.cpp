@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "batch/batch.h"
+#include "catalogue/settings.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_foot.h"
 #include "ui/capture/capture_wizard.h"
@@ -302,7 +303,7 @@ void CaptureScreen::openProject(ProjectSession& session) {
     edit->setNews(
         [&session](const PlaceText& place) { return newOf(session.project().catalogue(), place); });
   }
-  const Result<std::string> place = rows.setting(kPlaceKey);
+  const Result<std::string> place = catalogue::Settings(rows).value(kPlaceKey);
   place_->setText(place ? QString::fromStdString(*place) : QString());
   placeTyped();
   const RigChoice choice = rigChoice();
@@ -367,7 +368,8 @@ void CaptureScreen::showImported(const QString& number, int files, const QString
 void CaptureScreen::placeTyped() {
   wizard_->setPlace(place_->place());
   if (session_ != nullptr && place_->isUsable())
-    (void)session_->project().catalogue().setSetting(kPlaceKey, place_->text().toStdString());
+    (void)catalogue::Settings(session_->project().catalogue())
+        .setValue(kPlaceKey, place_->text().toStdString());
   emit lineChanged();
 }
 

@@ -5,6 +5,7 @@
 
 #include "batch/batch.h"
 #include "capture/batch_store.h"
+#include "records/records.h"
 #include "ui/capture/doubt_words.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "capture/sequence.h"
+#include "records/records.h"
 #include "ui/capture/batch_in_hand.h"
 #include "ui/capture/capture_facts.h"
 #include "ui/capture/place_text.h"

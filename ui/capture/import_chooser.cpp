@@ -6,6 +6,7 @@
 #include <QUrl>
 #include <QWidget>
 
+#include "catalogue/settings.h"
 #include "ui/capture/import_ask.h"
 #include "ui/capture/sides_view.h"
 #include "ui/frame/project_session.h"
@@ -32,12 +33,13 @@ ImportChooser::ImportChooser(QWidget* screen, ImportAsk* ask)
   screen_->installEventFilter(this);
   connect(ask_->sides(), &SidesView::sheetChosen, this, [this](const QString& file) {
     if (session_ != nullptr)
-      (void)session_->project().catalogue().setSetting(kSheetKey, file.toStdString());
+      (void)catalogue::Settings(session_->project().catalogue())
+          .setValue(kSheetKey, file.toStdString());
   });
   connect(ask_->sides(), &SidesView::markerChosen, this, [this](double side_mm) {
     if (session_ != nullptr)
-      (void)session_->project().catalogue().setSetting(kMarkerKey,
-                                                       QByteArray::number(side_mm).toStdString());
+      (void)catalogue::Settings(session_->project().catalogue())
+          .setValue(kMarkerKey, QByteArray::number(side_mm).toStdString());
   });
 }
 
@@ -48,12 +50,14 @@ void ImportChooser::setSession(ProjectSession* session) {
 }
 
 std::filesystem::path ImportChooser::lastSheet() const {
-  const Result<std::string> kept = session_->project().catalogue().setting(kSheetKey);
+  const Result<std::string> kept =
+      catalogue::Settings(session_->project().catalogue()).value(kSheetKey);
   return kept ? std::filesystem::path(*kept) : std::filesystem::path();
 }
 
 std::optional<double> ImportChooser::lastMarker() const {
-  const Result<std::string> kept = session_->project().catalogue().setting(kMarkerKey);
+  const Result<std::string> kept =
+      catalogue::Settings(session_->project().catalogue()).value(kMarkerKey);
   const double side_mm = kept ? QByteArray::fromStdString(*kept).toDouble() : 0;
   return side_mm > 0 ? std::optional(side_mm) : std::nullopt;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "catalogue/label_codes.h"
+#include "catalogue/places.h"
 #include "store/names.h"
 
 namespace ostraka::ui {
@@ -42,7 +43,7 @@ bool beginWith(const QStringList& typed, const QStringList& start) {
 // The bag as the rest of the typed parts names it; only one that is known may have several parts.
 QString bagOf(const Catalogue& rows, store::ContextRow context, const QStringList& rest) {
   if (rest.size() == 1) return rest.front();
-  if (const auto bags = rows.bags(context))
+  if (const auto bags = catalogue::Places(rows).bags(context))
     for (const records::BagRecord& bag : *bags)
       if (const QStringList parts = partsOf(bag.number);
           parts.size() == rest.size() &&
@@ -53,7 +54,7 @@ QString bagOf(const Catalogue& rows, store::ContextRow context, const QStringLis
 
 // The longest name counts: of 0012 and 0012-a, the second.
 std::optional<PlaceText> inKnownContext(const Catalogue& rows, const QStringList& typed) {
-  const auto contexts = rows.contexts();
+  const auto contexts = catalogue::Places(rows).contexts();
   if (!contexts) return {};
   std::optional<PlaceText> found;
   qsizetype longest = 0;
@@ -72,7 +73,7 @@ std::optional<PlaceText> inKnownContext(const Catalogue& rows, const QStringList
 }
 
 std::optional<PlaceText> inKnownSite(const Catalogue& rows, const QStringList& typed) {
-  const auto sites = rows.sites();
+  const auto sites = catalogue::Places(rows).sites();
   if (!sites) return {};
   std::optional<PlaceText> found;
   qsizetype longest = 1;  // a site's code of one part is read without knowing it
@@ -93,7 +94,7 @@ bool isSiteCode(const QString& text) {
 }
 
 bool isKnownSite(const Catalogue& rows, const QString& code) {
-  const auto sites = rows.sites();
+  const auto sites = catalogue::Places(rows).sites();
   return sites && std::any_of(sites->begin(), sites->end(), [&](const auto& site) {
            return isSame(QString::fromStdString(site.code), code);
          });
@@ -159,21 +160,21 @@ QString newOf(const Catalogue& rows, const PlaceText& place) {
     return isSame(QString::fromStdString(known), typed);
   };
   bool site = false, trench = place.trench.isEmpty(), context = false, bag = false;
-  if (const auto sites = rows.sites())
+  if (const auto sites = catalogue::Places(rows).sites())
     for (const records::SiteRecord& known : *sites) {
       if (!is(known.code, place.site)) continue;
       site = true;
-      if (const auto trenches = rows.trenches())
+      if (const auto trenches = catalogue::Places(rows).trenches())
         for (const records::TrenchRecord& one : *trenches)
           trench = trench || (one.site == known.row && is(one.code, place.trench));
     }
-  if (const auto contexts = rows.contexts())
+  if (const auto contexts = catalogue::Places(rows).contexts())
     for (const records::ContextRecord& known : *contexts) {
       if (!is(known.site_code, place.site) || !is(known.trench_code, place.trench) ||
           !is(known.number, place.context))
         continue;
       context = true;
-      if (const auto bags = rows.bags(known.row))
+      if (const auto bags = catalogue::Places(rows).bags(known.row))
         for (const records::BagRecord& one : *bags) bag = bag || is(one.number, place.bag);
     }
   QStringList fresh;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "catalogue/batches.h"
+#include "sherds/sherds.h"
 #include "store/names.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
@@ -35,16 +37,17 @@ void SherdNumbers::follow(ProjectSession* session, const QString& batch,
   row_ = {};
   if (!places_mm_.empty()) {
     catalogue::Catalogue& rows = session_->project().catalogue();
-    if (const auto record = rows.batchByNumber(batch_.toStdString())) row_ = record->row;
+    if (const auto record = catalogue::Batches(rows).byNumber(batch_.toStdString()))
+      row_ = record->row;
     if (row_)
-      if (auto typed = catalogue::typedNumbers(rows, row_)) typed_ = std::move(*typed);
+      if (auto typed = sherds::typedNumbers(rows, row_)) typed_ = std::move(*typed);
   }
   assign();
 }
 
 void SherdNumbers::assign() {
   numbers_ = QStringList(count());
-  const std::vector<int> place = catalogue::placesOf(typed_, places_mm_);
+  const std::vector<int> place = sherds::placesOf(typed_, places_mm_);
   for (std::size_t i = 0; i < typed_.size(); ++i)
     if (place[i] >= 0) numbers_[place[i]] = QString::fromStdString(typed_[i].number);
   emit changed();
@@ -59,10 +62,10 @@ QString SherdNumbers::give(int sherd, const QString& typed) {
     return tr("%1 is no sherd's number: it has a digit, no space and at most %2 characters.")
         .arg(plain)
         .arg(kLongestNumber);
-  const auto number = catalogue::wholeNumber(rows, row_, typed.toStdString());
+  const auto number = sherds::wholeNumber(rows, row_, typed.toStdString());
   if (!number) return sentenceOf(number.error());
-  std::vector<catalogue::TypedNumber> all;
-  const std::vector<int> place = catalogue::placesOf(typed_, places_mm_);
+  std::vector<sherds::TypedNumber> all;
+  const std::vector<int> place = sherds::placesOf(typed_, places_mm_);
   for (std::size_t i = 0; i < typed_.size(); ++i) {
     const bool same = store::uniqueKey(typed_[i].number) == store::uniqueKey(*number);
     if (same && place[i] >= 0 && place[i] != sherd)
@@ -74,9 +77,10 @@ QString SherdNumbers::give(int sherd, const QString& typed) {
     if (place[i] != sherd && !same) all.push_back(typed_[i]);
   }
   if (!number->empty()) all.push_back({places_mm_[static_cast<std::size_t>(sherd)], *number});
-  if (const auto kept = catalogue::setTypedNumbers(rows, row_, all); !kept) {
-    if (const auto other = rows.sherdByNumber(*number); other && *other)
-      if (const auto holder = rows.sherd(*other); holder && !holder->batch_number.empty())
+  if (const auto kept = sherds::setTypedNumbers(rows, row_, all); !kept) {
+    if (const auto other = sherds::Sherds(rows).byNumber(*number); other && *other)
+      if (const auto holder = sherds::Sherds(rows).get(*other);
+          holder && !holder->batch_number.empty())
         return tr("A sherd of %1 has the number %2 already; type another.")
             .arg(QString::fromStdString(holder->batch_number), QString::fromStdString(*number));
     return wordsOf(kept.error().what);
@@ -90,8 +94,8 @@ QString SherdNumbers::doubtOf(int sherd) const {
   const QString number = of(sherd);
   if (session_ == nullptr || !row_ || number.isEmpty()) return {};
   const catalogue::Catalogue& rows = session_->project().catalogue();
-  const auto fits = catalogue::fitsTheBatch(rows, row_, number.toStdString());
-  const auto example = catalogue::wholeNumber(rows, row_, "1");
+  const auto fits = sherds::fitsTheBatch(rows, row_, number.toStdString());
+  const auto example = sherds::wholeNumber(rows, row_, "1");
   if (!fits || *fits || !example) return {};
   return tr("Sherd %1: %2 is not as this bag's sherds are numbered (%3). If that is no slip, go "
             "on.")

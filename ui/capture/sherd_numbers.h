@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "capture/shot_checks.h"
-#include "catalogue/typed_numbers.h"
+#include "sherds/typed_numbers.h"
+#include "store/row.h"
 
 namespace ostraka::ui {
 
@@ -41,7 +42,7 @@ class SherdNumbers final : public QObject {
   QString batch_;
   store::BatchRow row_;
   std::vector<Eigen::Vector2d> places_mm_;
-  std::vector<catalogue::TypedNumber> typed_;
+  std::vector<sherds::TypedNumber> typed_;
   QStringList numbers_;
 };
 

@@ -14,6 +14,10 @@
 #include <set>
 
 #include "intake/sherd_moves.h"
+#include "records/sherd.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
@@ -28,7 +32,7 @@ constexpr int kReasons = 3;          // of refusals, above that list
 constexpr std::size_t kShown = 200;  // the preview's list; all are counted
 
 bool isPlace(const std::string& field) {
-  const auto& all = records::sherdFields();
+  const auto& all = sherds::sherdFields();
   return std::any_of(all.begin(), all.end(), [&](const records::SherdField& known) {
     return field == known.name && known.kind == records::FieldKind::Place;
   });
@@ -36,7 +40,7 @@ bool isPlace(const std::string& field) {
 
 QString shownValue(const records::ChangePreview& change, const std::string& value,
                    const TermWords& words) {
-  for (const records::SherdField& field : records::sherdFields())
+  for (const records::SherdField& field : sherds::sherdFields())
     if (change.change.field == field.name && field.kind == records::FieldKind::Number)
       return typedText(field, value);
   return words.shown(change.change.field, value);
@@ -73,7 +77,7 @@ void BulkEdit::buildLayout() {
   field_ = new QComboBox(this);
   field_->setObjectName("bulkField");
   field_->setAccessibleName(tr("Field to change"));
-  for (const records::SherdField& field : records::sherdFields())
+  for (const records::SherdField& field : sherds::sherdFields())
     if (field.editable && std::string_view(field.name) != "number")
       field_->addItem(fieldLabel(field.name), QString::fromLatin1(field.name));
   field_->setCurrentIndex(field_->findData("part"));
@@ -166,7 +170,7 @@ void BulkEdit::offerTerms() {
   const std::string field = field_->currentData().toString().toStdString();
   if (session_) words_.read(session_->project().catalogue());
   QStringList terms;
-  for (const records::SherdField& known : records::sherdFields())
+  for (const records::SherdField& known : sherds::sherdFields())
     if (session_ && field == known.name) terms = words_.of(known);
   auto* completer = new QCompleter(terms, value_);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
@@ -204,10 +208,12 @@ void BulkEdit::preview() {
     Result<intake::Move> move =
         isPlace(field) ? intake::moveOf(*catalogue, changes) : intake::Move{changes, 0, {}, {}};
     if (!move) return move.error();
-    Result<std::vector<records::ChangePreview>> shown = catalogue->preview(move->changes);
+    Result<std::vector<records::ChangePreview>> shown =
+        sherds::SherdChanges(*catalogue).preview(move->changes);
     if (!shown) return shown.error();
     Result<std::vector<records::SherdRecord>> records =
-        catalogue->sherds(std::span(sherds).first(std::min<std::size_t>(sherds.size(), kShown)));
+        sherds::Sherds(*catalogue)
+            .of(std::span(sherds).first(std::min<std::size_t>(sherds.size(), kShown)));
     if (!records) return records.error();
     return Preview{std::move(*move), std::move(*shown), std::move(*records)};
   };

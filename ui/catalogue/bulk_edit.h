@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "records/sherd.h"
 #include "ui/frame/term_words.h"
 
 class QCheckBox;

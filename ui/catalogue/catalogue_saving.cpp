@@ -1,8 +1,11 @@
 // What a person enters about a sherd is looked at, and saved or refused in place.
 #include <algorithm>
 
-#include "catalogue/typed_numbers.h"
 #include "intake/sherd_moves.h"
+#include "records/sherd.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
+#include "sherds/typed_numbers.h"
 #include "ui/catalogue/bulk_edit.h"
 #include "ui/catalogue/catalogue_screen.h"
 #include "ui/catalogue/field_words.h"
@@ -26,15 +29,16 @@ void CatalogueScreen::saveField(const QString& field, const QString& value) {
   const QString two_ways = inTwoWays(change.field, value);
   if (!two_ways.isEmpty()) return refuse(two_ways, {}, {});
   if (change.field == "number") {
-    const auto whole = catalogue::wholeNumber(catalogue, change.sherd, change.value);
+    const auto whole = sherds::wholeNumber(catalogue, change.sherd, change.value);
     if (!whole) return refuse(wordsOf(whole.error().what), {}, {});
     change.value = *whole;
   }
-  const auto previews = catalogue.preview(std::span(&change, 1));
+  const auto previews = sherds::SherdChanges(catalogue).preview(std::span(&change, 1));
   const auto shown = previews ? previews->front() : records::ChangePreview{change, {}, {}, {}, {}};
   if (!shown.refusal.empty()) {
     QString number, picture;
-    if (const auto other = catalogue.sherd(shown.in_the_way); shown.in_the_way && other) {
+    if (const auto other = sherds::Sherds(catalogue).get(shown.in_the_way);
+        shown.in_the_way && other) {
       number = QString::fromStdString(other->number);
       picture = QString::fromStdString((session_->folder() / other->preview_path).string());
     }
@@ -45,7 +49,7 @@ void CatalogueScreen::saveField(const QString& field, const QString& value) {
   const bool voids =
       change.field == "void_reason" && !shown.new_value.empty() && shown.old_value.empty();
   if (voids) {
-    const auto sherd = catalogue.sherd(change.sherd);
+    const auto sherd = sherds::Sherds(catalogue).get(change.sherd);
     details_->ask(field, value,
                   tr("A void sherd gets no label, drawing or place on a plate, and its number is "
                      "never given again. Is %1 void: \u201c%2\u201d?")

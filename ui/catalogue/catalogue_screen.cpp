@@ -16,6 +16,9 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "catalogue/batches.h"
+#include "records/sherd.h"
+#include "sherds/sherds.h"
 #include "tables/import_table.h"
 #include "ui/catalogue/bulk_edit.h"
 #include "ui/catalogue/drawing_page.h"
@@ -391,10 +394,12 @@ void CatalogueScreen::choose(const std::vector<store::SherdRow>& sherds, store::
 
 void CatalogueScreen::showItem(const QString& what) {
   if (!session_) return;
-  const auto sherd = session_->project().catalogue().sherdByNumber(what.toStdString());
+  const auto sherd = sherds::Sherds(session_->project().catalogue()).byNumber(what.toStdString());
   if (!sherd || !*sherd) {
     filter_->setText(
-        session_->project().catalogue().batchByNumber(what.toStdString()) ? "batch:" + what : what);
+        catalogue::Batches(session_->project().catalogue()).byNumber(what.toStdString())
+            ? "batch:" + what
+            : what);
     return;
   }
   if (model_->rowOf(*sherd) < 0) {
@@ -445,7 +450,7 @@ void CatalogueScreen::showSelection() {
 }
 
 void CatalogueScreen::showModelOf(store::SherdRow row) {
-  const auto sherd = session_->project().catalogue().sherd(row);
+  const auto sherd = sherds::Sherds(session_->project().catalogue()).get(row);
   const auto whole = [&](const std::string& path) {
     return path.empty() ? QString() : QString::fromStdString((session_->folder() / path).string());
   };

@@ -2,6 +2,7 @@
 #include <QPointer>
 
 #include "catalogue/catalogue.h"
+#include "records/sherd.h"
 #include "ui/frame/screen.h"
 
 class QLabel;

@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "catalogue/settings.h"
 #include "drawing/drawing_files.h"
 #include "store/names.h"
 #include "store/values.h"
@@ -220,7 +221,7 @@ void DrawingPage::draw() {
                         std::stop_token stop) -> Result<std::shared_ptr<const Drawn>> {
     const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
     if (!catalogue) return catalogue.error();
-    const Result<records::ProjectRecord> project = catalogue->project();
+    const Result<records::ProjectRecord> project = catalogue::Settings(*catalogue).project();
     if (!project) return project.error();
     Result<exchange::DrawnSherds> drawn =
         exchange::drawSherds(*catalogue, folder, sherds, how, progress, stop);

@@ -7,6 +7,7 @@
 
 #include "catalogue/catalogue.h"
 #include "exchange/drawn_sherds.h"
+#include "records/sherd.h"
 
 class QComboBox;
 class QLabel;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sherds/sherd_fields.h"
 #include "store/values.h"
 #include "tables/csv.h"
 #include "ui/frame/free_tr.h"
@@ -146,7 +147,7 @@ QString confirmWords(const std::vector<records::MeasureFinding>& findings) {
 
 QString withFieldNames(const QString& filter) {
   QHash<QString, QString> names;
-  for (const records::SherdField& field : records::sherdFields()) {
+  for (const records::SherdField& field : sherds::sherdFields()) {
     const QString name = QString::fromLatin1(field.name);
     const QString english = withoutUnit(QString::fromLatin1(labelOf(name)));
     const QString label = withoutUnit(fieldLabel(field.name));
@@ -172,9 +173,9 @@ QString fieldText(const records::SherdRecord& sherd, const std::string& field,
                   const TermWords& words) {
   if (field == "state") return stateLabel(sherd.state);
   if (field == "scale") return sherd.scale_doubtful ? tr("in doubt") : QString();
-  const std::string text = records::textOf(sherd, field);
+  const std::string text = sherds::textOf(sherd, field);
   if (text.empty()) return {};
-  for (const records::SherdField& known : records::sherdFields()) {
+  for (const records::SherdField& known : sherds::sherdFields()) {
     if (field != known.name) continue;
     if (known.kind == records::FieldKind::Number) {
       // Not std::stod: it obeys the language that Qt set.
@@ -203,7 +204,7 @@ QString typedText(const records::SherdField& field, const std::string& text) {
 QString inTwoWays(const std::string& field, const QString& typed) {
   const std::string mark = QLocale().groupSeparator().toStdString();
   if (mark != "," && mark != ".") return {};
-  for (const records::SherdField& known : records::sherdFields())
+  for (const records::SherdField& known : sherds::sherdFields())
     if (field == known.name && known.kind == records::FieldKind::Number)
       if (const auto clear = tables::readsOneWay(typed.toStdString(), mark.front()); !clear)
         return wordsOf(clear.error().what);
@@ -229,7 +230,7 @@ QString leftBehindWords(const intake::Move& move) {
   return said.join(QLatin1Char(' '));
 }
 
-QString conditionText(const catalogue::Condition& condition) {
+QString conditionText(const sherds::Condition& condition) {
   const QString text = QString::fromStdString(condition.text);
   const char* english = labelOf(QString::fromStdString(condition.field));
   const qsizetype at = text.indexOf(QRegularExpression(QStringLiteral("[:<>=]")));

@@ -1,9 +1,9 @@
 #pragma once
 #include <QString>
 
-#include "catalogue/filter.h"
 #include "intake/sherd_moves.h"
 #include "records/sherd.h"
+#include "sherds/filter.h"
 
 namespace ostraka::ui {
 
@@ -27,7 +27,7 @@ QString inTwoWays(const std::string& field, const QString& typed);
 /// What sherds leave behind that are moved to another context, in sentences; empty: nothing.
 QString leftBehindWords(const intake::Move& move);
 /// A condition of the filter with its field's name as people call it.
-QString conditionText(const catalogue::Condition& condition);
+QString conditionText(const sherds::Condition& condition);
 /// What people call a measure, with its unit, and its value in the language's form.
 QString measureLabel(const std::string& kind);
 QString measureText(double value);

@@ -81,13 +81,13 @@ void FilterLine::ask() {
   emit wanted(line_->text());
 }
 
-void FilterLine::showConditions(const catalogue::Filter& filter) {
+void FilterLine::showConditions(const sherds::Filter& filter) {
   while (QLayoutItem* item = chips_->takeAt(0)) {
     if (item->widget()) item->widget()->deleteLater();
     delete item;
   }
   for (std::size_t i = 0; i < filter.conditions.size(); ++i) {
-    catalogue::Filter fewer = filter;
+    sherds::Filter fewer = filter;
     fewer.conditions.erase(fewer.conditions.begin() + static_cast<std::ptrdiff_t>(i));
     auto* chip = new QToolButton(this);
     const QString text = conditionText(filter.conditions[i]);

@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "catalogue/filter.h"
+#include "sherds/filter.h"
 
 class QHBoxLayout;
 class QLabel;
@@ -23,7 +23,7 @@ class FilterLine final : public QWidget {
   void setText(const QString& line);  ///< and asks for it at once
   void clear();                       ///< asks nobody
   void takeKeys();                    ///< all of it chosen, to be typed over
-  void showConditions(const catalogue::Filter& filter);
+  void showConditions(const sherds::Filter& filter);
   void showCount(int sherds);
 
  signals:

@@ -9,6 +9,7 @@
 #include "base/limits.h"
 #include "exchange/read_back.h"
 #include "files/files.h"
+#include "records/records.h"
 #include "tables/csv.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"

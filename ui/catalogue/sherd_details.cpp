@@ -14,6 +14,15 @@
 #include <QVBoxLayout>
 #include <set>
 
+#include "catalogue/files.h"
+#include "catalogue/history.h"
+#include "catalogue/places.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/numbers.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "store/values.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/elided_button.h"
@@ -99,11 +108,11 @@ void SherdDetails::buildLayout() {
   };
   // A context is chosen with its trench and site; what voids a sherd comes last, for Tab too.
   const std::set<std::string> elsewhere = {"site", "trench", "context", "void_reason"};
-  for (const records::SherdField& field : records::sherdFields()) {
+  for (const records::SherdField& field : sherds::sherdFields()) {
     if (field.name == std::string("site")) addPlace();
     if (field.editable && !elsewhere.contains(field.name)) addField(field);
   }
-  for (const records::SherdField& field : records::sherdFields())
+  for (const records::SherdField& field : sherds::sherdFields())
     if (field.name == std::string("void_reason")) addField(field);
   measures_ = table({tr("measure"), tr("value"), tr("from")}, tr("Measurements"), page);
   history_ = table({tr("when"), tr("who"), tr("what")}, tr("History"), page);
@@ -206,7 +215,7 @@ QWidget* SherdDetails::editorFor(const records::SherdField& field) {
 
 void SherdDetails::setVocabularies(const catalogue::Catalogue& catalogue) {
   words_.read(catalogue);
-  for (const records::SherdField& field : records::sherdFields()) {
+  for (const records::SherdField& field : sherds::sherdFields()) {
     if (std::string_view(field.vocabulary).empty()) continue;
     const QStringList terms = words_.of(field);
     QWidget* editor = editors_.value(field.name);
@@ -324,7 +333,7 @@ void SherdDetails::showUnsaved() {
 
 void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
                              const std::filesystem::path& project, store::SherdRow row) {
-  const Result<records::SherdRecord> sherd = catalogue.sherd(row);
+  const Result<records::SherdRecord> sherd = sherds::Sherds(catalogue).get(row);
   if (!sherd) {
     clear();
     return;
@@ -338,7 +347,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
     give_number_->hide();
     why_no_number_->hide();
   } else {
-    const auto proposed = catalogue.proposeNumbers(std::span(&row, 1));
+    const auto proposed = sherds::Numbers(catalogue).propose(std::span(&row, 1));
     give_number_->setVisible(proposed.has_value());
     why_no_number_->setVisible(!proposed);
     if (proposed)
@@ -346,12 +355,12 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
     else
       why_no_number_->setText(wordsOf(proposed.error().what));
   }
-  for (const records::SherdField& field : records::sherdFields())
+  for (const records::SherdField& field : sherds::sherdFields())
     if (field.editable)
       setText(field.name,
-              words_.shown(field, typedText(field, records::textOf(*sherd, field.name))));
+              words_.shown(field, typedText(field, sherds::textOf(*sherd, field.name))));
   place_->clear();
-  if (const auto contexts = catalogue.contexts())
+  if (const auto contexts = catalogue::Places(catalogue).contexts())
     for (const records::ContextRecord& context : *contexts) {
       const QStringList codes = {QString::fromStdString(context.site_code),
                                  QString::fromStdString(context.trench_code),
@@ -376,7 +385,7 @@ void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
     item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
     return item;
   };
-  if (const auto all = catalogue.measurements(sherd_))
+  if (const auto all = sherds::Measurements(catalogue).of(sherd_))
     for (const records::Measurement& m : *all) {
       const auto computed = sherd.replaced.find(m.kind);
       auto* item =
@@ -395,10 +404,10 @@ void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
 void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
   history_->clear();
   QHash<qint64, QString> people;
-  if (const auto persons = catalogue.persons())
+  if (const auto persons = catalogue::People(catalogue).all())
     for (const records::PersonRecord& person : *persons)
       people.insert(person.row.value, QString::fromStdString(person.initials));
-  if (const auto all = catalogue.history(sherd_))
+  if (const auto all = catalogue::History(catalogue).of(sherd_))
     for (const records::HistoryEntry& entry : *all) {
       const bool measure = !records::unitOf(entry.field).empty();
       const auto shown = [&](const std::string& value) {
@@ -423,7 +432,7 @@ void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
 void SherdDetails::showFiles(const catalogue::Catalogue& catalogue,
                              const std::filesystem::path& project) {
   files_->clear();
-  if (const auto all = catalogue.files(sherd_))
+  if (const auto all = catalogue::Files(catalogue).of(sherd_))
     for (const records::FileRecord& file : *all) {
       std::error_code code;
       const bool there = std::filesystem::exists(project / file.path, code);
@@ -444,7 +453,7 @@ void SherdDetails::clear() {
   why_no_number_->hide();
   number_->setText(tr("Choose a sherd."));
   place_->clear();
-  for (const records::SherdField& field : records::sherdFields())
+  for (const records::SherdField& field : sherds::sherdFields())
     if (field.editable) setText(field.name, {});
   for (QTreeWidget* tree : {measures_, history_, files_}) {
     tree->clear();

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "catalogue/catalogue.h"
+#include "records/sherd.h"
 #include "ui/frame/term_words.h"
 
 class QComboBox;

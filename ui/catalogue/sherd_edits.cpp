@@ -4,7 +4,12 @@
 #include <QUndoStack>
 #include <memory>
 
-#include "catalogue/many_changes.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/many_changes.h"
+#include "sherds/numbers.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -23,7 +28,7 @@ struct Numbers {
 
 Result<Numbers> numbersFor(const catalogue::Catalogue& catalogue,
                            const std::vector<store::SherdRow>& sherds) {
-  const Result<std::vector<records::SherdRecord>> records = catalogue.sherds(sherds);
+  const Result<std::vector<records::SherdRecord>> records = sherds::Sherds(catalogue).of(sherds);
   if (!records) return records.error();
   std::vector<store::SherdRow> drafts;
   for (const records::SherdRecord& sherd : *records)
@@ -31,16 +36,16 @@ Result<Numbers> numbersFor(const catalogue::Catalogue& catalogue,
   Numbers made;
   if (drafts.empty()) return made;
   const int wanted = static_cast<int>(drafts.size());
-  Result<std::vector<std::string>> numbers = catalogue.proposeNumbers(drafts);
+  Result<std::vector<std::string>> numbers = sherds::Numbers(catalogue).propose(drafts);
   if (!numbers) {
     std::erase_if(drafts, [&](const store::SherdRow& draft) {
-      const auto alone = catalogue.proposeNumbers(std::span(&draft, 1));
+      const auto alone = sherds::Numbers(catalogue).propose(std::span(&draft, 1));
       if (!alone) made.why_left = alone.error();
       return !alone.has_value();
     });
     if (drafts.empty()) return numbers.error();
     made.left = wanted - static_cast<int>(drafts.size());
-    numbers = catalogue.proposeNumbers(drafts);
+    numbers = sherds::Numbers(catalogue).propose(drafts);
     if (!numbers) return numbers.error();
   }
   for (std::size_t i = 0; i < drafts.size(); ++i)
@@ -77,7 +82,8 @@ class SherdEditCommand final : public QUndoCommand {
           [](const SherdEdits::Made&) {});
       return;
     }
-    const auto done = edits_.session_.project().catalogue().change(changes, edits_.provenance());
+    const auto done = sherds::SherdChanges(edits_.session_.project().catalogue())
+                          .apply(changes, edits_.provenance());
     if (!done) {
       setObsolete(true);
       emit edits_.failed(sentenceOf(done.error()));
@@ -121,7 +127,8 @@ QString SherdEdits::change(const QString& title, const Changes& changes, const Q
         });
     return {};
   }
-  const auto undo = session_.project().catalogue().change(changes, provenance());
+  const auto undo =
+      sherds::SherdChanges(session_.project().catalogue()).apply(changes, provenance());
   if (!undo) return sentenceOf(undo.error());
   if (undo->empty()) return {};
   session_.undo().push(new SherdEditCommand(*this, title, changes, *undo));
@@ -180,7 +187,7 @@ void SherdEdits::changeMany(const QString& title, const Making& making,
     if (!catalogue) return catalogue.error();
     Result<Changes> changes = making(*catalogue);
     if (!changes) return changes.error();
-    Result<Changes> undo = catalogue::changeMany(*catalogue, *changes, provenance, progress, stop);
+    Result<Changes> undo = sherds::changeMany(*catalogue, *changes, provenance, progress, stop);
     if (!undo) return undo.error();
     return std::make_shared<const Made>(Made{std::move(*changes), std::move(*undo)});
   };

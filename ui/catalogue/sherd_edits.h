@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "ui/jobs/job.h"
 
 namespace ostraka::ui {

@@ -3,6 +3,9 @@
 #include <QFont>
 #include <QImageReader>
 
+#include "records/sherd.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/look.h"
 #include "ui/jobs/job.h"
@@ -14,7 +17,7 @@ namespace {
 constexpr int kPictureSize = 240;
 
 bool isNumber(const std::string& field) {
-  for (const records::SherdField& known : records::sherdFields())
+  for (const records::SherdField& known : sherds::sherdFields())
     if (field == known.name) return known.kind == records::FieldKind::Number;
   return false;
 }
@@ -57,8 +60,7 @@ void SherdTableModel::readVocabularies() {
 }
 
 QString SherdTableModel::setFilter(const QString& line) {
-  const Result<catalogue::Filter> filter =
-      catalogue::parseFilter(withFieldNames(line).toStdString());
+  const Result<sherds::Filter> filter = sherds::parseFilter(withFieldNames(line).toStdString());
   if (!filter) return sentenceOf(filter.error());
   filter_ = *filter;
   reload();
@@ -68,7 +70,7 @@ QString SherdTableModel::setFilter(const QString& line) {
 void SherdTableModel::reload() {
   std::vector<store::SherdRow> rows;
   if (catalogue_) {
-    Result<std::vector<store::SherdRow>> found = catalogue_->sherdRows(filter_, order_);
+    Result<std::vector<store::SherdRow>> found = sherds::Sherds(*catalogue_).rows(filter_, order_);
     if (!found) {
       emit failed(sentenceOf(found.error()));
       return;
@@ -125,7 +127,7 @@ const records::SherdRecord* SherdTableModel::record(int row) const {
     const auto begin = static_cast<std::size_t>(page * kPage);
     const std::size_t count = std::min<std::size_t>(kPage, rows_.size() - begin);
     Result<std::vector<records::SherdRecord>> read =
-        catalogue_->sherds(std::span(rows_).subspan(begin, count));
+        sherds::Sherds(*catalogue_).of(std::span(rows_).subspan(begin, count));
     ++pages_read_;
     if (!read) return nullptr;
     pages_.insert(page, new std::vector<records::SherdRecord>(std::move(*read)));

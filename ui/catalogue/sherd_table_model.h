@@ -10,7 +10,8 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
-#include "catalogue/filter.h"
+#include "records/sherd.h"
+#include "sherds/filter.h"
 #include "ui/frame/term_words.h"
 
 namespace ostraka::ui {
@@ -33,7 +34,7 @@ class SherdTableModel final : public QAbstractTableModel {
                     JobRunner* jobs);
   /// Empty when it was understood, else the sentence; the rows stay as they are then.
   QString setFilter(const QString& line);
-  const catalogue::Filter& filter() const { return filter_; }
+  const sherds::Filter& filter() const { return filter_; }
   /// Asks the catalogue again.
   void reload();
   void readVocabularies();  ///< words that are shown in the cells
@@ -65,7 +66,7 @@ class SherdTableModel final : public QAbstractTableModel {
   JobRunner* jobs_ = nullptr;
   QPointer<QObject> requests_;  ///< parent of the jobs for pictures; goes with the project
   TermWords words_;
-  catalogue::Filter filter_;
+  sherds::Filter filter_;
   records::SherdOrder order_;
   std::vector<std::string> fields_;
   std::vector<store::SherdRow> rows_;

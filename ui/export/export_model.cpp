@@ -9,7 +9,9 @@
 #include <QLocale>
 #include <QRegularExpression>
 
-#include "catalogue/filter.h"
+#include "catalogue/settings.h"
+#include "sherds/filter.h"
+#include "sherds/sherds.h"
 #include "ui/catalogue/field_words.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/print_wording.h"
@@ -29,10 +31,10 @@ Result<std::vector<store::SherdRow>> rowsOf(const catalogue::Catalogue& catalogu
                                             ExportModel::What what, const QString& line,
                                             const std::vector<store::SherdRow>& chosen) {
   if (what == ExportModel::What::Chosen) return chosen;
-  const Result<catalogue::Filter> filter = catalogue::parseFilter(
+  const Result<sherds::Filter> filter = sherds::parseFilter(
       what == ExportModel::What::Filtered ? withFieldNames(line).toStdString() : std::string());
   if (!filter) return filter.error();
-  return catalogue.sherdRows(*filter, {});
+  return sherds::Sherds(catalogue).rows(*filter, {});
 }
 
 // The same, or with the first number behind it that no folder has.
@@ -72,7 +74,8 @@ void ExportModel::readChoices() {
   drawing_scale_ = usual.drawing_scale;
   deviation_mm_ = usual.deviation_mm;
   parent_ = QDir::homePath();
-  const Result<std::string> kept = session_->project().catalogue().setting(kChoicesKey);
+  const Result<std::string> kept =
+      catalogue::Settings(session_->project().catalogue()).value(kChoicesKey);
   const QJsonObject choices =
       QJsonDocument::fromJson(QByteArray::fromStdString(kept ? *kept : std::string())).object();
   if (!choices.isEmpty()) {
@@ -97,8 +100,8 @@ void ExportModel::keepChoices() const {
                             {QStringLiteral("drawing_scale"), drawing_scale_.value_or(0)},
                             {QStringLiteral("deviation_mm"), deviation_mm_},
                             {QStringLiteral("folder"), parent_}};
-  (void)session_->project().catalogue().setSetting(
-      kChoicesKey, QJsonDocument(choices).toJson(QJsonDocument::Compact).toStdString());
+  (void)catalogue::Settings(session_->project().catalogue())
+      .setValue(kChoicesKey, QJsonDocument(choices).toJson(QJsonDocument::Compact).toStdString());
 }
 
 QString ExportModel::proposedTarget() const {

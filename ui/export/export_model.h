@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exchange/export_folder.h"
+#include "store/row.h"
 #include "ui/jobs/job.h"
 
 namespace ostraka::ui {

@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "catalogue/batches.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/label_codes.h"
 
@@ -24,7 +25,7 @@ QString placeWords(const catalogue::Catalogue& rows, const records::BatchRecord&
 }
 
 QString batchWords(const catalogue::Catalogue& rows, const QString& number) {
-  const auto batch = rows.batchByNumber(number.toStdString());
+  const auto batch = catalogue::Batches(rows).byNumber(number.toStdString());
   const QString place = batch ? placeWords(rows, *batch) : QString();
   return place.isEmpty() ? number : QStringLiteral("%1, %2").arg(number, place);
 }

@@ -2,6 +2,7 @@
 
 #include <system_error>
 
+#include "catalogue/places.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -43,7 +44,8 @@ records::Provenance ProjectSession::provenance(const QString& why) {
   provenance.why = why.toStdString();
   if (initials_.isEmpty()) return provenance;
   if (person_row_ == 0) {
-    const auto person = project_->catalogue().personByInitials(initials_.toStdString(), provenance);
+    const auto person =
+        catalogue::People(project_->catalogue()).byInitials(initials_.toStdString(), provenance);
     if (!person) emit personRefused(sentenceOf(person.error()));
     if (person) person_row_ = person->value;
   }

@@ -3,6 +3,8 @@
 #include <QLocale>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/settings.h"
+#include "sherds/sherd_fields.h"
 
 namespace ostraka::ui {
 
@@ -15,10 +17,10 @@ QString termLabel(const records::Term& term) {
 void TermWords::read(const catalogue::Catalogue& catalogue) {
   labels_.clear();
   in_order_.clear();
-  for (const records::SherdField& field : records::sherdFields()) {
+  for (const records::SherdField& field : sherds::sherdFields()) {
     const QString name = QString::fromLatin1(field.vocabulary);
     if (name.isEmpty() || labels_.contains(name)) continue;
-    const auto terms = catalogue.vocabulary(field.vocabulary);
+    const auto terms = catalogue::Settings(catalogue).vocabulary(field.vocabulary);
     if (!terms) continue;
     for (const records::Term& term : *terms) {
       const QString label = termLabel(term);
@@ -37,7 +39,7 @@ QString TermWords::shown(const records::SherdField& field, const QString& text) 
 }
 
 QString TermWords::shown(const std::string& field, const std::string& text) const {
-  for (const records::SherdField& known : records::sherdFields())
+  for (const records::SherdField& known : sherds::sherdFields())
     if (field == known.name) return shown(known, QString::fromStdString(text));
   return QString::fromStdString(text);
 }

@@ -1,6 +1,5 @@
 #include "ui/main/main_window.h"
 
-#include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
@@ -10,13 +9,12 @@
 #include <QLineEdit>
 #include <QStackedWidget>
 #include <QStyle>
-#include <QTimer>
-#include <QToolButton>
 #include <QUndoGroup>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
+#include "catalogue/settings.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/lines.h"
@@ -28,8 +26,10 @@
 #include "ui/main/catalogue_repair.h"
 #include "ui/main/file_watch.h"
 #include "ui/main/help_page.h"
+#include "ui/main/project_care.h"
 #include "ui/main/project_lock.h"
 #include "ui/main/start_screen.h"
+#include "ui/main/window_actions.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/queue/queue_screen.h"
 #include "ui/settings/settings_page.h"
@@ -40,8 +40,6 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr int kRoomEvery_ms = 60000;
-constexpr int kBackUpEvery_ms = 30 * 60000;
 constexpr int kFrame = 4;  // pixels that a desktop draws around a window, about
 
 }  // namespace
@@ -54,14 +52,14 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
       queue_(new BatchQueue(this)),
       wizard_(new CaptureWizard(this)),
       thumbnails_(new Thumbnails(runner, this)),
-      room_timer_(new QTimer(this)),
+      care_(new ProjectCare(runner, this)),
       file_watch_(new FileWatch(runner, this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(tr("Ostraka"));
   reserveOpenGl(*this);
   buildScreens();
   buildLayout();
-  buildActions();
+  addWindowActions(*this, *undo_, *sidebar_, *header_);
   applySettings(settings_);
   settings_page_->setSettings(settings_);
   start_->setRecent(settings_.recent, settings_.titles);
@@ -70,17 +68,14 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   connect(capture_screen_, &CaptureScreen::lineChanged, this, &MainWindow::followLines);
   connect(capture_screen_, &CaptureScreen::rigRenewed, queue_, &BatchQueue::forgetMoved);
   connect(capture_screen_, &CaptureScreen::batchSetAside, queue_, &BatchQueue::setAside);
-  connect(room_timer_, &QTimer::timeout, this, &MainWindow::measureRoom);
-  connect(queue_, &BatchQueue::batchComputed, this, &MainWindow::measureRoom);
-  room_timer_->start(kRoomEvery_ms);
+  connect(queue_, &BatchQueue::batchComputed, care_, &ProjectCare::measureRoom);
+  connect(care_, &ProjectCare::roomMeasured, header_, &HeaderLine::setRoom);
+  connect(care_, &ProjectCare::said, footer_, &FooterLine::say);
   connect(file_watch_, &FileWatch::found, footer_, &FooterLine::say);
   connect(file_watch_, &FileWatch::catalogueDamaged, this, [this](const Error& damage) {
     if (wizard_->isShooting()) return footer_->say(sentenceOf(damage));
     closeProject(), start_->showError(damage);  // nothing more is entered
   });
-  auto* back_up = new QTimer(this);
-  connect(back_up, &QTimer::timeout, this, &MainWindow::backUp);
-  back_up->start(kBackUpEvery_ms);
   if (!restoreGeometry(settings_.geometry)) {
     const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight) + 2 * kFrame;
     resize(QSize(1280, 760).boundedTo(screen()->availableSize() - QSize(2 * kFrame, frame)));
@@ -164,63 +159,6 @@ void MainWindow::buildLayout() {
           });
 }
 
-QAction* MainWindow::addAct(const QString& name, const QString& icon_name, const QString& text,
-                            const QKeySequence& key) {
-  auto* action = new QAction(icon(icon_name), text, this);
-  action->setObjectName(name);
-  action->setShortcut(key);
-  addAction(action);
-  return action;
-}
-
-void MainWindow::buildActions() {
-  QAction* undo =
-      addAct(QStringLiteral("undo"), QStringLiteral("undo"), tr("Undo"), QKeySequence::Undo);
-  QAction* redo =
-      addAct(QStringLiteral("redo"), QStringLiteral("redo"), tr("Redo"), QKeySequence::Redo);
-  undo->setEnabled(false);
-  redo->setEnabled(false);
-  connect(undo, &QAction::triggered, undo_, &QUndoGroup::undo);
-  connect(redo, &QAction::triggered, undo_, &QUndoGroup::redo);
-  connect(undo_, &QUndoGroup::canUndoChanged, undo, &QAction::setEnabled);
-  connect(undo_, &QUndoGroup::canRedoChanged, redo, &QAction::setEnabled);
-  connect(undo_, &QUndoGroup::undoTextChanged, undo, [undo](const QString& what) {
-    undo->setText(what.isEmpty() ? tr("Undo") : tr("Undo: %1").arg(what));
-  });
-  connect(undo_, &QUndoGroup::redoTextChanged, redo, [redo](const QString& what) {
-    redo->setText(what.isEmpty() ? tr("Redo") : tr("Redo: %1").arg(what));
-  });
-  for (QAction* action : {undo, redo}) {
-    auto* button = new QToolButton(header_);
-    button->setDefaultAction(action);
-    button->setObjectName(action->objectName() + QStringLiteral("Button"));
-    button->setToolButtonStyle(action == undo ? Qt::ToolButtonTextBesideIcon
-                                              : Qt::ToolButtonIconOnly);
-    button->setAutoRaise(true);
-    header_->layout()->addWidget(button);
-  }
-  connect(addAct(QStringLiteral("manual"), QStringLiteral("help"), tr("Manual"),
-                 QKeySequence(Qt::Key_F1)),
-          &QAction::triggered, this, &MainWindow::showManual);
-  connect(addAct(QStringLiteral("shortcuts"), QStringLiteral("keys"), tr("All keys"),
-                 QKeySequence(Qt::CTRL | Qt::Key_K)),
-          &QAction::triggered, this, &MainWindow::showShortcuts);
-  connect(addAct(QStringLiteral("closeProject"), QStringLiteral("folder"), tr("Other projects"),
-                 QKeySequence(Qt::CTRL | Qt::Key_W)),
-          &QAction::triggered, this, &MainWindow::leaveProject);
-  connect(sidebar_->addFoot(QStringLiteral("folder"), tr("Projects"), {}), &QAction::triggered,
-          this, &MainWindow::leaveProject);
-  QAction* settings = sidebar_->addFoot(QStringLiteral("settings"), tr("Settings"),
-                                        QKeySequence(Qt::CTRL | Qt::Key_Comma));
-  addAction(settings);  // its key works without a project too
-  connect(settings, &QAction::triggered, this, &MainWindow::showSettings);
-  connect(sidebar_->addFoot(QStringLiteral("help"), tr("Help"), {}), &QAction::triggered, this,
-          &MainWindow::showManual);
-  connect(addAct(QStringLiteral("leavePage"), QStringLiteral("previous"), tr("Back to work"),
-                 QKeySequence(Qt::ALT | Qt::Key_Left)),
-          &QAction::triggered, this, &MainWindow::leaveSidePage);
-}
-
 // The lock comes first: opening may bring the catalogue up to date.
 void MainWindow::openProject(const QString& path) {
   closeProject();
@@ -267,7 +205,7 @@ void MainWindow::showProject(std::shared_ptr<upkeep::Project> project) {
   const std::filesystem::path folder = project->folder();
   const QString path = QString::fromStdString(folder.string());
   session_ = std::make_unique<ProjectSession>(std::move(project), folder, runner_);
-  const auto project_row = session_->project().catalogue().project();
+  const auto project_row = catalogue::Settings(session_->project().catalogue()).project();
   title_ = project_row ? QString::fromStdString(project_row->title) : QString();
   if (title_.isEmpty()) title_ = QDir(path).dirName();
   session_->setInitials(settings_.initials);
@@ -290,8 +228,7 @@ void MainWindow::showProject(std::shared_ptr<upkeep::Project> project) {
   connect(session_.get(), &ProjectSession::personRefused, footer_, &FooterLine::say);
   if (read_only)
     footer_->say(tr("This project is read-only: you can look at everything, but change nothing."));
-  measureRoom();
-  if (!read_only) backUp();
+  care_->begin(folder, read_only);
   file_watch_->look(folder);
 }
 
@@ -305,6 +242,7 @@ void MainWindow::closeProject() {
   }
   settings_page_->setSession(nullptr);
   file_watch_->stop();
+  care_->end();
   undo_->removeStack(&session_->undo());
   session_.reset();
   warned_ = false;
@@ -445,38 +383,6 @@ void MainWindow::followLines() {
           : screens_[static_cast<std::size_t>(pages_->currentIndex())]->whereWords();
   header_->setWhere(where.isEmpty() && session_ != nullptr ? title_ : where);
   header_->setRig(capture_screen_->rigWords(), capture_screen_->isRigReady());
-}
-
-void MainWindow::measureRoom() {
-  if (session_ == nullptr) return;
-  JobHandle* job = runner_.start(
-      makeJob(tr("Room on the disk"),
-              [folder = session_->folder()](Progress&, std::stop_token) -> Result<int> {
-                return roomForBatches(folder);
-              }),
-      this);
-  connect(job, &JobHandle::finished, this, [this, job](const JobOutcome& outcome) {
-    job->deleteLater();
-    if (const Result<int> room = outcomeAs<int>(outcome)) header_->setRoom(*room);
-  });
-}
-
-// What is described by hand has copies, too, not only what is computed.
-void MainWindow::backUp() {
-  if (session_ == nullptr) return;
-  JobHandle* job =
-      runner_.start(makeJob(tr("Copy of the catalogue"),
-                            [folder = session_->folder()](Progress&, std::stop_token) {
-                              const auto project = upkeep::Project::open(folder);
-                              return project ? project->backUpIfChanged() : project.error();
-                            }),
-                    this);
-  connect(job, &JobHandle::finished, this, [this, job](const JobOutcome& outcome) {
-    job->deleteLater();
-    if (const Result<bool> done = outcomeAs<bool>(outcome);
-        !done && done.error().code != ErrorCode::Cancelled)
-      footer_->say(tr("The catalogue could not be copied: %1").arg(sentenceOf(done.error())));
-  });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -6,9 +6,7 @@
 
 #include "ui/settings/window_settings.h"
 
-class QAction;
 class QStackedWidget;
-class QTimer;
 class QUndoGroup;
 
 namespace ostraka::upkeep {
@@ -25,6 +23,7 @@ class FooterLine;
 class HeaderLine;
 class HelpPage;
 class JobRunner;
+class ProjectCare;
 class ProjectLock;
 class ProjectSession;
 class QueueScreen;
@@ -60,6 +59,7 @@ class MainWindow final : public QMainWindow {
   void showSettings();
   void showManual();
   void showShortcuts();
+  void leaveSidePage();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -70,20 +70,14 @@ class MainWindow final : public QMainWindow {
   void fitToSize();
   void buildScreens();
   void buildLayout();
-  void buildActions();
   bool lockProject(const QString& folder);
   void takeProject(std::shared_ptr<upkeep::Project> project);
   void showProject(std::shared_ptr<upkeep::Project> project);
   int screenNamed(const QString& icon_name) const;
   void tryVirtualRig();
   void applySettings(const WindowSettings& settings);
-  void leaveSidePage();
   void followLines();
-  void measureRoom();
-  void backUp();
   void findProject(const QString& lost, const QString& found);
-  QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
-                  const QKeySequence& key);
 
   JobRunner& runner_;
   WindowSettings settings_;
@@ -109,7 +103,7 @@ class MainWindow final : public QMainWindow {
   Sidebar* sidebar_ = nullptr;
   HeaderLine* header_ = nullptr;
   FooterLine* footer_ = nullptr;
-  QTimer* room_timer_;
+  ProjectCare* care_;
   FileWatch* file_watch_;
 };
 

@@ -4,6 +4,8 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 
+#include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "records/numbering.h"
 #include "ui/capture/rig_source.h"
 #include "ui/frame/message_panel.h"
@@ -111,7 +113,8 @@ Result<std::shared_ptr<upkeep::Project>> NewProject::make() const {
   records::SiteRecord site;
   site.code = record.code;
   site.name = record.title;
-  if (const auto saved = made->catalogue().save(site, {}); !saved) return saved.error();
+  if (const auto saved = catalogue::Places(made->catalogue()).save(site, {}); !saved)
+    return saved.error();
   return std::make_shared<upkeep::Project>(std::move(*made));
 }
 
@@ -129,8 +132,10 @@ Result<std::shared_ptr<upkeep::Project>> makeVirtualProject(const QString& folde
   rig.sherds = 5;
   rig.width_px = 1000;
   catalogue::Catalogue& rows = (*made)->catalogue();
-  if (const auto set = rows.setSetting("rig", rig.toJson().toStdString()); !set) return set.error();
-  if (const auto set = rows.setSetting("capture.place", "VIRT-T1-0001-1"); !set) return set.error();
+  if (const auto set = catalogue::Settings(rows).setValue("rig", rig.toJson().toStdString()); !set)
+    return set.error();
+  if (const auto set = catalogue::Settings(rows).setValue("capture.place", "VIRT-T1-0001-1"); !set)
+    return set.error();
   return made;
 }
 

@@ -7,7 +7,10 @@
 #include <utility>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/places.h"
 #include "intake/plate_sherds.h"
+#include "records/records.h"
+#include "records/sherd.h"
 
 namespace ostraka::ui {
 namespace {
@@ -158,8 +161,8 @@ MapNumbers mapNumbers(const QVector<PlateSherd>& sherds) {
 
 QVector<SherdLabel> bagLabels(const catalogue::Catalogue& catalogue, const QString& initials) {
   QVector<SherdLabel> labels;
-  const auto bags = catalogue.bags();
-  const auto contexts = catalogue.contexts();
+  const auto bags = catalogue::Places(catalogue).bags();
+  const auto contexts = catalogue::Places(catalogue).contexts();
   if (!bags || !contexts) return labels;
   for (const records::BagRecord& bag : *bags) {
     const auto place = std::find_if(contexts->begin(), contexts->end(),

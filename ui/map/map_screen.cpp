@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "catalogue/batches.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
@@ -260,7 +261,8 @@ bool MapScreen::isOfScans() const {
 // The day of the shooting, if the catalogue knows it; where there is no catalogue the file says it.
 QString MapScreen::dayOf(const MapPicture& picture) const {
   if (session_->hasProject())
-    if (const auto batch = session_->project().catalogue().batchByNumber(batch_.toStdString()))
+    if (const auto batch =
+            catalogue::Batches(session_->project().catalogue()).byNumber(batch_.toStdString()))
       return batch->started_ms ? dayText(QDateTime::fromMSecsSinceEpoch(*batch->started_ms))
                                : QString();
   const QFileInfo file(QString::fromStdString(picture.map.front.photograph.string()));

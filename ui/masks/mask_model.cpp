@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "intake/review_decisions.h"
+#include "intake/settle_batch.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/thumbnails.h"
 #include "ui/jobs/job.h"

@@ -4,6 +4,7 @@
 #include <QJsonObject>
 
 #include "catalogue/catalogue.h"
+#include "catalogue/settings.h"
 #include "records/words.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/words/sentence.h"
@@ -21,7 +22,7 @@ std::string failureKey(const QString& number) {
 }  // namespace
 
 BatchFailure keptFailure(const catalogue::Catalogue& rows, const QString& number) {
-  const Result<std::string> text = rows.setting(failureKey(number));
+  const Result<std::string> text = catalogue::Settings(rows).value(failureKey(number));
   if (!text || text->empty()) return {};
   const QJsonObject kept = QJsonDocument::fromJson(QByteArray::fromStdString(*text)).object();
   BatchFailure failure;
@@ -46,12 +47,12 @@ Result<void> keepFailure(catalogue::Catalogue& rows, const QString& number,
     kept[kWhat] = QString::fromStdString(failure.error.what);
     kept[kWhere] = QString::fromStdString(failure.error.where);
   }
-  return rows.setSetting(failureKey(number),
-                         QJsonDocument(kept).toJson(QJsonDocument::Compact).toStdString());
+  return catalogue::Settings(rows).setValue(
+      failureKey(number), QJsonDocument(kept).toJson(QJsonDocument::Compact).toStdString());
 }
 
 Result<void> forgetFailure(catalogue::Catalogue& rows, const QString& number) {
-  return rows.setSetting(failureKey(number), {});
+  return catalogue::Settings(rows).setValue(failureKey(number), {});
 }
 
 QString wordsOf(const BatchFailure& failure) {

@@ -5,15 +5,17 @@
 #include <QTime>
 #include <algorithm>
 
+#include "catalogue/batches.h"
+#include "catalogue/settings.h"
 #include "decisions/mask_strokes.h"
+#include "intake/batch_figures.h"
 #include "intake/computed_again.h"
-#include "intake/review_decisions.h"
+#include "intake/settle_batch.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_failure.h"
-#include "ui/queue/batch_figures.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -62,25 +64,26 @@ void readDetails(const upkeep::Project& project, QueueRow& row) {
     row.cancelled = failure.cancelled;
     row.aside = failure.aside;
   }
-  row.figures = shownFigures(project.catalogue(), row.number);
+  row.figures = intake::shownFigures(project.catalogue(), row.number.toStdString());
   row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
 }
 
 // Kept by the job itself: a window that closes in its last seconds does not hear of its end.
-Result<BatchFigures> figuresKept(const Result<BatchFigures>& figures,
-                                 const ComputeOptions& options) {
+Result<intake::BatchFigures> figuresKept(const Result<intake::BatchFigures>& figures,
+                                         const intake::ComputeOptions& options) {
   if (!figures) return figures;
   if (Result<catalogue::Catalogue> rows = upkeep::Project::connect(options.project))
-    (void)keepFigures(*rows, QString::fromStdString(options.number), *figures);
+    (void)intake::keepFigures(*rows, options.number, *figures);
   return figures;
 }
 
 }  // namespace
 
-BatchQueue::BatchQueue(QObject* parent) : QAbstractListModel(parent), work_(computeBatch) {}
+BatchQueue::BatchQueue(QObject* parent) : QAbstractListModel(parent), work_(intake::computeBatch) {}
 
-void BatchQueue::setWork(
-    std::function<Result<BatchFigures>(const ComputeOptions&, Progress&, std::stop_token)> work) {
+void BatchQueue::setWork(std::function<Result<intake::BatchFigures>(const intake::ComputeOptions&,
+                                                                    Progress&, std::stop_token)>
+                             work) {
   work_ = std::move(work);
 }
 
@@ -108,9 +111,11 @@ void BatchQueue::setSession(ProjectSession* session) {
   session_ = session;
   paused_ = false;
   if (session_ != nullptr) {
-    const Result<std::string> paused = session_->project().catalogue().setting(kPausedKey);
+    const Result<std::string> paused =
+        catalogue::Settings(session_->project().catalogue()).value(kPausedKey);
     paused_ = paused && *paused == "yes";
-    const Result<std::string> drafts = session_->project().catalogue().setting(kDraftsKey);
+    const Result<std::string> drafts =
+        catalogue::Settings(session_->project().catalogue()).value(kDraftsKey);
     drafts_ = drafts && *drafts == "yes";
     connect(session_, &ProjectSession::batchChanged, this, &BatchQueue::refreshBatch);
   }
@@ -136,7 +141,7 @@ QueueRow BatchQueue::rowFrom(const records::BatchRecord& batch, const QueueRow* 
     row.aside = before->aside;
     row.picture = before->picture;
     // A person's decisions change them while the state stays.
-    row.figures = shownFigures(project.catalogue(), row.number);
+    row.figures = intake::shownFigures(project.catalogue(), row.number.toStdString());
   } else {
     readDetails(project, row);
   }
@@ -150,7 +155,7 @@ void BatchQueue::refresh() {
   if (session_ != nullptr) {
     QHash<QString, const QueueRow*> before;
     for (const QueueRow& row : rows_) before.insert(row.number, &row);
-    const auto batches = session_->project().catalogue().batches();
+    const auto batches = catalogue::Batches(session_->project().catalogue()).all();
     for (const records::BatchRecord& batch :
          batches ? *batches : std::vector<records::BatchRecord>())
       fresh.push_back(rowFrom(batch, before.value(QString::fromStdString(batch.number))));
@@ -174,7 +179,8 @@ void BatchQueue::refresh() {
 void BatchQueue::refreshBatch(const QString& number) {
   QueueRow* row = find(number);
   if (session_ == nullptr || row == nullptr) return refresh();
-  const auto batch = session_->project().catalogue().batchByNumber(number.toStdString());
+  const auto batch =
+      catalogue::Batches(session_->project().catalogue()).byNumber(number.toStdString());
   if (!batch) return refresh();
   // One of its sides is photographed again: what is computed is of photographs that are put aside.
   if (number == busy_number_ && job_ != nullptr && stateOf(batch->state) == QueueState::Shooting)
@@ -257,7 +263,7 @@ void BatchQueue::startNext() {
   if (isBusy()) return makeWayForADraft();
   QueueRow* next = nextToCompute();
   if (next == nullptr) return;
-  ComputeOptions options;
+  intake::ComputeOptions options;
   options.project = session_->folder();
   options.number = next->number.toStdString();
   options.threads = threads_;
@@ -295,7 +301,7 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
   job_->deleteLater();
   job_ = nullptr;
   busy_number_.clear();
-  const Result<BatchFigures> figures = outcomeAs<BatchFigures>(outcome);
+  const Result<intake::BatchFigures> figures = outcomeAs<intake::BatchFigures>(outcome);
   if (figures) {
     log(tr("%1 is ready: %n sherd(s).", nullptr, figures->sherds).arg(number));
   } else if (figures.error().code == ErrorCode::CannotWrite) {
@@ -316,7 +322,8 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
     // Sherds of earlier plates may lie here again.
     for (QueueRow& row : rows_)
       if (row.figures && row.figures->reshoot > 0)
-        row.figures = shownFigures(session_->project().catalogue(), row.number);
+        row.figures =
+            intake::shownFigures(session_->project().catalogue(), row.number.toStdString());
     emit batchComputed(number);
   }
   session_->tellBatchChanged(number);  // refreshes, and the next one starts
@@ -324,7 +331,8 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
 }
 
 bool BatchQueue::isPhotographed(const QString& number) const {
-  const auto batch = session_->project().catalogue().batchByNumber(number.toStdString());
+  const auto batch =
+      catalogue::Batches(session_->project().catalogue()).byNumber(number.toStdString());
   return batch && stateOf(batch->state) == QueueState::Shooting;
 }
 
@@ -332,8 +340,8 @@ void BatchQueue::fail(const QString& number, const BatchFailure& failure) {
   catalogue::Catalogue& rows = session_->project().catalogue();
   Result<void> kept = keepFailure(rows, number, failure);
   if (const QueueRow* row = find(number); kept && row != nullptr)
-    kept = rows.setBatchState({row->batch_row}, BatchState::Failed,
-                              session_->provenance(wordsOf(failure)));
+    kept = catalogue::Batches(rows).setState({row->batch_row}, BatchState::Failed,
+                                             session_->provenance(wordsOf(failure)));
   // What still counts as queued would be computed again and again.
   if (!kept) stopFor(kept.error());
 }
@@ -349,7 +357,8 @@ void BatchQueue::setPaused(bool paused) {
   if (session_ == nullptr || paused == paused_) return;
   paused_ = paused;
   trouble_.clear();
-  (void)session_->project().catalogue().setSetting(kPausedKey, paused ? "yes" : "");
+  (void)catalogue::Settings(session_->project().catalogue())
+      .setValue(kPausedKey, paused ? "yes" : "");
   if (job_ != nullptr) {
     if (paused)
       job_->pause();
@@ -366,7 +375,8 @@ void BatchQueue::setPaused(bool paused) {
 void BatchQueue::setMakesDrafts(bool drafts) {
   if (session_ == nullptr || drafts == drafts_) return;
   drafts_ = drafts;
-  (void)session_->project().catalogue().setSetting(kDraftsKey, drafts ? "yes" : "");
+  (void)catalogue::Settings(session_->project().catalogue())
+      .setValue(kDraftsKey, drafts ? "yes" : "");
 }
 
 void BatchQueue::cancel(const QString& number) {
@@ -410,7 +420,7 @@ void BatchQueue::setAside(const QString& number) {
   if (session_ == nullptr || row == nullptr || row->aside) return;
   if (row->state != QueueState::Failed && row->state != QueueState::Shooting) return;
   BatchFailure how{.cancelled = true, .aside = true};
-  const auto batch = session_->project().catalogue().batch({row->batch_row});
+  const auto batch = catalogue::Batches(session_->project().catalogue()).get({row->batch_row});
   if (!batch) return;
   if (row->state == QueueState::Shooting) how.was = batch->state;
   fail(number, how);
@@ -424,7 +434,7 @@ void BatchQueue::retry(const QString& number) {
   catalogue::Catalogue& rows = session_->project().catalogue();
   const records::Provenance provenance = session_->provenance(tr("again"));
   const std::optional<BatchState> was = keptFailure(rows, number).was;
-  Result<void> asked = was ? rows.setBatchState({row->batch_row}, *was, provenance)
+  Result<void> asked = was ? catalogue::Batches(rows).setState({row->batch_row}, *was, provenance)
                            : intake::queueAgain(rows, number.toStdString(), provenance);
   if (asked) asked = forgetFailure(rows, number);
   if (!asked) stopFor(asked.error());
@@ -434,10 +444,10 @@ void BatchQueue::retry(const QString& number) {
 void BatchQueue::forgetMoved(const QString& number) {
   QueueRow* row = find(number);
   if (session_ == nullptr || row == nullptr || !row->figures) return;
-  auto figures = keptFigures(session_->project().catalogue(), number);
+  auto figures = intake::keptFigures(session_->project().catalogue(), number.toStdString());
   row->figures->moved.clear();
   figures->moved.clear();
-  (void)keepFigures(session_->project().catalogue(), number, *figures);
+  (void)intake::keepFigures(session_->project().catalogue(), number.toStdString(), *figures);
   touch(number);
 }
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "intake/compute_batch.h"
 #include "ui/jobs/job.h"
-#include "ui/queue/compute_batch.h"
 
 namespace ostraka::records {
 struct BatchRecord;
@@ -39,7 +39,7 @@ struct QueueRow {
   bool aside = false;         ///< Failed, and nobody wants it
   bool masks_edited = false;  ///< Review: since its results were computed
   QString scale_doubts;       ///< why no measure is sure, a sentence a line
-  std::optional<BatchFigures> figures;
+  std::optional<intake::BatchFigures> figures;
   QString picture, about;  ///< a photograph of the front; bag, day and count where known
 };
 
@@ -56,9 +56,10 @@ class BatchQueue final : public QAbstractListModel {
 
   /// Null closes: a computation is asked to stop and goes on when the project is opened again.
   void setSession(ProjectSession* session);
-  /// Unset: computeBatch. For tests.
-  void setWork(
-      std::function<Result<BatchFigures>(const ComputeOptions&, Progress&, std::stop_token)> work);
+  /// Unset: intake::computeBatch. For tests.
+  void setWork(std::function<Result<intake::BatchFigures>(const intake::ComputeOptions&, Progress&,
+                                                          std::stop_token)>
+                   work);
   void setThreads(int threads) { threads_ = threads; }
   /// Unset: the computer's. For tests.
   void setClock(std::function<QDateTime()> clock) { clock_ = std::move(clock); }
@@ -126,7 +127,9 @@ class BatchQueue final : public QAbstractListModel {
   void log(const QString& line);
 
   QPointer<ProjectSession> session_;
-  std::function<Result<BatchFigures>(const ComputeOptions&, Progress&, std::stop_token)> work_;
+  std::function<Result<intake::BatchFigures>(const intake::ComputeOptions&, Progress&,
+                                             std::stop_token)>
+      work_;
   std::function<QDateTime()> clock_ = [] { return QDateTime::currentDateTime(); };
   std::vector<QueueRow> rows_;
   QPointer<JobHandle> job_;
@@ -143,8 +146,8 @@ class BatchQueue final : public QAbstractListModel {
 /// What a person reads for a state and for a stage of the chain.
 QString queueStateWords(QueueState state);
 QString stateWords(const QueueRow& row);  ///< with what a review left to be done
-QString figuresWords(const BatchFigures& figures);
-QString movedWords(const BatchFigures& figures);  ///< empty: no camera was bumped
+QString figuresWords(const intake::BatchFigures& figures);
+QString movedWords(const intake::BatchFigures& figures);  ///< empty: no camera was bumped
 QString stageWords(const QString& stage);
 
 }  // namespace ostraka::ui

@@ -40,7 +40,7 @@ QString stateWords(const QueueRow& row) {
   return queueStateWords(row.state);
 }
 
-QString figuresWords(const BatchFigures& figures) {
+QString figuresWords(const intake::BatchFigures& figures) {
   const QString sherds = BatchQueue::tr("%n sherd(s)", nullptr, figures.sherds);
   QStringList parts;
   if (figures.sure > 0) parts << BatchQueue::tr("%1 sure").arg(figures.sure);
@@ -64,7 +64,7 @@ QString figuresWords(const BatchFigures& figures) {
       figures.again == 0
           ? again
           : BatchQueue::tr("%1; %n photographed again since", nullptr, figures.again).arg(again);
-  for (const catalogue::UnlikeBefore& sherd : figures.unlike)
+  for (const sherds::UnlikeBefore& sherd : figures.unlike)
     told = BatchQueue::tr("%1; is %2 the sherd that it was? It measured %3 mm, now %4 mm")
                .arg(told, QString::fromStdString(sherd.number),
                     QLocale().toString(sherd.before_mm, 'f', 1),
@@ -77,7 +77,7 @@ QString figuresWords(const BatchFigures& figures) {
       .arg(told, QLocale().toString(registration::within95_mm(figures.uncertainty_mm), 'f', 2));
 }
 
-QString movedWords(const BatchFigures& figures) {
+QString movedWords(const intake::BatchFigures& figures) {
   QStringList sentences;
   for (const checks::MovedCamera& camera : figures.moved)
     sentences << BatchQueue::tr(

@@ -20,7 +20,7 @@ using review::ReviewCandidate;
 }  // namespace
 
 PairReviewModel::PairReviewModel(JobRunner& runner, QUndoStack& undo, QObject* parent)
-    : QAbstractListModel(parent), runner_(runner), undo_(undo) {}
+    : QAbstractListModel(parent), runner_(runner), undo_(undo), apply_(intake::applyToFileAlone) {}
 
 void PairReviewModel::open(OpenedBatch batch) {
   beginResetModel();
@@ -34,7 +34,6 @@ void PairReviewModel::open(OpenedBatch batch) {
   asked_.clear();
   trial_ = {};
   review_ = program_ = {};
-  rows_.clear();
   if (const auto alone = review::reviewOf(live_->table(), {})) program_ = *alone;
   if (const Result<review::Review> review =
           review::reviewOf(live_->table(), decisions::standing(decisions_)))
@@ -452,17 +451,17 @@ void PairReviewModel::decide(PairDecision decision, const QString& text) {
 }
 
 Result<void> PairReviewModel::write(const std::filesystem::path& output, PairDecision& decision) {
-  const Result<PairDecision> written = decisions::appendDecision(output, decision);
-  if (!written) {
-    emit failed(sentenceOf(written.error()));
-    return written.error();
+  const Result<intake::AppliedDecision> applied = apply_(output, decision);
+  if (!applied) {
+    emit failed(sentenceOf(applied.error()));
+    return applied.error();
   }
-  decision = *written;
+  decision = applied->decision;
   if (shows(output)) {
     decisions_.push_back(decision);
     redoReview();
   }
-  emit decided(output, decision);
+  emit decided(output, *applied);
   return {};
 }
 

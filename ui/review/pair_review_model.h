@@ -7,6 +7,7 @@
 #include <memory>
 #include <set>
 
+#include "intake/apply_decision.h"
 #include "ui/jobs/job.h"
 #include "ui/review/card_role.h"
 #include "ui/review/review_rows.h"
@@ -87,6 +88,11 @@ class PairReviewModel final : public QAbstractListModel {
   void fetchModel();                                ///< of the pair on trial, as last computed
   void fetchScans() { fetchScene(Clouds::Fetch); }  ///< both sides as they are on trial
 
+  /// What takes a decision about the results in `output`; without it the file alone takes it.
+  using Apply = std::function<Result<intake::AppliedDecision>(const std::filesystem::path& output,
+                                                              decisions::PairDecision decision)>;
+  void setApply(Apply apply) { apply_ = std::move(apply); }
+
  signals:
   void cardChanged();  ///< another card is in hand, or its state changed
   void candidatesChanged();
@@ -96,7 +102,7 @@ class PairReviewModel final : public QAbstractListModel {
   void busyChanged(bool busy);
   void modelFetched(const std::shared_ptr<const ostraka::TriangleMesh>& model);  ///< null: none
   /// Is on disk. Taken back or done again, it may be another batch's than the one that is shown.
-  void decided(const std::filesystem::path& output, const ostraka::decisions::PairDecision& taken);
+  void decided(const std::filesystem::path& output, const ostraka::intake::AppliedDecision& taken);
   void failed(const QString& sentence);
   void personWanted();  ///< a decision was refused, for nobody has said who decides
   void waitingChanged();
@@ -145,6 +151,7 @@ class PairReviewModel final : public QAbstractListModel {
   std::vector<double> settling_rms_;
   QPointer<JobHandle> scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_;
   bool scene_wanted_ = false, clouds_wanted_ = false, busy_ = false;
+  Apply apply_;
 };
 
 }  // namespace ostraka::ui

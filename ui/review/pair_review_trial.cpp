@@ -1,9 +1,8 @@
 // What a person tries on the card in hand, and what is fetched to show it: jobs, one of a kind.
 #include <algorithm>
 
-#include "ui/words/sentence.h"
-
 #include "ui/review/pair_review_model.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -221,7 +220,7 @@ Trial PairReviewModel::standing(const review::ReviewCard& card) const {
 CardStory PairReviewModel::storyOf(const review::ReviewCard& card) const {
   CardStory story;
   for (const decisions::PairDecision& d : decisions_)
-    if (d.number == card.decision && d.kind == decisions::DecisionKind::Pair)
+    if (d.id == card.decision && d.kind == decisions::DecisionKind::Pair)
       story.by_hand = d.settle == decisions::Settle::AsGiven;
   const review::ReviewCard* own = program_.ofFront(card.front);
   const int lost = own == nullptr ? -1 : own->back;

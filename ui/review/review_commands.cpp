@@ -17,25 +17,25 @@ std::string DecideCommand::person() const {
 }
 
 void DecideCommand::redo() {
-  if (!model_ || number_ != 0) return;
+  if (!model_ || !written_.empty()) return;
   decision_.by = person();
   decisions::PairDecision written = decision_;
   if (model_->write(output_, written))
-    number_ = written.number;
+    written_ = written.id;
   else
     setObsolete(true);
 }
 
 void DecideCommand::undo() {
-  if (!model_ || number_ == 0) return;
+  if (!model_ || written_.empty()) return;
   decisions::PairDecision withdrawal;
   withdrawal.kind = decisions::DecisionKind::Withdraw;
   withdrawal.by = person();
   withdrawal.scans = decision_.scans;
-  withdrawal.replaces = {number_};
+  withdrawal.replaces = {written_};
   const Result<void> written = model_->write(output_, withdrawal);
   if (written) {
-    number_ = 0;
+    written_.clear();
     const bool same = live_.lock() == model_->live();
     if (model_->shows(output_) && !decision_.scans.empty())
       model_->show(decision_.scans.front(), same ? before_ : Trial{});

@@ -22,7 +22,7 @@ class DecideCommand final : public QUndoCommand {
   std::filesystem::path output_;
   Trial before_;  ///< what was in hand
   std::weak_ptr<const review::LivePairs> live_;
-  int number_ = 0;  ///< as it stands in the file; 0: withdrawn
+  std::string written_;  ///< id of the decision in the file; empty: taken back, or not yet there
 };
 
 /// A back or a pose that is tried; nothing is written. Drags of one hand become one act. It is over

@@ -27,18 +27,6 @@ std::vector<ReviewRow> rowsOf(const review::Review& review) {
   return rows;
 }
 
-ReviewFigures figuresOf(const review::Review& review) {
-  ReviewFigures figures;
-  for (const review::ReviewCard& card : review.cards) {
-    figures.sherds += card.back >= 0 ? 1 : 0;
-    figures.sure += card.state == CardState::Sure ? 1 : 0;
-    figures.decided += card.state == CardState::Decided ? 1 : 0;
-  }
-  figures.ask = review.waiting();
-  figures.reshoot = review.toReshoot();
-  return figures;
-}
-
 QString rowName(const ReviewRow& row, const decisions::CandidateTable& table) {
   const QString front = nameOf(table.fronts, row.front), back = nameOf(table.backs, row.back);
   if (row.isLoneBack()) return back;

@@ -33,12 +33,6 @@ std::vector<ReviewRow> rowsOf(const review::Review& review);
 void markPieces(std::vector<ReviewRow>& rows, const decisions::CandidateTable& table,
                 const decisions::Decisions& all, const decisions::Decisions& followed);
 
-/// How a batch stands in the review.
-struct ReviewFigures {
-  int sherds = 0, sure = 0, decided = 0, ask = 0, reshoot = 0;
-};
-ReviewFigures figuresOf(const review::Review& review);
-
 QString rowName(const ReviewRow& row, const decisions::CandidateTable& table);
 QString rowWord(const ReviewRow& row);
 /// Whole sentence: why a lone back wants a person, or what was decided about it.

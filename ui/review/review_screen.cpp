@@ -12,18 +12,19 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "catalogue/batches.h"
 #include "decisions/mask_strokes.h"
+#include "intake/batch_figures.h"
 #include "intake/computed_again.h"
 #include "intake/enter_results.h"
 #include "intake/plate_sherds.h"
-#include "intake/review_decisions.h"
+#include "intake/settle_batch.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/state_colours.h"
-#include "ui/queue/batch_figures.h"
 #include "ui/review/free_words.h"
 #include "ui/review/pair_review_model.h"
 #include "ui/review/review_pane.h"
@@ -139,7 +140,8 @@ QWidget* ReviewScreen::buildScale() {
 void ReviewScreen::showScale() {
   QString doubts;
   if (session_ && session_->hasProject())
-    if (const auto batch = session_->project().catalogue().batchByNumber(batch_.toStdString()))
+    if (const auto batch =
+            catalogue::Batches(session_->project().catalogue()).byNumber(batch_.toStdString()))
       doubts = wordsOf(batch->scale_doubts);
   doubts.replace(QLatin1Char('\n'), QLatin1Char(' '));
   const bool none = model_->isOpen() && !model_->live()->table().has_scale;
@@ -176,7 +178,11 @@ void ReviewScreen::openProject(ProjectSession& session) {
   connect(&session, &ProjectSession::initialsChanged, this, [this](const QString& initials) {
     if (!initials.isEmpty() && !asked_.isEmpty() && message_->text() == asked_) say({});
   });
-  connect(model_, &PairReviewModel::decided, this, &ReviewScreen::enter);
+  connect(model_, &PairReviewModel::decided, this, &ReviewScreen::showApplied);
+  model_->setApply([this](const fs::path& output, decisions::PairDecision decision) {
+    return intake::applyDecision(session_->project(), output.filename().string(),
+                                 std::move(decision));
+  });
   listBatches();
   if (batches_->count() > 0) openOutput(batches_->itemText(0));
 }
@@ -259,8 +265,11 @@ void ReviewScreen::showOpened(const OpenedBatch& opened) {
   for (const std::string& warning : model_->review().warnings) say(wordsOf(warning));
   if (!opened.caught_up) say(sentenceOf(opened.caught_up.error()));
   if (!opened.caught_up || *opened.caught_up == 0) return;
-  settle(batch_, session_->initials().toStdString(),
-         {figuresOf(model_->review()), model_->wantsComputing()});
+  const Result<bool> settled =
+      intake::settleByResults(session_->project().catalogue(), batch_.toStdString(),
+                              outputOf(batch_), session_->initials().toStdString());
+  if (!settled) say(sentenceOf(settled.error()));
+  if (settled && !*settled) restoreModels(batch_);
   session_->tellBatchChanged(batch_);
   session_->tellSherdsChanged();
 }
@@ -276,77 +285,49 @@ void ReviewScreen::compute() {
   session_->tellBatchChanged(batch_);
 }
 
-void ReviewScreen::enter(const fs::path& output, const decisions::PairDecision& decision) {
+// The decision is taken; what it did is said.
+void ReviewScreen::showApplied(const fs::path& output, const intake::AppliedDecision& applied) {
   const QString batch = QString::fromStdString(output.filename().string());
-  const bool shown = model_->shows(output);
-  const QString edited = editedWords(batch, decision);
-  const Result<void> entered = enterInto(output, batch, decision);
-  if (!shown) openOutput(batch);  // so that one sees what was done there
-  const bool pieces = decision.kind == decisions::DecisionKind::Join ||
-                      decision.kind == decisions::DecisionKind::Split;
-  say(!edited.isEmpty() ? edited
-      : pieces          ? tr("Saved. Pairs of the new fragments appear after reprocessing.")
-      : decision.kind == decisions::DecisionKind::Withdraw ? tr("Undone. The history keeps both.")
-                                                           : tr("Saved, with your name."));
-  if (session_->hasProject()) {
-    if (shown) {
-      compute_->setVisible(model_->wantsComputing());
-      settle(batch, decision.by, {figuresOf(model_->review()), model_->wantsComputing()});
-    } else {
-      settleUnseen(output, decision.by);
-    }
-    if (!entered) say(sentenceOf(entered.error()));
-    sayIfTwice(batch, decision);
-  }
+  if (model_->shows(output))
+    compute_->setVisible(model_->wantsComputing());
+  else
+    openOutput(batch);  // so that one sees what was done there
+  say(appliedWords(applied));
+  for (const Error& error : applied.errors) say(sentenceOf(error));
+  for (const intake::AppliedDecision::Twice& twice : applied.twice)
+    say(tr("%1 was reshot as %2 in %3 and now has two records. Void one of them in the "
+           "catalogue, or set the fragment aside here.")
+            .arg(nameOf(twice.scan), QString::fromStdString(twice.again.number),
+                 QString::fromStdString(twice.again.batch_number)));
+  if (!applied.wants_computing) restoreModels(batch);
   session_->tellBatchChanged(batch);
 }
 
-// Before the batch is opened: what its file says and the catalogue does not would be entered there.
-Result<void> ReviewScreen::enterInto(const fs::path& output, const QString& batch,
-                                     const decisions::PairDecision& decision) {
-  if (!session_->hasProject()) return {};
-  catalogue::Catalogue& rows = session_->project().catalogue();
-  const Result<void> entered = intake::enterDecision(rows, batch.toStdString(), decision, output);
-  if (!entered || decision.kind != decisions::DecisionKind::Withdraw) return entered;
-  return intake::forgetPiecesOf(rows, batch.toStdString(), decision, output);
-}
-
-// One sherd would stand in the catalogue twice: with what was photographed again, and with this.
-void ReviewScreen::sayIfTwice(const QString& batch, const decisions::PairDecision& decision) {
-  if (decision.kind != decisions::DecisionKind::Pair &&
-      decision.kind != decisions::DecisionKind::Withdraw)
-    return;
-  const intake::PlateSherds sherds(session_->project().catalogue(), batch.toStdString());
-  for (const decisions::ScanRef& scan : decision.scans)
-    if (const auto* again = scan.side == batch::Side::Front ? sherds.again(scan.place_mm) : nullptr;
-        again && sherds.at(scan.place_mm))
-      say(tr("%1 was reshot as %2 in %3 and now has two records. Void one of them in the "
-             "catalogue, or set the fragment aside here.")
-              .arg(nameOf(scan), QString::fromStdString(again->number),
-                   QString::fromStdString(again->batch_number)));
-}
-
 // A number that loses its piece is said when it is done, not found later in the table.
-QString ReviewScreen::editedWords(const QString& batch, const decisions::PairDecision& edit) const {
-  if (!session_->hasProject()) return {};
-  const intake::PlateSherds sherds(session_->project().catalogue(), batch.toStdString());
-  if (edit.kind == decisions::DecisionKind::Split) {
-    const decisions::ScanRef& cut = edit.scans.front();
-    const auto* sherd = cut.side == batch::Side::Front ? sherds.at(cut.place_mm) : nullptr;
-    if (sherd == nullptr || sherd->number.empty()) return {};
+QString ReviewScreen::appliedWords(const intake::AppliedDecision& applied) const {
+  const QString split = QString::fromStdString(applied.split_number);
+  const QString kept = QString::fromStdString(applied.joined.kept);
+  const QString left = QString::fromStdString(applied.joined.left);
+  if (!split.isEmpty())
     return tr("Saved. After reprocessing, number %1 goes to the half that it was typed on, or else "
               "to the larger one. Undo merges them again.")
-        .arg(QString::fromStdString(sherd->number));
+        .arg(split);
+  if (!left.isEmpty())
+    return kept.isEmpty() ? tr("Saved. After reprocessing, the merged sherd has no number, and "
+                               "%1 has no fragment. Undo separates them again.")
+                                .arg(left)
+                          : tr("Saved. After reprocessing, the merged sherd keeps the number "
+                               "%1, and %2 has no fragment. Undo separates them again.")
+                                .arg(kept, left);
+  switch (applied.decision.kind) {
+    case decisions::DecisionKind::Join:
+    case decisions::DecisionKind::Split:
+      return tr("Saved. Pairs of the new fragments appear after reprocessing.");
+    case decisions::DecisionKind::Withdraw:
+      return tr("Undone. The history keeps both.");
+    default:
+      return tr("Saved, with your name.");
   }
-  const intake::JoinedNumbers numbers = sherds.afterJoin(edit);
-  if (numbers.left.empty()) return {};
-  const QString left = QString::fromStdString(numbers.left);
-  return numbers.kept.empty() ? tr("Saved. After reprocessing, the merged sherd has no number, and "
-                                   "%1 has no fragment. Undo separates them again.")
-                                    .arg(left)
-                              : tr("Saved. After reprocessing, the merged sherd keeps the number "
-                                   "%1, and %2 has no fragment. Undo separates them again.")
-                                    .arg(QString::fromStdString(numbers.kept), left);
 }
 
 // What the catalogue calls the sherds on the cards.
@@ -363,28 +344,6 @@ void ReviewScreen::nameSherds() {
                                               .arg(QString::fromStdString(again->number),
                                                    QString::fromStdString(again->batch_number)));
   model_->setNumbers(numbers);
-}
-
-// The queue's row follows: its figures, and whether the batch still wants a person.
-void ReviewScreen::settle(const QString& batch, const std::string& person,
-                          const BatchStanding& standing) {
-  ++settled_[batch];
-  catalogue::Catalogue& rows = session_->project().catalogue();
-  BatchFigures figures = keptFigures(rows, batch).value_or(BatchFigures{});
-  figures.sherds = standing.figures.sherds;
-  figures.sure = standing.figures.sure;
-  figures.decided = standing.figures.decided;
-  figures.ask = standing.figures.ask;
-  figures.reshoot = standing.figures.reshoot;
-  const Result<void> kept = keepFigures(rows, batch, figures);
-  const bool masks =
-      decisions::masksWantComputing(session_->project().resultsFolder(batch.toStdString()));
-  const Result<void> done =
-      intake::settleBatch(rows, batch.toStdString(), person,
-                          standing.figures.ask == 0 && !standing.wants_computing && !masks);
-  for (const Result<void>* told : {&kept, &done})
-    if (!*told) say(sentenceOf(told->error()));
-  if (!standing.wants_computing) restoreModels(batch);
 }
 
 // A sherd that lost its back lost its model. When the pair is again as it was computed, its results
@@ -404,24 +363,6 @@ void ReviewScreen::restoreModels(const QString& batch) {
             if (!*restored || !session || session != session_) return;
             session_->tellBatchChanged(batch);
             session_->tellSherdsChanged();
-          });
-}
-
-// Of pairs that are not shown: an act on them was undone or done again.
-void ReviewScreen::settleUnseen(const fs::path& output, const std::string& person) {
-  const QString batch = QString::fromStdString(output.filename().string());
-  JobHandle* job = session_->jobs().start(
-      makeJob(tr("Opening %1").arg(batch),
-              [output](Progress&, std::stop_token) { return standingOf(output); }),
-      this);
-  connect(job, &JobHandle::finished, this,
-          [this, batch, person, turn = ++settled_[batch],
-           session = session_](const JobOutcome& outcome) {
-            const auto standing = outcomeAs<BatchStanding>(outcome);
-            if (!standing) return say(sentenceOf(standing.error()));
-            if (!session || session != session_ || turn != settled_[batch]) return;
-            settle(batch, person, *standing);
-            session_->tellBatchChanged(batch);
           });
 }
 
@@ -471,11 +412,12 @@ void ReviewScreen::countElsewhere() {
   elsewhere_ = 0;
   if (session_ && session_->hasProject()) {
     const catalogue::Catalogue& rows = session_->project().catalogue();
-    if (const auto batches = rows.batches())
+    if (const auto batches = catalogue::Batches(rows).all())
       for (const records::BatchRecord& batch : *batches) {
         const QString number = QString::fromStdString(batch.number);
         if (batch.state != records::BatchState::Review || number == batch_) continue;
-        if (const auto figures = keptFigures(rows, number)) elsewhere_ += figures->ask;
+        if (const auto figures = intake::keptFigures(rows, batch.number))
+          elsewhere_ += figures->ask;
       }
   }
   emit waitingChanged();

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "decisions/decisions.h"
+#include "intake/apply_decision.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
 #include "ui/review/review_work.h"
@@ -57,19 +57,14 @@ class ReviewScreen final : public Screen {
   void openOutput(const QString& batch);
   void showOpened(const OpenedBatch& opened);
   void compute();
-  void enter(const std::filesystem::path& output, const decisions::PairDecision& decision);
-  Result<void> enterInto(const std::filesystem::path& output, const QString& batch,
-                         const decisions::PairDecision& decision);
-  void settle(const QString& batch, const std::string& person, const BatchStanding& standing);
+  void showApplied(const std::filesystem::path& output, const intake::AppliedDecision& applied);
+  QString appliedWords(const intake::AppliedDecision& applied) const;
   void restoreModels(const QString& batch);
-  void settleUnseen(const std::filesystem::path& output, const std::string& person);
   void follow(const QString& batch);
   void countElsewhere();
   std::filesystem::file_time_type stampOf(const QString& batch) const;
   void say(const QString& sentence);
   void nameSherds();
-  void sayIfTwice(const QString& batch, const decisions::PairDecision& decision);
-  QString editedWords(const QString& batch, const decisions::PairDecision& edit) const;
   QWidget* buildScale();
   void showScale();
   std::filesystem::path outputOf(const QString& batch) const;
@@ -90,7 +85,6 @@ class ReviewScreen final : public Screen {
   QPointer<JobHandle> opening_;
   std::filesystem::file_time_type stamp_;  ///< of the results that are shown
   int elsewhere_ = 0;                      ///< what waits in batches that are not shown
-  QHash<QString, int> settled_;            ///< how often; what was read before the last is past
 };
 
 }  // namespace ostraka::ui

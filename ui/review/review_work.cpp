@@ -36,16 +36,6 @@ Result<OpenedBatch> openBatch(const std::filesystem::path& output,
   return opened;
 }
 
-Result<BatchStanding> standingOf(const std::filesystem::path& output) {
-  const Result<decisions::Decisions> decisions = decisions::readDecisions(output);
-  if (!decisions) return decisions.error();
-  const Result<decisions::CandidateTable> table = decisions::readCandidatesOf(output);
-  if (!table) return table.error();
-  const auto review = review::reviewOf(*table, decisions::standing(*decisions));
-  if (!review) return review.error();
-  return BatchStanding{figuresOf(*review), review::wantsComputing(output)};
-}
-
 Result<std::shared_ptr<const PairScene>> pairScene(const LivePairsPtr& live, int front, int back,
                                                    const Eigen::Isometry3d& pose, Clouds clouds) {
   auto scene = std::make_shared<PairScene>();

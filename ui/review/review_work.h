@@ -28,13 +28,6 @@ struct OpenedBatch {
 Result<OpenedBatch> openBatch(const std::filesystem::path& output,
                               const std::filesystem::path& rows = {});
 
-/// How a batch stands, whether it is shown or not; from its files alone.
-struct BatchStanding {
-  ReviewFigures figures;
-  bool wants_computing = false;
-};
-Result<BatchStanding> standingOf(const std::filesystem::path& output);
-
 /// A pair at a pose with all that is shown of it.
 struct PairScene {
   int front = -1, back = -1;

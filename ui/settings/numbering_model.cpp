@@ -8,7 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "records/numbering.h"
+#include "sherds/numbers.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/words/sentence.h"
@@ -35,7 +38,7 @@ Tokens tokensOf(const std::string& site, const std::string& trench, const std::s
 }
 
 int settingIn(const catalogue::Catalogue& rows, const char* key, int otherwise) {
-  const Result<std::string> text = rows.setting(key);
+  const Result<std::string> text = catalogue::Settings(rows).value(key);
   if (!text || text->empty()) return otherwise;
   bool good = false;
   const int value = QString::fromStdString(*text).toInt(&good);
@@ -54,12 +57,12 @@ using Gaps = std::vector<std::pair<QString, std::vector<int>>>;
 Result<Gaps> gapsIn(const std::filesystem::path& project, const std::stop_token& stop) {
   const Result<catalogue::Catalogue> rows = upkeep::Project::connect(project);
   if (!rows) return rows.error();
-  const auto contexts = rows->contexts();
+  const auto contexts = catalogue::Places(*rows).contexts();
   if (!contexts) return contexts.error();
   Gaps gaps;
   for (const records::ContextRecord& context : *contexts) {
     if (stop.stop_requested()) return Error::cancelled();
-    Result<std::vector<int>> numbers = rows->numberGaps(context.row);
+    Result<std::vector<int>> numbers = sherds::Numbers(*rows).gaps(context.row);
     if (!numbers) return numbers.error();
     if (!numbers->empty()) gaps.emplace_back(placeWords(context), std::move(*numbers));
   }
@@ -138,7 +141,7 @@ void NumberingModel::read() {
   held_ = {};
   if (session_ != nullptr) {
     const catalogue::Catalogue& rows = session_->project().catalogue();
-    if (const auto project = rows.project())
+    if (const auto project = catalogue::Settings(rows).project())
       held_.scheme = QString::fromStdString(project->numbering);
     held_.first = settingIn(rows, kFirst, 1);
     held_.last = settingIn(rows, kLast, kLastNumber);
@@ -170,8 +173,8 @@ void NumberingModel::follow() {
   }
   if (wanted_.first > wanted_.last)
     refusal_ = tr("The first number of a block is not above its last.");
-  const auto contexts = session_->project().catalogue().contexts();
-  const auto project = session_->project().catalogue().project();
+  const auto contexts = catalogue::Places(session_->project().catalogue()).contexts();
+  const auto project = catalogue::Settings(session_->project().catalogue()).project();
   Tokens shown = tokensOf(project ? project->code : "ARM1", "T3", "0012");
   if (contexts)
     for (const records::ContextRecord& context : *contexts) {
@@ -201,13 +204,15 @@ Result<void> NumberingModel::hold(const Numbering& numbering) {
   catalogue::Catalogue& rows = session_->project().catalogue();
   const records::Provenance provenance = session_->provenance();
   const Result<void> done = rows.together([&]() -> Result<void> {
-    Result<records::ProjectRecord> project = rows.project();
+    Result<records::ProjectRecord> project = catalogue::Settings(rows).project();
     if (!project) return project.error();
     project->numbering = numbering.scheme.toStdString();
-    if (Result<void> set = rows.setProject(*project, provenance); !set) return set;
+    if (Result<void> set = catalogue::Settings(rows).setProject(*project, provenance); !set)
+      return set;
     for (const auto& [key, value] :
          {std::pair(kFirst, numbering.first), std::pair(kLast, numbering.last)})
-      if (Result<void> set = rows.setSetting(key, std::to_string(value)); !set) return set;
+      if (Result<void> set = catalogue::Settings(rows).setValue(key, std::to_string(value)); !set)
+        return set;
     return {};
   });
   if (!done) return done;

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "catalogue/settings.h"
 #include "ui/frame/form_rows.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
@@ -85,7 +86,8 @@ void RightsEdit::setSession(ProjectSession* session) {
 
 void RightsEdit::showRights() {
   if (!session_) return;
-  const Result<records::ProjectRecord> record = session_->project().catalogue().project();
+  const Result<records::ProjectRecord> record =
+      catalogue::Settings(session_->project().catalogue()).project();
   if (!record) return told_->setText(sentenceOf(record.error()));
   licence_->setText(QString::fromStdString(record->licence));
   holder_->setText(QString::fromStdString(record->rights_holder));
@@ -93,12 +95,13 @@ void RightsEdit::showRights() {
 
 Result<void> RightsEdit::hold(const QString& licence, const QString& holder) {
   if (!session_) return {};
-  Result<records::ProjectRecord> record = session_->project().catalogue().project();
+  Result<records::ProjectRecord> record =
+      catalogue::Settings(session_->project().catalogue()).project();
   if (!record) return record.error();
   record->licence = licence.toStdString();
   record->rights_holder = holder.toStdString();
-  if (Result<void> done =
-          session_->project().catalogue().setProject(*record, session_->provenance());
+  if (Result<void> done = catalogue::Settings(session_->project().catalogue())
+                              .setProject(*record, session_->provenance());
       !done)
     return done;
   showRights();
@@ -107,7 +110,8 @@ Result<void> RightsEdit::hold(const QString& licence, const QString& holder) {
 
 void RightsEdit::save() {
   if (!session_) return;
-  const Result<records::ProjectRecord> record = session_->project().catalogue().project();
+  const Result<records::ProjectRecord> record =
+      catalogue::Settings(session_->project().catalogue()).project();
   if (!record) return told_->setText(sentenceOf(record.error()));
   const RightsCommand::Rights before{QString::fromStdString(record->licence),
                                      QString::fromStdString(record->rights_holder)};

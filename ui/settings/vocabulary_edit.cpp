@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "catalogue/settings.h"
 #include "ui/frame/form_rows.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
@@ -128,7 +129,8 @@ void VocabularyEdit::showTerms() {
   held_.clear();
   shown_ = which_->currentData().toString();
   if (session_)
-    if (auto terms = session_->project().catalogue().vocabulary(shown_.toStdString()))
+    if (auto terms =
+            catalogue::Settings(session_->project().catalogue()).vocabulary(shown_.toStdString()))
       held_ = std::move(*terms);
   terms_->setPlainText(drafts_.value(shown_, linesOf(held_)));
   told_->setText(drafts_.contains(shown_)
@@ -152,8 +154,9 @@ std::vector<records::Term> VocabularyEdit::written() const {
 
 Result<void> VocabularyEdit::hold(const QString& vocabulary,
                                   const std::vector<records::Term>& terms) {
-  if (Result<void> done = session_->project().catalogue().setVocabulary(
-          vocabulary.toStdString(), terms, session_->provenance());
+  if (Result<void> done =
+          catalogue::Settings(session_->project().catalogue())
+              .setVocabulary(vocabulary.toStdString(), terms, session_->provenance());
       !done)
     return done;
   session_->tellVocabulariesChanged();

@@ -62,6 +62,23 @@ Sentences sentencesOfCatalogue() {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "The pair table names the scan %1, which is missing; run 'ostraka process' again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The disk has only %1 MB left; a batch needs more. Nothing is lost: make "
+                        "room, then go on."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "%1: this number was typed on the plate, but is another sherd's; look which "
+          "of the two bears it, and give the other one a new number."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "%1: this number was typed on the plate, but no sherd with a context lies "
+                        "there; give it in the catalogue."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Pairs were decided or masks edited while the batch was processed. "
+                        "Reprocess it for them."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "Sherds counted on the plate: %1. Another number was found; look at the map "
+          "for one that is missing or cut in two."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This batch is no longer in the catalogue."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This photograph is no longer in the catalogue."),
       QT_TRANSLATE_NOOP("ostraka::Error", "This scan is no longer in the catalogue."),

@@ -47,13 +47,13 @@ Sentences sentencesOfPipeline() {
                         "Not a candidate table; reprocess the batch, which redoes only its pairs."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "Decision %1 by %2 concerns %3, whose side has been reshot since; decide again."),
+          "The decision of %1 by %2 concerns %3, whose side has been reshot since; decide again."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "Decision %1 by %2 concerns %3, which is no longer on the plate; decide again."),
+          "The decision of %1 by %2 concerns %3, which is no longer on the plate; decide again."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "Decision %1 by %2 has no effect: Decision %3 by %4, which is later, "
-                        "concerns the same scan; withdraw one of them."),
+                        "The decision of %1 by %2 has no effect: the decision of %3 by %4, "
+                        "which is later, concerns the same scan; withdraw one of them."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "A decision is of an unknown kind; a newer version of Ostraka wrote it."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A pair needs one front and one back."),
@@ -65,6 +65,7 @@ Sentences sentencesOfPipeline() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "A newer version of Ostraka wrote these decisions; use that version."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Decision %1 cannot be used."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "Its id is missing or used twice."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Correct it, or restore a copy of the file."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
@@ -124,11 +125,12 @@ Sentences sentencesOfPipeline() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "%1 of the plate's %2 markers are visible in no photograph of the back "
                         "side (%3); camera poses rely on the others, so uncover these."),
-      QT_TRANSLATE_NOOP("ostraka::Error",
-                        "Decision %1 by %2 merges fragments that no longer exist; decide again."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
-          "Decision %1 by %2 splits a fragment that does not exist, or misses it; decide again."),
+          "The decision of %1 by %2 merges fragments that no longer exist; decide again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The decision of %1 by %2 splits a fragment that does not exist, or misses "
+                        "it; decide again."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The program %1 is not installed, but the selected stereo needs it; "
                         "install it, or use the built-in stereo."),

@@ -6,6 +6,10 @@
 #include <csignal>
 
 #include "archive/bag_reader.h"
+#include "catalogue/files.h"
+#include "catalogue/history.h"
+#include "records/sherd.h"
+#include "sherds/sherds.h"
 #include "tests/core/exchange/exported_project.h"
 #include "tests/core/exchange/mended_bag.h"
 
@@ -57,17 +61,18 @@ TEST_F(Archive, OnAnEmptyLaptopIsTheSameProject) {
   EXPECT_TRUE(restored->damage.empty());
   Result<upkeep::Project> laptop = upkeep::Project::open(at("laptop"));
   ASSERT_TRUE(laptop) << laptop.error().sentence();
-  EXPECT_EQ(laptop->catalogue().historyLength(), catalogue().historyLength());
-  EXPECT_EQ(laptop->catalogue().sherd(rows[0])->note, catalogue().sherd(rows[0])->note);
-  for (const records::FileRecord& file : valueIn(catalogue().files()))
+  EXPECT_EQ(History(laptop->catalogue()).length(), History(catalogue()).length());
+  EXPECT_EQ(sherds::Sherds(laptop->catalogue()).get(rows[0])->note,
+            sherds::Sherds(catalogue()).get(rows[0])->note);
+  for (const records::FileRecord& file : valueIn(Files(catalogue()).all()))
     EXPECT_EQ(sha256(*readFile(laptop->absolute(file.path))), file.sha256) << file.path;
   EXPECT_FALSE(restore()) << "never over a project";
   EXPECT_FALSE(archiveProject(*project_, {project_->folder() / "inside"}, quiet, {}));
 }
 
 TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
-  exchange::put(project_->folder() / ".ostraka.lock", "4711");
-  exchange::put(project_->folder() / "notes.txt", "mine");
+  put(project_->folder() / ".ostraka.lock", "4711");
+  put(project_->folder() / "notes.txt", "mine");
   ASSERT_TRUE(
       upkeep::checkFiles(catalogue(), project_->folder(), upkeep::CheckDepth::Hashes, quiet, {}));
   ASSERT_TRUE(archive());
@@ -78,7 +83,7 @@ TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
 }
 
 TEST_F(Archive, WithDamageIsNotSealedAndLeavesNothing) {
-  exchange::put(modelOf(0), "one bit another");
+  put(modelOf(0), "one bit another");
   fs::remove(pictureOf(1));
   fs::remove(project_->folder() / "batches/B0001/front/cam0_pos00.jpg");
   fs::create_symlink("/etc/hostname", project_->folder() / "batches/B0001/front/cam0_pos00.jpg");
@@ -94,12 +99,12 @@ TEST_F(Archive, WithDamageIsNotSealedAndLeavesNothing) {
 }
 
 TEST_F(Archive, SealedWithDamageListsItInsideAndWhenItComesBack) {
-  exchange::put(modelOf(0), "one bit another");
+  put(modelOf(0), "one bit another");
   const Result<Archived> sealed = archive(DamagedFiles::Seal);
   ASSERT_TRUE(sealed) << sealed.error().sentence();
   EXPECT_TRUE(sealed->sealed);
   ASSERT_EQ(sealed->damage.size(), 1u);
-  const std::string sentence = records::sentenceOf(sealed->damage[0]);
+  const std::string sentence = upkeep::sentenceOf(sealed->damage[0]);
   EXPECT_EQ(*readFile(at("archive/damage.txt")), sentence + "\n");
   const std::string command =
       "cd '" + at("archive").string() +
@@ -117,7 +122,7 @@ TEST_F(Archive, SealedWithDamageListsItInsideAndWhenItComesBack) {
 TEST_F(Archive, LeavesFilesOfOthersAloneThatBearItsUnfinishedNames) {
   for (const char* mine :
        {"archive.partial/letter.txt", "archive.sqlite.partial", "laptop.partial/letter.txt"})
-    exchange::put(at(mine), "mine");
+    put(at(mine), "mine");
   EXPECT_FALSE(archive());
   EXPECT_EQ(*readFile(at("archive.partial/letter.txt")), "mine");
   fs::remove_all(at("archive.partial"));
@@ -131,7 +136,7 @@ TEST_F(Archive, LeavesFilesOfOthersAloneThatBearItsUnfinishedNames) {
 
 TEST_F(Archive, OnAFullDiskNamesTheArchiveAndLeavesNothing) {
   const std::string photograph(std::size_t{3} << 20, 'p');
-  exchange::put(project_->folder() / "batches/B0001/front/cam0_pos01.jpg", photograph);
+  put(project_->folder() / "batches/B0001/front/cam0_pos01.jpg", photograph);
   for (const rlim_t most_bytes : {rlim_t{2} << 20, rlim_t{64} << 10}) {
     const Result<Archived> full = [&] {
       const FullDisk disk(most_bytes);
@@ -156,8 +161,8 @@ TEST_F(Archive, OnAFullDiskNamesTheArchiveAndLeavesNothing) {
 }
 
 TEST_F(Archive, AnExportOnAFullDiskNamesTheExport) {
-  exchange::put(project_->folder() / "batches/B0001/front/cam0_pos00.jpg",
-                std::string(std::size_t{3} << 20, 'p'));
+  put(project_->folder() / "batches/B0001/front/cam0_pos00.jpg",
+      std::string(std::size_t{3} << 20, 'p'));
   const FullDisk disk(rlim_t{2} << 20);
   const Result<exchange::Exported> full =
       exportTo("out", {exchange::Form::Json, exchange::Form::Photographs});
@@ -180,12 +185,12 @@ class Between final : public Progress {
 
 TEST_F(Archive, TakesNoFileThatTookThePlaceOfACheckedOne) {
   ASSERT_TRUE(archive());
-  exchange::put(at("secret"), "PRIVATE KEY");
+  put(at("secret"), "PRIVATE KEY");
   const fs::path photograph = at("archive/data/batches/B0001/front/cam0_pos00.jpg");
   const auto files = static_cast<int>(exchange::MendedBag(at("archive")).payload.size());
   const std::vector<std::function<void()>> swaps = {
       [&] { fs::create_symlink(at("secret"), photograph); },
-      [&] { exchange::put(photograph, "another JPEG"); },
+      [&] { put(photograph, "another JPEG"); },
       [&] {
         fs::rename(photograph.parent_path(), at("front"));
         fs::create_directory_symlink(folder_.path(), photograph.parent_path());
@@ -203,7 +208,7 @@ TEST_F(Archive, TakesNoFileThatTookThePlaceOfACheckedOne) {
     EXPECT_FALSE(fs::exists(at("laptop.partial")));
     fs::remove(photograph);
     if (fs::is_symlink(photograph.parent_path())) break;
-    exchange::put(photograph, "JPEG");
+    put(photograph, "JPEG");
   }
 }
 

@@ -211,7 +211,7 @@ Result<void> FlatCamera::reopen(std::stop_token) {
 }
 
 Result<void> FlatTurntable::home(std::stop_token) {
-  if (!has_switch) return Error{ErrorCode::Missing, "The table has no switch.", devices::name()};
+  if (!has_switch) return Error{ErrorCode::Missing, "The table has no switch.", name()};
   truth_->degrees = 0;
   count_ = 0;
   return {};
@@ -224,11 +224,11 @@ Result<void> FlatTurntable::zeroHere(std::stop_token) {
 
 Result<void> FlatTurntable::moveTo(double degrees, std::stop_token stop) {
   if (stop.stop_requested()) return Error::cancelled();
-  if (!count_) return Error{ErrorCode::NotEnough, "The position is not known.", devices::name()};
+  if (!count_) return Error{ErrorCode::NotEnough, "The position is not known.", name()};
   const Fault fault = faults.empty() ? Fault::None : faults.front();
   if (!faults.empty()) faults.pop_front();
   const double way = degrees - *count_;
-  const Error gone{ErrorCode::Missing, "The table does not answer.", devices::name()};
+  const Error gone{ErrorCode::Missing, "The table does not answer.", name()};
   if (fault == Fault::UnpluggedBefore) return gone;
   ++turned;
   if (fault == Fault::UnpluggedMidway || fault == Fault::Restarted) {

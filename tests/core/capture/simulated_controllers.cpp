@@ -251,7 +251,7 @@ void SimulatedComXim::dialect2(const std::string& text) {
 
 Result<void> SimulatedChannel::write(std::string_view bytes) {
   if (!gone_ && device_->chance(device_->mischief().unplug)) gone_ = true;
-  if (gone_) return Error{ErrorCode::Missing, "The line is gone.", devices::name()};
+  if (gone_) return Error{ErrorCode::Missing, "The line is gone.", name()};
   device_->receive(std::string(bytes));
   return {};
 }
@@ -259,7 +259,7 @@ Result<void> SimulatedChannel::write(std::string_view bytes) {
 Result<std::string> SimulatedChannel::read(double timeout_s, std::stop_token stop) {
   const double deadline_s = clock_->now_s() + timeout_s;
   while (true) {
-    if (gone_) return Error{ErrorCode::Missing, "The line is gone.", devices::name()};
+    if (gone_) return Error{ErrorCode::Missing, "The line is gone.", name()};
     std::string bytes = device_->said();
     if (!bytes.empty()) return bytes;
     const double left_s = deadline_s - clock_->now_s();

@@ -1,8 +1,13 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "capture/manifest.h"
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
+#include "catalogue/history.h"
 #include "files/files.h"
 #include "intake/enter_results.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "small_project.h"
 
 namespace ostraka::catalogue {
@@ -32,12 +37,12 @@ TEST_F(EnterPhotographs, GivesEachItsPlaceAndItsChecksum) {
   const Result<int> entered = enter();
   ASSERT_TRUE(entered) << entered.error().sentence();
   EXPECT_EQ(*entered, 8);
-  const std::vector<records::PhotographRecord> all = *catalogue().photographs(batch);
+  const std::vector<records::PhotographRecord> all = *Batches(catalogue()).photographs(batch);
   ASSERT_EQ(all.size(), 8u);
   EXPECT_EQ(all[2].path, "batches/B0001/front/cam1_pos02.jpg");
   EXPECT_EQ(all[2].camera, 'B');
   EXPECT_EQ(all[2].stop, 2);
-  const std::vector<records::FileRecord> files = *catalogue().files(batch);
+  const std::vector<records::FileRecord> files = *Files(catalogue()).of(batch);
   ASSERT_EQ(files.size(), 8u);
   EXPECT_EQ(files[0].role, "photo");
   EXPECT_EQ(files[0].sha256.size(), 64u);
@@ -70,7 +75,7 @@ TEST_F(EnterPhotographs, KeepsWhatTheCameraAndTheCaptureWrote) {
   manifest.entries.push_back(entry);
   ASSERT_TRUE(capture::writeManifest(folder, manifest));
   ASSERT_TRUE(enter());
-  const std::vector<records::PhotographRecord> all = *catalogue().photographs(batch);
+  const std::vector<records::PhotographRecord> all = *Batches(catalogue()).photographs(batch);
   EXPECT_EQ(all[2].exif_json, R"({"Orientation":6})");
   EXPECT_EQ(all[2].serial, "063021004567");
   EXPECT_EQ(all[2].angle_deg, 179.5);
@@ -82,13 +87,13 @@ TEST_F(EnterPhotographs, KeepsWhatTheCameraAndTheCaptureWrote) {
 
 TEST_F(EnterPhotographs, TwiceChangesNothingAndAChangedPhotographIsInTheHistory) {
   ASSERT_TRUE(enter());
-  const std::int64_t history = catalogue().historyLength();
+  const std::int64_t history = History(catalogue()).length();
   ASSERT_TRUE(enter());
-  EXPECT_EQ(catalogue().historyLength(), history);
+  EXPECT_EQ(History(catalogue()).length(), history);
   photograph("front", 1, 200);
   ASSERT_TRUE(enter());
-  EXPECT_GT(catalogue().historyLength(), history);
-  EXPECT_EQ(catalogue().files(batch)->size(), 8u);
+  EXPECT_GT(History(catalogue()).length(), history);
+  EXPECT_EQ(Files(catalogue()).of(batch)->size(), 8u);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ inline void writeBytes(const std::filesystem::path& file, const std::string& byt
 
 /// Everything that the tables hold, and the texts of the search, as one text.
 inline Result<std::string> contentOf(store::Database& database) {
-  return database.door([&] {
+  return database.asResult([&] {
     std::string text;
     std::vector<std::string> tables;
     store::Statement names = database.sql(

@@ -7,6 +7,7 @@
 #include <random>
 #include <thread>
 
+#include "catalogue/settings.h"
 #include "flipped_bits.h"
 #include "small_project.h"
 
@@ -71,7 +72,7 @@ TEST(Killed, AProjectInTheMakingIsNoneAndIsMadeByTheSameCall) {
     if (upkeep::Project::isProject(place)) {
       const Result<upkeep::Project> open = upkeep::Project::open(place);
       ASSERT_TRUE(open) << open.error().sentence();
-      EXPECT_EQ(open->catalogue().project()->code, "ARM");
+      EXPECT_EQ(Settings(open->catalogue()).project()->code, "ARM");
     } else {
       ++unfinished;
       const Result<upkeep::Project> made = upkeep::Project::create(place, record);

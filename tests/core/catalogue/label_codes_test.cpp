@@ -1,5 +1,6 @@
 #include "catalogue/label_codes.h"
 
+#include "catalogue/places.h"
 #include "small_project.h"
 #include "store/names.h"
 
@@ -23,7 +24,7 @@ TEST(LabelCode, IsReadFromBehind) {
 }
 
 TEST_F(LabelCodes, LeadABagBackToItsPlaceWhateverItsCodesAreByNow) {
-  const records::BagRecord bag = catalogue().bags(context12)->front();
+  const records::BagRecord bag = Places(catalogue()).bags(context12)->front();
   const std::string end = bag.id.substr(bag.id.size() - 8);
   const BagPlace place{"ARM1", "T3", "0012", "4"};
   EXPECT_EQ(*placeOfLabel(catalogue(), *readLabelCode("OST1:B:OLD-T3-0012-4:" + end)), place);
@@ -38,9 +39,9 @@ TEST_F(LabelCodes, ABagIsMadeOnceInAnyCapitals) {
   EXPECT_EQ(*bagAt(catalogue(), {"ARM1", "T3", "0012", "4B"}, anna), fresh);
   const store::BagRow elsewhere = *bagAt(catalogue(), {"Hayk1", "", "7", "1"}, anna);
   EXPECT_EQ(*bagAt(catalogue(), {"HAYK1", "", "7", "1"}, anna), elsewhere);
-  EXPECT_EQ(catalogue().sites()->size(), 2u);
+  EXPECT_EQ(Places(catalogue()).sites()->size(), 2u);
   EXPECT_FALSE(bagAt(catalogue(), {"NEW", "", "7", ""}, anna));
-  EXPECT_EQ(catalogue().sites()->size(), 2u) << "nothing of what is refused stays";
+  EXPECT_EQ(Places(catalogue()).sites()->size(), 2u) << "nothing of what is refused stays";
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "records/sherd.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
 #include "small_project.h"
 #include "store/database.h"
 
@@ -53,11 +56,12 @@ class ReadOnlyProject : public SmallProject {
     const Result<upkeep::Project> open = upkeep::Project::open(folder);
     if (!open) return std::fprintf(stderr, "%s\n", open.error().sentence().c_str()), 1;
     if (!open->catalogue().readOnly()) return 2;
-    const Result<std::vector<store::SherdRow>> rows = open->catalogue().sherdRows({}, {});
+    const Result<std::vector<store::SherdRow>> rows =
+        sherds::Sherds(open->catalogue()).rows({}, {});
     if (!rows || rows->size() != sherds) return 3;
     if (!open->catalogue().checkIntegrity()) return 4;
     const Result<Catalogue> other = open->connect();
-    return other && other->sherds(*rows) ? 0 : 5;
+    return other && sherds::Sherds(*other).of(*rows) ? 0 : 5;
   }
 };
 
@@ -93,7 +97,8 @@ TEST_F(ReadOnlyProject, RefusesChangesInASentence) {
   EXPECT_EQ(withoutPrivileges([&] {
               upkeep::Project open = valueIn(upkeep::Project::open(folder()));
               const records::FieldChange change{sherd, "ware", "grey"};
-              const auto changed = open.catalogue().change(std::span(&change, 1), {});
+              const auto changed =
+                  sherds::SherdChanges(open.catalogue()).apply(std::span(&change, 1), {});
               if (changed || changed.error().code != ErrorCode::CannotWrite) return 1;
               return open.backUp() ? 2 : 0;
             }),

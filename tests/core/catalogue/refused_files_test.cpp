@@ -2,6 +2,7 @@
 #include <fstream>
 
 #include "flipped_bits.h"
+#include "records/records.h"
 #include "small_project.h"
 #include "store/database.h"
 

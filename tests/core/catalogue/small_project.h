@@ -5,7 +5,15 @@
 #include <filesystem>
 #include <string>
 
-#include "catalogue/filter.h"
+#include "catalogue/batches.h"
+#include "catalogue/places.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/filter.h"
+#include "sherds/numbers.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "upkeep/project.h"
 
 namespace ostraka::catalogue {
@@ -47,15 +55,16 @@ class SmallProject : public ::testing::Test {
         });
     if (!made) throw std::runtime_error(made.error().sentence());
     project_ = std::make_unique<upkeep::Project>(std::move(*made));
-    anna = {*catalogue().save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {}), "test", ""};
+    anna = {*People(catalogue()).save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {}),
+            "test", ""};
     records::SiteRecord s;
     s.code = "ARM1";
     s.name = "Hill";
-    site = *catalogue().save(s, anna);
+    site = *Places(catalogue()).save(s, anna);
     records::TrenchRecord t;
     t.site = site;
     t.code = "T3";
-    trench = *catalogue().save(t, anna);
+    trench = *Places(catalogue()).save(t, anna);
     context12 = context("0012");
     context13 = context("0013");
     bag4 = bag(context12, "4");
@@ -69,30 +78,30 @@ class SmallProject : public ::testing::Test {
     c.site = site;
     c.trench = trench;
     c.number = number;
-    return *catalogue().save(c, anna);
+    return *Places(catalogue()).save(c, anna);
   }
   store::BagRow bag(store::ContextRow in, const std::string& number) {
     records::BagRecord b;
     b.context = in;
     b.number = number;
-    return *catalogue().save(b, anna);
+    return *Places(catalogue()).save(b, anna);
   }
   store::SherdRow draft(store::ContextRow in, store::BagRow of = {}) {
     records::SherdRecord s;
     s.context = in;
     s.bag = of;
-    return *catalogue().addSherd(s, anna);
+    return *sherds::Sherds(catalogue()).add(s, anna);
   }
   store::SherdRow numbered(store::ContextRow in) {
     const store::SherdRow row = draft(in);
-    EXPECT_TRUE(catalogue().assignNumbers(std::span(&row, 1), anna));
+    EXPECT_TRUE(sherds::Numbers(catalogue()).assign(std::span(&row, 1), anna));
     return row;
   }
   store::BatchRow newBatch(std::vector<store::BagRow> bags) {
     records::BatchRecord b;
     b.bags = std::move(bags);
     b.counted = 3;
-    return *catalogue().addBatch(b, anna);
+    return *Batches(catalogue()).add(b, anna);
   }
   store::ScanRow scan(store::BatchRow batch, batch::Side side, int index) {
     records::ScanRecord s;
@@ -101,27 +110,28 @@ class SmallProject : public ::testing::Test {
     s.index = index;
     s.name = (side == batch::Side::Front ? "f00" : "b00") + std::to_string(index);
     s.path = "results/B0001/scans/" + s.name + ".ply";
-    return *catalogue().save(s, anna);
+    return *Batches(catalogue()).save(s, anna);
   }
   /// As a person does who answers yes to what is asked.
   Result<std::vector<records::FieldChange>> set(store::SherdRow sherd, const std::string& field,
                                                 const std::string& value) {
     const records::FieldChange change{sherd, field, value, records::Confirmation::Given};
-    return catalogue().change(std::span(&change, 1), anna);
+    return sherds::SherdChanges(catalogue()).apply(std::span(&change, 1), anna);
   }
   std::string valueOf(store::SherdRow sherd, const std::string& field) {
-    return records::textOf(*catalogue().sherd(sherd), field);
+    return sherds::textOf(*sherds::Sherds(catalogue()).get(sherd), field);
   }
   /// Numbers of the sherds that the filter line finds, in order.
   std::vector<std::string> found(const std::string& line, const records::SherdOrder& order = {}) {
-    const Result<Filter> filter = parseFilter(line);
+    const Result<sherds::Filter> filter = sherds::parseFilter(line);
     EXPECT_TRUE(filter) << (filter ? "" : filter.error().sentence());
     if (!filter) return {"?"};
-    const Result<std::vector<store::SherdRow>> rows = catalogue().sherdRows(*filter, order);
+    const Result<std::vector<store::SherdRow>> rows =
+        sherds::Sherds(catalogue()).rows(*filter, order);
     EXPECT_TRUE(rows) << (rows ? "" : rows.error().sentence());
     if (!rows) return {"?"};
     std::vector<std::string> numbers;
-    for (const records::SherdRecord& sherd : valueIn(catalogue().sherds(*rows)))
+    for (const records::SherdRecord& sherd : valueIn(sherds::Sherds(catalogue()).of(*rows)))
       numbers.push_back(sherd.number);
     return numbers;
   }

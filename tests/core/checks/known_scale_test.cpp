@@ -71,7 +71,7 @@ TEST(KnownScale, TakesNoMarksOfTheOtherSideOrOfPhotographsWithoutAPose) {
 
 // Two cameras 500 mm from the axis, one on +x and one on +y, both looking level at it: a pixel is
 // half a millimetre there.
-std::vector<rig::PosedImage> twoLevelViews() {
+std::vector<rig::PosedImage> twoLevelImages() {
   std::vector<rig::PosedImage> images(2);
   images[0].camera_from_plate.linear() << 0, 1, 0, 0, 0, -1, -1, 0, 0;
   images[1].camera_from_plate.linear() << -1, 0, 0, 0, 0, -1, 0, -1, 0;
@@ -95,7 +95,7 @@ batch::KnownLength alongX(const std::vector<rig::PosedImage>& images, double len
 }
 
 TEST(CheckLengths, TakeMarksWithoutScatterForRoundedToWholePixels) {
-  const auto images = twoLevelViews();
+  const auto images = twoLevelImages();
   const auto checked = checkLengths(images, {alongX(images, 20.2), alongX(images, 21)});
   ASSERT_TRUE(checked[0] && checked[1]);
   EXPECT_NEAR(checked[0]->found_mm, 20, 1e-6);
@@ -107,7 +107,7 @@ TEST(CheckLengths, TakeMarksWithoutScatterForRoundedToWholePixels) {
 }
 
 TEST(CheckLengths, LearnFromTheRaysHowWellAPersonMarked) {
-  const auto images = twoLevelViews();
+  const auto images = twoLevelImages();
   batch::KnownLength known = alongX(images, 21);
   for (auto& end : known.ends) {
     end[0].pixel.y() += 1;  // the cameras disagree by two pixels about the height of both ends
@@ -122,7 +122,7 @@ TEST(CheckLengths, LearnFromTheRaysHowWellAPersonMarked) {
 }
 
 TEST(CheckLengths, HaveNothingForAnEndWithoutTwoPosedPhotographs) {
-  const auto images = twoLevelViews();
+  const auto images = twoLevelImages();
   batch::KnownLength known = alongX(images, 20);
   known.ends[1][1].file = "not_posed.jpg";
   const auto checked = checkLengths(images, {known, alongX(images, 20)});

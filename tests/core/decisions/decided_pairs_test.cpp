@@ -32,10 +32,13 @@ class DecidedPairs : public testing::Test {
   static void TearDownTestSuite() { fs::remove_all(folder_); }
   void TearDown() override { fs::remove(out_.output / "decisions.json"); }
 
+  static constexpr const char* kFirst = "0190a0b0-0000-7000-8000-000000000001";
+  static constexpr const char* kSecond = "0190a0b0-0000-7000-8000-000000000002";
+
   static PairDecision pair(int f, int b) {
     PairDecision d;
     d.kind = DecisionKind::Pair;
-    d.number = 1;
+    d.id = kFirst;
     d.by = "AP";
     d.at = "2026-07-14T09:30:12Z";
     d.scans = {out_.table.fronts[static_cast<std::size_t>(f)],
@@ -45,7 +48,7 @@ class DecidedPairs : public testing::Test {
   static PairDecision about(DecisionKind kind, const ScanRef& scan) {
     PairDecision d;
     d.kind = kind;
-    d.number = 1;
+    d.id = kFirst;
     d.by = "AP";
     d.scans = {scan};
     return d;
@@ -91,7 +94,7 @@ TEST_F(DecidedPairs, TheOthersFollowAndTheDisplacedFrontIsShownAgain) {
 
 TEST_F(DecidedPairs, AreAllSettledWhenBothAreConfirmed) {
   PairDecision second = pair(1, 1);
-  second.number = 2;
+  second.id = kSecond;
   const PairTable table = with({pair(0, 0), second});
   for (const SherdPair& p : table.pairs) EXPECT_FALSE(p.decision.ambiguous);
 }
@@ -132,7 +135,8 @@ TEST_F(DecidedPairs, ADecisionAboutAScanThatIsGoneIsSaidAndChangesNothing) {
 
 TEST_F(DecidedPairs, OfTwoAboutOneScanTheLaterHoldsAndTheEarlierIsSaid) {
   PairDecision second = pair(1, 0);
-  second.number = 2;
+  second.id = kSecond;
+  second.at = "2026-07-14T10:01:00Z";
   second.by = "KL";
   const PairTable table = with({pair(0, 0), second});
   EXPECT_EQ(partner(table, 1), 0);
@@ -141,11 +145,12 @@ TEST_F(DecidedPairs, OfTwoAboutOneScanTheLaterHoldsAndTheEarlierIsSaid) {
   for (const SherdPair& p : table.pairs) EXPECT_TRUE(backs.insert(p.decision.back).second);
   const Settled settled = settledBy({pair(0, 0), second}, out_.table);
   ASSERT_EQ(settled.warnings.size(), 1u);
-  for (const char* words : {"Decision 1 by AP", "Decision 2 by KL", "withdraw"})
+  for (const char* words : {"The decision of 2026-07-14 09:30 UTC by AP",
+                            "the decision of 2026-07-14 10:01 UTC by KL", "withdraw"})
     EXPECT_NE(settled.warnings[0].find(words), std::string::npos) << settled.warnings[0];
 
   PairDecision aside = about(DecisionKind::Aside, out_.table.fronts[0]);
-  aside.number = 2;
+  aside.id = kSecond;
   EXPECT_TRUE(settledBy({pair(0, 0), aside}, out_.table).pairs.empty());
   EXPECT_TRUE(settledBy({aside, pair(0, 0)}, out_.table).aside_front.empty());
 }
@@ -333,7 +338,7 @@ TEST_F(DecidedPairs, PiecesAreCutAndJoinedAgain) {
   EXPECT_FALSE(two.scans[1].fracture.empty());
 
   PairDecision join = about(DecisionKind::Join, refOf(two.scans[0], Side::Front));
-  join.number = 2;
+  join.id = kSecond;
   join.scans.push_back(refOf(two.scans[1], Side::Front));
   const EditedPieces one = editedPieces({whole}, Side::Front, {cut, join});
   ASSERT_EQ(one.scans.size(), 1u);

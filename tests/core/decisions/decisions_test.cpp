@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "base/uuid.h"
 #include "decisions/candidate_table.h"
 #include "files/files.h"
 
@@ -46,11 +47,21 @@ class DecisionsOf : public testing::Test {
     table.back_files.resize(table.backs.size());
     ASSERT_TRUE(writeFileAtomically(out_ / "work/pairs/candidates.json", toJson(table).dump()));
   }
-  std::vector<int> standingNumbers() {
-    std::vector<int> numbers;
-    for (const PairDecision& d : standing(*readDecisions(out_))) numbers.push_back(d.number);
-    return numbers;
+  /// 1 for the first in the file.
+  std::vector<int> placesOf(const std::vector<std::string>& ids) const {
+    std::vector<int> places;
+    const Decisions all = *readDecisions(out_);
+    for (const std::string& id : ids)
+      for (std::size_t i = 0; i < all.size(); ++i)
+        if (all[i].id == id) places.push_back(static_cast<int>(i) + 1);
+    return places;
   }
+  std::vector<int> placesOf(const Decisions& decisions) const {
+    std::vector<std::string> ids;
+    for (const PairDecision& d : decisions) ids.push_back(d.id);
+    return placesOf(ids);
+  }
+  std::vector<int> standingPlaces() const { return placesOf(standing(*readDecisions(out_))); }
 
   fs::path out_;
 };
@@ -72,7 +83,8 @@ TEST_F(DecisionsOf, AreReadBackAsTheyWereTaken) {
   ASSERT_TRUE(read.has_value());
   ASSERT_EQ(read->size(), 1u);
   const PairDecision& r = read->front();
-  EXPECT_EQ(r.number, 1);
+  EXPECT_TRUE(isUuid(r.id)) << r.id;
+  EXPECT_EQ(momentOf(r), r.at.substr(0, 10) + " " + r.at.substr(11, 5) + " UTC");
   EXPECT_EQ(r.by, "AP");
   EXPECT_EQ(r.note, d.note);
   EXPECT_EQ(r.at.size(), 20u) << "UTC to the second: " << r.at;
@@ -83,11 +95,12 @@ TEST_F(DecisionsOf, AreReadBackAsTheyWereTaken) {
   EXPECT_EQ(r.scans[1].place_mm, Eigen::Vector2d(100, 20));
 }
 
-TEST_F(DecisionsOf, NameTheMomentsOfThoseThatTheyReplace) {
+TEST_F(DecisionsOf, NameThoseThatTheyReplaceByTheirIds) {
   const PairDecision first = append(pair(1, 2));
   const PairDecision second = append(pair(1, 3));
-  EXPECT_EQ(second.replaced_at, std::vector<std::string>{first.at});
-  EXPECT_EQ(readDecisions(out_)->back().replaced_at, std::vector<std::string>{first.at});
+  EXPECT_NE(first.id, second.id);
+  EXPECT_EQ(second.replaces, std::vector<std::string>{first.id});
+  EXPECT_EQ(readDecisions(out_)->back().replaces, std::vector<std::string>{first.id});
 }
 
 TEST_F(DecisionsOf, ANewPairReplacesAllThatWasSaidAboutItsTwoScans) {
@@ -95,8 +108,8 @@ TEST_F(DecisionsOf, ANewPairReplacesAllThatWasSaidAboutItsTwoScans) {
   append(pair(2, 1));
   append(pair(3, 3));
   const PairDecision both = append(pair(1, 1));
-  EXPECT_EQ(both.replaces, (std::vector<int>{1, 2}));
-  EXPECT_EQ(standingNumbers(), (std::vector<int>{3, 4}));
+  EXPECT_EQ(placesOf(both.replaces), (std::vector<int>{1, 2}));
+  EXPECT_EQ(standingPlaces(), (std::vector<int>{3, 4}));
 }
 
 TEST_F(DecisionsOf, AWithdrawalBringsBackWhatWasReplacedAndLosesNothing) {
@@ -106,13 +119,13 @@ TEST_F(DecisionsOf, AWithdrawalBringsBackWhatWasReplacedAndLosesNothing) {
   PairDecision undo;
   undo.kind = DecisionKind::Withdraw;
   undo.by = "AP";
-  undo.replaces = {both.number};
+  undo.replaces = {both.id};
   append(undo);
-  EXPECT_EQ(standingNumbers(), (std::vector<int>{1, 2}));
+  EXPECT_EQ(standingPlaces(), (std::vector<int>{1, 2}));
   EXPECT_EQ(readDecisions(out_)->size(), 4u);
   EXPECT_FALSE(appendDecision(out_, undo).has_value()) << "it does not hold any more";
   append(pair(1, 1));
-  EXPECT_EQ(standingNumbers(), (std::vector<int>{5}));
+  EXPECT_EQ(standingPlaces(), (std::vector<int>{5}));
 }
 
 TEST_F(DecisionsOf, SettingAsideReplacesAPairAndAPairBringsItBack) {
@@ -122,9 +135,9 @@ TEST_F(DecisionsOf, SettingAsideReplacesAPairAndAPairBringsItBack) {
   aside.by = "AP";
   aside.scans = {front(1)};
   append(aside);
-  EXPECT_EQ(standingNumbers(), (std::vector<int>{2}));
+  EXPECT_EQ(standingPlaces(), (std::vector<int>{2}));
   append(pair(1, 3));
-  EXPECT_EQ(standingNumbers(), (std::vector<int>{3}));
+  EXPECT_EQ(standingPlaces(), (std::vector<int>{3}));
 }
 
 TEST_F(DecisionsOf, ASherdThatWasTakenOutStaysOutWithBothItsSides) {
@@ -136,7 +149,7 @@ TEST_F(DecisionsOf, ASherdThatWasTakenOutStaysOutWithBothItsSides) {
   append(again);
   again.scans = {front(1)};  // once more, where its card shows the front alone
   append(again);
-  EXPECT_EQ(standingNumbers(), (std::vector<int>{2}));
+  EXPECT_EQ(standingPlaces(), (std::vector<int>{2}));
   EXPECT_EQ(standing(*readDecisions(out_))[0].scans.size(), 2u);
   computed({3});  // its back was photographed again, or joined
   again.kind = DecisionKind::Aside;
@@ -160,7 +173,7 @@ TEST_F(DecisionsOf, NobodyAreRefused) {
 TEST_F(DecisionsOf, ADamagedFileIsNamedAndLeftAsItIs) {
   for (const char* text :
        {"{", R"({"format":1,"decisions":[{"kind":"pair"}]})", R"({"format":99,"decisions":[]})",
-        R"({"format":1,"decisions":[{"number":1,"replaces":[],"kind":"melt",
+        R"({"format":1,"decisions":[{"id":"","replaces":[],"kind":"melt",
                                "at":"","by":"AP","scans":[]}]})"}) {
     ASSERT_TRUE(writeFileAtomically(out_ / "decisions.json", text).has_value());
     const Result<Decisions> refused = readDecisions(out_);
@@ -179,17 +192,33 @@ TEST_F(DecisionsOf, ThatNobodyCouldTakeAreNamed) {
         R"("kind":"split","scans":[{"side":"front","id":"f001","place_mm":[1,2]}])",
         R"("kind":"pair","scans":[{"side":"back","id":"b001","place_mm":[1,2]}])",
         R"("kind":"aside","scans":[])", R"("kind":"withdraw","scans":[])"}) {
-    const std::string text = R"({"format":1,"decisions":[{"number":7,"replaces":[],"at":"",)"
-                             R"("by":"AP",)" +
-                             std::string(wrong) + "}]}";
+    const std::string text =
+        R"({"format":1,"decisions":[{"id":"0190a0b0-0000-7000-8000-000000000007","replaces":[],)"
+        R"("at":"","by":"AP",)" +
+        std::string(wrong) + "}]}";
     ASSERT_TRUE(writeFileAtomically(out_ / "decisions.json", text).has_value());
     const Result<Decisions> refused = readDecisions(out_);
     ASSERT_FALSE(refused.has_value()) << wrong;
     EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
     const std::string sentence = refused.error().sentence();
     EXPECT_NE(sentence.find("decisions.json"), std::string::npos) << sentence;
-    EXPECT_NE(sentence.find("Decision 7"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("Decision 1"), std::string::npos) << sentence;
     EXPECT_NE(sentence.find("restore a copy"), std::string::npos) << "what to do: " << sentence;
+  }
+}
+
+TEST_F(DecisionsOf, WithoutAnIdOfTheirOwnAreNamed) {
+  append(pair(1, 1));
+  append(pair(2, 2));
+  const std::string text = *readFile(out_ / "decisions.json");
+  const Decisions all = *readDecisions(out_);
+  for (const std::string& id : {all[0].id, std::string("2"), std::string()}) {
+    std::string wrong = text;
+    wrong.replace(wrong.find(all[1].id), all[1].id.size(), id);
+    const Result<Decisions> refused = parseDecisions(wrong, "decisions.json");
+    ASSERT_FALSE(refused.has_value()) << id;
+    EXPECT_NE(refused.error().sentence().find("Decision 2"), std::string::npos)
+        << refused.error().sentence();
   }
 }
 
@@ -197,13 +226,15 @@ TEST_F(DecisionsOf, AreNotAboutASideThatWasPhotographedAgain) {
   const std::vector<ScanRef> now = {{Side::Front, "f001", {0, 0}, "new"}};
   EXPECT_EQ(resolved({Side::Front, "f001", {0, 0}, "old"}, now), -1);
   EXPECT_EQ(resolved({Side::Front, "f001", {0, 0}, "new"}, now), 0);
-  EXPECT_EQ(resolved({Side::Front, "f001", {0, 0}, {}}, now), 0) << "of an older program";
+  EXPECT_EQ(resolved({Side::Front, "f001", {0, 0}, {}}, now), 0)
+      << "of results without photographs";
   PairDecision d = pair(1, 1);
   d.scans[0].photographs = "old";
   append(d);
   EXPECT_EQ(readDecisions(out_)->front().scans[0].photographs, "old");
   d.scans[0].photographs = "new";
-  EXPECT_EQ(append(d).replaces, std::vector<int>{1}) << "decided again, the old word is replaced";
+  EXPECT_EQ(placesOf(append(d).replaces), std::vector<int>{1})
+      << "decided again, the old word is replaced";
 }
 
 TEST_F(DecisionsOf, FindTheirScanByItsPlaceWhenItsIdChanged) {
@@ -239,23 +270,22 @@ TEST_F(DecisionsOf, SayTheSameWhoeverTookThemAndWhenever) {
 // What the results follow is told by their report, not by the age of files.
 TEST_F(DecisionsOf, WhatChangedSinceTheResultsIsKnown) {
   const auto changed = [&] {
-    std::vector<int> numbers;
     const Decisions all = *readDecisions(out_);
-    for (const PairDecision& d : changedSince(all, followed(all, out_)))
-      numbers.push_back(d.number);
-    return numbers;
+    return placesOf(changedSince(all, followed(all, out_)));
   };
-  append(pair(1, 1));
-  append(pair(2, 2));
+  const auto computedWith = [&](const std::vector<std::string>& ids) {
+    return writeFileAtomically(out_ / "report.json", nlohmann::json({{"decisions", ids}}).dump());
+  };
+  const std::string first = append(pair(1, 1)).id, second = append(pair(2, 2)).id;
   EXPECT_EQ(changed(), (std::vector<int>{1, 2})) << "there are no results";
-  ASSERT_TRUE(writeFileAtomically(out_ / "report.json", R"({"decisions": [1]})"));
+  ASSERT_TRUE(computedWith({first}));
   EXPECT_EQ(changed(), std::vector<int>{2}) << "taken while it was computed";
-  ASSERT_TRUE(writeFileAtomically(out_ / "report.json", R"({"decisions": [1, 2]})"));
+  ASSERT_TRUE(computedWith({first, second}));
   EXPECT_TRUE(changed().empty());
   PairDecision back;
   back.kind = DecisionKind::Withdraw;
   back.by = "AP";
-  back.replaces = {1};
+  back.replaces = {first};
   append(back);
   EXPECT_EQ(changed(), std::vector<int>{1}) << "followed, and holds no more";
   PairDecision again = pair(1, 1);
@@ -266,8 +296,6 @@ TEST_F(DecisionsOf, WhatChangedSinceTheResultsIsKnown) {
   again.scans[1] = DecisionsOf::back(3);
   append(again);
   EXPECT_EQ(changed(), (std::vector<int>{5, 1})) << "another back";
-  ASSERT_TRUE(writeFileAtomically(out_ / "report.json", R"({"format": "of an earlier program"})"));
-  EXPECT_TRUE(changed().empty());
 }
 
 }  // namespace

@@ -20,7 +20,6 @@ struct TrueSherdOfVessel {
 
 /// A sherd of a vessel drawn by chance. noise_mm: standard deviation put on each vertex.
 inline TrueSherdOfVessel trueSherd(vessels::SherdPart part, std::uint64_t seed, double noise_mm) {
-  using namespace virtualrig;
   vessels::Random random(vessels::mixed(seed, 77));
   const auto form = static_cast<vessels::VesselForm>(random.below(3));
   vessels::Random vessel_random(vessels::mixed(seed, 78));

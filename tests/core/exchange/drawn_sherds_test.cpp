@@ -5,6 +5,9 @@
 #include "archive/bagit.h"
 #include "closed_shell.h"
 #include "exported_project.h"
+#include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/sherds.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -42,7 +45,7 @@ class DrawnSherds : public ExportedProject {
   void model(std::size_t i, const TriangleMesh& mesh) {
     const std::string path = "results/drawn/" + std::to_string(i) + ".ply";
     put(project_->folder() / path, formatPly(mesh, "plate_front"));
-    EXPECT_TRUE(catalogue().setModel(rows[i], path, {}));
+    EXPECT_TRUE(sherds::Sherds(catalogue()).setModel(rows[i], path, {}));
   }
 };
 
@@ -95,7 +98,8 @@ TEST_F(DrawnSherds, ThatAreVoidAreInTheExportsTableAndInNoDrawing) {
 
 TEST_F(DrawnSherds, PrintWhatAPersonMeasuredInsteadOfWhatTheModelSays) {
   const auto measuresOf = [&] {
-    const auto drawn = drawSherd(catalogue(), *catalogue().sherd(rows[1]), project_->folder(), {});
+    const auto drawn =
+        drawSherd(catalogue(), *sherds::Sherds(catalogue()).get(rows[1]), project_->folder(), {});
     EXPECT_TRUE(drawn) << drawn.error().sentence();
     return formatSvg(drawing::layOut({*drawn}, 1, {})[0], "x");
   };
@@ -103,7 +107,7 @@ TEST_F(DrawnSherds, PrintWhatAPersonMeasuredInsteadOfWhatTheModelSays) {
   by_program.sherd = rows[1];
   by_program.kind = "width";
   by_program.value = 77;
-  ASSERT_TRUE(catalogue().measure(by_program, {}));
+  ASSERT_TRUE(sherds::Measurements(catalogue()).add(by_program, {}));
   EXPECT_THAT(measuresOf(), HasSubstr(" \u00D7 47.1"));  // the shell's
   ASSERT_TRUE(set(rows[1], "length_mm", "58.5"));
   ASSERT_TRUE(set(rows[1], "thickness_mean_mm", "6.8"));

@@ -3,8 +3,13 @@
 #include <gmock/gmock.h>
 
 #include "archive/bagit.h"
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
 #include "exchange/sherd_json.h"
 #include "exported_project.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/sherds.h"
 #include "tables/csv.h"
 
 namespace ostraka::exchange {
@@ -76,7 +81,7 @@ TEST_F(Export, IsOfOneMomentWhateverIsEditedMeanwhile) {
   options.forms = all;
   const Result<Exported> done = exportFolder(*own, project_->folder(), rows, options, editing, {});
   ASSERT_TRUE(done) << done.error().sentence();
-  EXPECT_EQ(catalogue().sherd(rows[0])->note, "edited");
+  EXPECT_EQ(sherds::Sherds(catalogue()).get(rows[0])->note, "edited");
   const auto table = readFile(options.target / "data/sherds.csv");
   const auto record = readFile(options.target / "data/sherds/ARM1-T3-0012-0001.json");
   ASSERT_TRUE(table && record);
@@ -87,13 +92,13 @@ TEST_F(Export, IsOfOneMomentWhateverIsEditedMeanwhile) {
 
 TEST_F(Export, MakesAGlbWhereThereIsAPlyAlone) {
   records::FileRecord glb;
-  const auto files = catalogue().files(rows[1]);
+  const auto files = Files(catalogue()).of(rows[1]);
   ASSERT_TRUE(files);
   for (const records::FileRecord& file : *files)
     if (file.path.ends_with(".glb")) glb = file;
   ASSERT_FALSE(glb.path.empty());
   glb.role = "report";
-  ASSERT_TRUE(catalogue().save(glb, anna));
+  ASSERT_TRUE(Files(catalogue()).save(glb, anna));
   ASSERT_TRUE(exportTo("out", {Form::Glb}));
   for (const char* number : {"0001", "0002"}) {
     const auto model = readFile(folder_.path() / "out/data/models" /
@@ -263,9 +268,9 @@ TEST_F(Export, ARecordSaysWhereItsValuesComeFrom) {
 
 TEST_F(Export, ADoubtfulScaleIsSaidInModelsRecordsAndTheReadMe) {
   ASSERT_TRUE(exportTo("sure", all));
-  records::BatchRecord held = *catalogue().batch(batch);
+  records::BatchRecord held = *Batches(catalogue()).get(batch);
   held.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
-  ASSERT_TRUE(catalogue().saveBatch(held, anna));
+  ASSERT_TRUE(Batches(catalogue()).save(held, anna));
   ASSERT_TRUE(exportTo("doubtful", all));
   for (const char* name :
        {"README.txt", "models/ARM1-T3-0012-0002.ply", "models/ARM1-T3-0012-0002.glb",

@@ -1,10 +1,14 @@
 #pragma once
+#include "catalogue/files.h"
 #include "cloud/glb.h"
 #include "exchange/export_folder.h"
 #include "exchange/read_back.h"
 #include "files/files.h"
 #include "intake/enter_results.h"
+#include "records/sherd.h"
 #include "result_folder.h"
+#include "sherds/numbers.h"
+#include "sherds/sherds.h"
 #include "small_project.h"
 
 namespace ostraka::exchange {
@@ -30,11 +34,11 @@ class ExportedProject : public catalogue::SmallProject {
     f.media_type = "image/jpeg";
     f.role = "photo";
     f.batch = batch;
-    EXPECT_TRUE(catalogue().save(f, anna));
+    EXPECT_TRUE(catalogue::Files(catalogue()).save(f, anna));
     EXPECT_TRUE(intake::enterResults(catalogue(), project_->folder(), batch,
                                      project_->resultsFolder("B0001"), {}, quiet, {}));
-    rows = *catalogue().sherdRows(batch);
-    EXPECT_TRUE(catalogue().assignNumbers(rows, anna));
+    rows = *sherds::Sherds(catalogue()).rows(batch);
+    EXPECT_TRUE(sherds::Numbers(catalogue()).assign(rows, anna));
     EXPECT_TRUE(set(rows[0], "part", "rim; neck"));
     EXPECT_TRUE(set(rows[0], "weight_g", "23.4"));
     EXPECT_TRUE(set(rows[0], "note", "=SUM(A1), \"quoted\"; Գառնի\nsecond line"));
@@ -50,7 +54,7 @@ class ExportedProject : public catalogue::SmallProject {
   std::string modelOf(int i) { return fileOf(i, &records::SherdRecord::model_path); }
   std::string pictureOf(int i) { return fileOf(i, &records::SherdRecord::preview_path); }
   std::string fileOf(int i, std::string records::SherdRecord::*path) {
-    const auto sherd = catalogue().sherd(rows[static_cast<std::size_t>(i)]);
+    const auto sherd = sherds::Sherds(catalogue()).get(rows[static_cast<std::size_t>(i)]);
     return (project_->folder() / ((*sherd).*path)).string();
   }
   Result<Exported> exportTo(const std::string& name, std::set<Form> forms) {

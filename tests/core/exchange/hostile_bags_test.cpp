@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 
 #include "archive/archive.h"
+#include "catalogue/batches.h"
+#include "catalogue/history.h"
 #include "exchange/read_back.h"
 #include "exported_project.h"
 #include "mended_bag.h"
@@ -325,11 +327,11 @@ TEST_F(HostileBags, AreNotImportedAndLeaveTheProjectAsItWas) {
     SCOPED_TRACE(attack.name);
     prepare("out", attack);
     const auto before = everythingIn(folder_.path());
-    const std::int64_t history = other.catalogue().historyLength();
+    const std::int64_t history = History(other.catalogue()).length();
     const auto read = readBack(other, at("bag"), tables::ImportMode::Enter, {}, quiet, {});
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::UnusableInput) << read.error().sentence();
-    EXPECT_EQ(other.catalogue().historyLength(), history);
+    EXPECT_EQ(History(other.catalogue()).length(), history);
     EXPECT_EQ(everythingIn(folder_.path()), before);
     ++attacks;
   }
@@ -351,7 +353,7 @@ TEST_F(HostileBags, AreNotImportedThroughLinksOfTheProject) {
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, ErrorCode::UnusableInput);
   EXPECT_TRUE(fs::is_empty(at("outside")));
-  EXPECT_TRUE(other.catalogue().batches()->empty());
+  EXPECT_TRUE(Batches(other.catalogue()).all()->empty());
 }
 
 }  // namespace

@@ -3,8 +3,19 @@
 #include <gmock/gmock.h>
 
 #include "archive/archive.h"
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
+#include "catalogue/history.h"
+#include "catalogue/places.h"
 #include "exported_project.h"
 #include "intake/piece_decisions.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/pair_decisions.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "store/database.h"
 #include "store/names.h"
 
@@ -25,7 +36,7 @@ class ReadingBack : public ExportedProject {
     return valueIn(readBack(into, folder_.path() / name, tables::ImportMode::Enter, {}, quiet, {}));
   }
   std::string joinsOf(std::size_t i) {
-    return records::textOf(*catalogue().sherd(rows[i]), "joins");
+    return sherds::textOf(*sherds::Sherds(catalogue()).get(rows[i]), "joins");
   }
 };
 
@@ -36,16 +47,16 @@ TEST_F(ReadingBack, GivesAnEmptyProjectTheSameRecordsAndFiles) {
   EXPECT_EQ(report.fresh, 3);
   EXPECT_EQ(report.refused, 0) << (report.refusals.empty() ? "" : report.refusals[0].reason);
   for (const store::SherdRow row : rows) {
-    const records::SherdRecord was = *catalogue().sherd(row);
-    const store::SherdRow now_row = *other.catalogue().sherdById(was.id);
+    const records::SherdRecord was = *sherds::Sherds(catalogue()).get(row);
+    const store::SherdRow now_row = *sherds::Sherds(other.catalogue()).byId(was.id);
     ASSERT_TRUE(now_row) << was.number;
-    const records::SherdRecord now = *other.catalogue().sherd(now_row);
-    for (const records::SherdField& field : records::sherdFields())
-      EXPECT_EQ(records::textOf(now, field.name), records::textOf(was, field.name))
+    const records::SherdRecord now = *sherds::Sherds(other.catalogue()).get(now_row);
+    for (const records::SherdField& field : sherds::sherdFields())
+      EXPECT_EQ(sherds::textOf(now, field.name), sherds::textOf(was, field.name))
           << was.number << field.name;
-    EXPECT_EQ(records::textOf(now, "extra.drawer"), records::textOf(was, "extra.drawer"));
-    const auto measured = *other.catalogue().measurements(now_row);
-    const auto before = *catalogue().measurements(row);
+    EXPECT_EQ(sherds::textOf(now, "extra.drawer"), sherds::textOf(was, "extra.drawer"));
+    const auto measured = *sherds::Measurements(other.catalogue()).of(now_row);
+    const auto before = *sherds::Measurements(catalogue()).of(row);
     ASSERT_EQ(measured.size(), before.size());
     for (const records::Measurement& m : before)
       EXPECT_TRUE(std::any_of(measured.begin(), measured.end(), [&](const records::Measurement& n) {
@@ -54,11 +65,12 @@ TEST_F(ReadingBack, GivesAnEmptyProjectTheSameRecordsAndFiles) {
       })) << m.kind;
     EXPECT_TRUE(fs::exists(other.absolute(now.model_path)));
     EXPECT_TRUE(fs::exists(other.absolute(now.preview_path)));
-    for (const records::FileRecord& file : valueIn(other.catalogue().files(now_row)))
+    for (const records::FileRecord& file : valueIn(Files(other.catalogue()).of(now_row)))
       EXPECT_EQ(sha256(*readFile(other.absolute(file.path))), file.sha256) << file.path;
   }
-  EXPECT_EQ(other.catalogue().contexts()->front().id, catalogue().context(context12)->id);
-  EXPECT_EQ(other.catalogue().batchByNumber("B0001")->id, catalogue().batch(batch)->id);
+  EXPECT_EQ(Places(other.catalogue()).contexts()->front().id,
+            Places(catalogue()).context(context12)->id);
+  EXPECT_EQ(Batches(other.catalogue()).byNumber("B0001")->id, Batches(catalogue()).get(batch)->id);
   EXPECT_TRUE(other.catalogue().checkIntegrity());
   // Its own export is the same again.
   ExportOptions options;
@@ -66,7 +78,8 @@ TEST_F(ReadingBack, GivesAnEmptyProjectTheSameRecordsAndFiles) {
   options.forms = {Form::Json};
   options.program = "ostraka 1.0.0";
   ASSERT_TRUE(exportFolder(other.catalogue(), other.folder(),
-                           *other.catalogue().sherdRows(Filter{}, {}), options, quiet, {}));
+                           *sherds::Sherds(other.catalogue()).rows(sherds::Filter{}, {}), options,
+                           quiet, {}));
 }
 
 TEST_F(ReadingBack, KeepsBothVersionsOfASherdThatTwoLaptopsChanged) {
@@ -84,19 +97,19 @@ TEST_F(ReadingBack, KeepsBothVersionsOfASherdThatTwoLaptopsChanged) {
   ASSERT_EQ(report->refusals.size(), 1u);
   EXPECT_THAT(report->refusals[0].reason, testing::HasSubstr("_in_laptop"));
   const std::string from = "_in_" + store::slug("laptop b");
-  const records::SherdRecord both = *catalogue().sherd(rows[0]);
+  const records::SherdRecord both = *sherds::Sherds(catalogue()).get(rows[0]);
   EXPECT_EQ(both.ware, "cooking");
   EXPECT_EQ(both.note, "mine alone");
-  EXPECT_EQ(records::textOf(both, "extra.ware" + from), "grey");
-  EXPECT_FALSE(records::textOf(both, "extra.note" + from).empty());
+  EXPECT_EQ(sherds::textOf(both, "extra.ware" + from), "grey");
+  EXPECT_FALSE(sherds::textOf(both, "extra.note" + from).empty());
   // Once more changes nothing, and it can be taken back.
-  const std::int64_t history = catalogue().historyLength();
+  const std::int64_t history = History(catalogue()).length();
   ASSERT_TRUE(merge());
-  EXPECT_EQ(catalogue().historyLength(), history);
-  ASSERT_TRUE(catalogue().change(report->undo, anna));
-  EXPECT_EQ(records::textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "");
-  ASSERT_TRUE(catalogue().change(report->changes, anna)) << "and done again";
-  EXPECT_EQ(records::textOf(*catalogue().sherd(rows[0]), "extra.ware" + from), "grey");
+  EXPECT_EQ(History(catalogue()).length(), history);
+  ASSERT_TRUE(sherds::SherdChanges(catalogue()).apply(report->undo, anna));
+  EXPECT_EQ(sherds::textOf(*sherds::Sherds(catalogue()).get(rows[0]), "extra.ware" + from), "");
+  ASSERT_TRUE(sherds::SherdChanges(catalogue()).apply(report->changes, anna)) << "and done again";
+  EXPECT_EQ(sherds::textOf(*sherds::Sherds(catalogue()).get(rows[0]), "extra.ware" + from), "grey");
 }
 
 TEST_F(ReadingBack, KeepsBothVersionsOfFieldsOfOnesOwn) {
@@ -108,12 +121,12 @@ TEST_F(ReadingBack, KeepsBothVersionsOfFieldsOfOnesOwn) {
   const tables::ImportReport report = read(*project_, "b");
   EXPECT_EQ(report.same, 1) << "a field that only the project has is no difference";
   EXPECT_EQ(report.refused, 2);
-  EXPECT_EQ(records::textOf(*catalogue().sherd(rows[0]), "extra.drawer"), "8");
-  EXPECT_EQ(records::textOf(*catalogue().sherd(rows[0]), "extra.drawer_in_b"), "7");
-  EXPECT_EQ(records::textOf(*catalogue().sherd(rows[1]), "extra.drawn_by_in_b"), "LT");
-  const std::int64_t history = catalogue().historyLength();
+  EXPECT_EQ(sherds::textOf(*sherds::Sherds(catalogue()).get(rows[0]), "extra.drawer"), "8");
+  EXPECT_EQ(sherds::textOf(*sherds::Sherds(catalogue()).get(rows[0]), "extra.drawer_in_b"), "7");
+  EXPECT_EQ(sherds::textOf(*sherds::Sherds(catalogue()).get(rows[1]), "extra.drawn_by_in_b"), "LT");
+  const std::int64_t history = History(catalogue()).length();
   read(*project_, "b");
-  EXPECT_EQ(catalogue().historyLength(), history);
+  EXPECT_EQ(History(catalogue()).length(), history);
 }
 
 TEST_F(ReadingBack, WhatAnotherProjectKeptOfThisOneIsNoVersionOfItsOwn) {
@@ -126,7 +139,7 @@ TEST_F(ReadingBack, WhatAnotherProjectKeptOfThisOneIsNoVersionOfItsOwn) {
   ASSERT_TRUE(set(rows[0], "ware", "grey"));
   read(*project_, "b");
   const auto now = [&](const char* field) {
-    return records::textOf(*catalogue().sherd(rows[0]), field);
+    return sherds::textOf(*sherds::Sherds(catalogue()).get(rows[0]), field);
   };
   EXPECT_EQ(now("extra.ware_in_a_in_b"), "");
   EXPECT_EQ(now("extra.vessel_in_a_in_b"), "");
@@ -154,8 +167,8 @@ TEST_F(ReadingBack, JoinsOnlyWithTheSherdThatTheExportMeans) {
         other.catalogue(), "number,site,trench,context\nARM1-T3-0012-0001,ARM1,T3,0012\n", "t.csv",
         {tables::ImportMode::Enter, tables::UnknownPlaces::Make}, {}, quiet, {}));
     const tables::ImportReport report = read(other, name);
-    const store::SherdRow own = *other.catalogue().sherdByNumber("ARM1-T3-0012-0001");
-    EXPECT_TRUE(other.catalogue().sherd(own)->joins.empty()) << name;
+    const store::SherdRow own = *sherds::Sherds(other.catalogue()).byNumber("ARM1-T3-0012-0001");
+    EXPECT_TRUE(sherds::Sherds(other.catalogue()).get(own)->joins.empty()) << name;
     ASSERT_EQ(report.warnings.size(), 1u);
     EXPECT_THAT(report.warnings[0],
                 testing::HasSubstr("ARM1-T3-0012-0002 – ARM1-T3-0012-0001; enter them by hand."));
@@ -172,16 +185,17 @@ TEST_F(ReadingBack, ASherdOfABatchThatIsHereTakesNoScanOfIt) {
     const ResultFolder four(project->resultsFolder("B0001"), 4);
     ASSERT_TRUE(intake::enterResults(project->catalogue(), project->folder(), batch,
                                      project->resultsFolder("B0001"), {}, quiet, {}));
-    ASSERT_EQ(project->catalogue().sherdRows(batch)->size(), 4u);
+    ASSERT_EQ(sherds::Sherds(project->catalogue()).rows(batch)->size(), 4u);
   }
   ExportOptions options;
   options.target = folder_.path() / "out";
   options.forms = {Form::Json};
-  const std::vector<store::SherdRow> theirs = *laptop.catalogue().sherdRows(batch);
+  const std::vector<store::SherdRow> theirs = *sherds::Sherds(laptop.catalogue()).rows(batch);
   ASSERT_TRUE(exportFolder(laptop.catalogue(), laptop.folder(), theirs, options, quiet, {}));
   EXPECT_EQ(read(*project_, "out").fresh, 1);
-  const auto fourth = catalogue().sherdById(laptop.catalogue().sherd(theirs[3])->id);
-  const records::SherdRecord entered = *catalogue().sherd(*fourth);
+  const auto fourth =
+      sherds::Sherds(catalogue()).byId(sherds::Sherds(laptop.catalogue()).get(theirs[3])->id);
+  const records::SherdRecord entered = *sherds::Sherds(catalogue()).get(*fourth);
   EXPECT_EQ(entered.batch, batch);
   EXPECT_FALSE(entered.front);
   EXPECT_TRUE(catalogue().checkIntegrity());
@@ -192,8 +206,10 @@ TEST_F(ReadingBack, KeepsFilesUnderTheNameOfTheExportWithASlashAtItsEndToo) {
   upkeep::Project other = empty("other");
   ASSERT_TRUE(
       readBack(other, folder_.path() / "out" / "", tables::ImportMode::Enter, {}, quiet, {}));
-  const store::SherdRow row = *other.catalogue().sherdById(catalogue().sherd(rows[0])->id);
-  EXPECT_THAT(other.catalogue().sherd(row)->model_path, testing::StartsWith("imported/out/"));
+  const store::SherdRow row =
+      *sherds::Sherds(other.catalogue()).byId(sherds::Sherds(catalogue()).get(rows[0])->id);
+  EXPECT_THAT(sherds::Sherds(other.catalogue()).get(row)->model_path,
+              testing::StartsWith("imported/out/"));
 }
 
 TEST_F(ReadingBack, NeverTakesAnotherFileForOneOfTheExport) {
@@ -206,7 +222,9 @@ TEST_F(ReadingBack, NeverTakesAnotherFileForOneOfTheExport) {
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().where, photograph);
   EXPECT_EQ(*readFile(photograph), "another JPEG");
-  EXPECT_FALSE(*other.catalogue().sherdById(catalogue().sherd(rows[0])->id)) << "nothing entered";
+  EXPECT_FALSE(
+      *sherds::Sherds(other.catalogue()).byId(sherds::Sherds(catalogue()).get(rows[0])->id))
+      << "nothing entered";
   put(photograph, "JPEG");
   EXPECT_TRUE(readBack(other, folder_.path() / "out", tables::ImportMode::Enter, {}, quiet, {}))
       << "the same file is no other one";
@@ -235,14 +253,16 @@ const std::map<std::string, std::string> kWholeTables = {
      "SELECT json_array(s.id, b.id, side, position, name, path, points, coverage_pct, plate_x_mm, "
      "plate_y_mm, s.state) FROM scan s JOIN batch b ON b.row = s.batch"},
     {"pair_decision",
-     "SELECT json_array(d.id, d.at, p.id, b.id, f.id, k.id, d.front_from_back, d.score, d.margin, "
+     "SELECT json_array(d.id, d.decision, d.at, p.id, b.id, f.id, k.id, d.front_from_back, "
+     "d.score, d.margin, "
      "d.ambiguous, d.fracture_rms_mm, d.fracture_overlap, d.verdict, r.id, d.note) FROM "
      "pair_decision d JOIN "
      "batch b ON b.row = d.batch LEFT JOIN person p ON p.row = d.person LEFT JOIN scan f ON f.row "
      "= d.front LEFT JOIN scan k ON k.row = d.back LEFT JOIN pair_decision r ON r.row = "
      "d.replaces"},
     {"piece_decision",
-     "SELECT json_array(d.id, d.at, p.id, b.id, d.side, d.verdict, json(d.pieces), json(d.cut_mm), "
+     "SELECT json_array(d.id, d.decision, d.at, p.id, b.id, d.side, d.verdict, json(d.pieces), "
+     "json(d.cut_mm), "
      "r.id, d.note) FROM piece_decision d JOIN batch b ON b.row = d.batch LEFT JOIN person p ON "
      "p.row = d.person LEFT JOIN piece_decision r ON r.row = d.replaces"},
     {"sherd",
@@ -288,25 +308,27 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
     p.sharpness = 0.8;
     p.used = side == batch::Side::Front;
     p.reason = p.used ? "" : "blurred";
-    ASSERT_TRUE(catalogue().save(p, anna));
+    ASSERT_TRUE(Batches(catalogue()).save(p, anna));
   }
-  const auto scans = valueIn(catalogue().scans(batch));
+  const auto scans = valueIn(Batches(catalogue()).scans(batch));
   records::PairDecision d;
   d.batch = batch;
   d.front = scans[0].row;
   d.back = scans[3].row;
   d.verdict = records::Verdict::Reject;
-  const auto rejected = catalogue().decide(d, anna);
+  const auto rejected = sherds::PairDecisions(catalogue()).add(d, anna);
   ASSERT_TRUE(rejected) << rejected.error().sentence();
   records::PairDecision taken_back = d;
   taken_back.verdict = records::Verdict::Withdraw;
   taken_back.replaces = *rejected;
-  ASSERT_TRUE(catalogue().decide(taken_back, anna));
+  ASSERT_TRUE(sherds::PairDecisions(catalogue()).add(taken_back, anna));
   d.verdict = records::Verdict::Accept;
+  d.decision = "0190a0b0-0000-7000-8000-000000000001";
   d.note = "the same paint";
-  ASSERT_TRUE(catalogue().decide(d, anna));
+  ASSERT_TRUE(sherds::PairDecisions(catalogue()).add(d, anna));
   intake::PieceDecision joined;
   joined.batch = batch;
+  joined.decision = "0190a0b0-0000-7000-8000-000000000002";
   joined.pieces = {{"f001", {10, 20}}, {"f002", {30, 40}}};
   const auto join = intake::decidePieces(catalogue(), joined, anna);
   ASSERT_TRUE(join) << join.error().sentence();
@@ -315,12 +337,12 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
   parted.verdict = intake::PieceVerdict::Withdraw;
   parted.replaces = *join;
   ASSERT_TRUE(intake::decidePieces(catalogue(), parted, anna));
-  records::BatchRecord record = *catalogue().batch(batch);
+  records::BatchRecord record = *Batches(catalogue()).get(batch);
   record.operator_ = anna.person;
   record.counted = 3;
   record.scale_error_pct = 0.62;
   record.scale_doubts = "The scale is wrong: a length of 50 mm measures 49.69 mm.";
-  ASSERT_TRUE(catalogue().saveBatch(record, anna));
+  ASSERT_TRUE(Batches(catalogue()).save(record, anna));
   ASSERT_TRUE(exportTo("out", all));
   upkeep::Project other = empty("other");
   const tables::ImportReport report = read(other, "out");
@@ -336,9 +358,9 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
   EXPECT_EQ(*readFile(other.folder() / "batches/B0001/front/cam0_pos00.jpg"), "JPEG");
   EXPECT_TRUE(other.catalogue().checkIntegrity());
   // What counts is the same, too, and goes on from there.
-  const auto was = *catalogue().currentDecisions(batch);
-  const store::BatchRow there = other.catalogue().batchByNumber("B0001")->row;
-  ASSERT_EQ(other.catalogue().currentDecisions(there)->size(), was.size());
+  const auto was = *sherds::PairDecisions(catalogue()).current(batch);
+  const store::BatchRow there = Batches(other.catalogue()).byNumber("B0001")->row;
+  ASSERT_EQ(sherds::PairDecisions(other.catalogue()).current(there)->size(), was.size());
   read(other, "out");
   EXPECT_EQ(rowsOf(other.catalogue(), kWholeTables.at("pair_decision")),
             rowsOf(catalogue(), kWholeTables.at("pair_decision")));
@@ -348,10 +370,11 @@ TEST_F(ReadingBack, APersonOfTheSameInitialsStaysWhoTheyAre) {
   ASSERT_TRUE(exportTo("out", all));
   upkeep::Project other = empty("other");
   const store::PersonRow known =
-      *other.catalogue().save(records::PersonRecord{{}, {}, "Anna Petrosyan", "AP", {}}, {});
+      *People(other.catalogue())
+           .save(records::PersonRecord{{}, {}, "Anna Petrosyan", "AP", {}}, {});
   const tables::ImportReport report = read(other, "out");
-  ASSERT_EQ(other.catalogue().persons()->size(), 1u);
-  EXPECT_EQ(other.catalogue().persons()->front().row, known);
+  ASSERT_EQ(People(other.catalogue()).all()->size(), 1u);
+  EXPECT_EQ(People(other.catalogue()).all()->front().row, known);
 }
 
 TEST_F(ReadingBack, APlaceOfTheSameNameIsTheSamePlace) {
@@ -360,26 +383,26 @@ TEST_F(ReadingBack, APlaceOfTheSameNameIsTheSamePlace) {
   records::SiteRecord own;
   own.code = "arm1";
   own.name = "The hill";
-  const store::SiteRow known = *other.catalogue().save(own, {});
+  const store::SiteRow known = *Places(other.catalogue()).save(own, {});
   const tables::ImportReport report = read(other, "out");
   EXPECT_EQ(report.fresh, 3);
-  ASSERT_EQ(other.catalogue().sites()->size(), 1u);
-  EXPECT_EQ(other.catalogue().contexts()->front().site, known);
+  ASSERT_EQ(Places(other.catalogue()).sites()->size(), 1u);
+  EXPECT_EQ(Places(other.catalogue()).contexts()->front().site, known);
 }
 
 TEST_F(ReadingBack, TwiceGivesOnceAndADifferenceStaysAsItIs) {
   ASSERT_TRUE(exportTo("out", all));
   upkeep::Project other = empty("other");
   read(other, "out");
-  const store::SherdRow row = *other.catalogue().sherdByNumber("ARM1-T3-0012-0001");
+  const store::SherdRow row = *sherds::Sherds(other.catalogue()).byNumber("ARM1-T3-0012-0001");
   const records::FieldChange change{row, "ware", "red"};
-  ASSERT_TRUE(other.catalogue().change(std::span(&change, 1), {}));
+  ASSERT_TRUE(sherds::SherdChanges(other.catalogue()).apply(std::span(&change, 1), {}));
   const tables::ImportReport again = read(other, "out");
   EXPECT_EQ(again.fresh, 0);
   EXPECT_EQ(again.same, 2);
   EXPECT_EQ(again.refused, 1);
   EXPECT_EQ(again.refusals[0].value, "ARM1-T3-0012-0001");
-  EXPECT_EQ(other.catalogue().sherd(row)->ware, "red");
+  EXPECT_EQ(sherds::Sherds(other.catalogue()).get(row)->ware, "red");
   EXPECT_GE(other.backups().size(), 2u) << "backed up before";
 }
 
@@ -387,27 +410,29 @@ TEST_F(ReadingBack, TwiceGivesOnceAndADifferenceStaysAsItIs) {
 TEST_F(ReadingBack, ABatchWhoseNumberIsTakenGetsTheNextOne) {
   ASSERT_TRUE(exportTo("out", all));
   upkeep::Project other = empty("other");
-  const store::BatchRow own = *other.catalogue().addBatch({}, {});
+  const store::BatchRow own = *Batches(other.catalogue()).add({}, {});
   put(other.folder() / "batches/B0001/front/cam0_pos00.jpg", "of its own");
   for (int time = 0; time < 2; ++time) {
     const tables::ImportReport report = read(other, "out");
     EXPECT_EQ(report.fresh, time == 0 ? 3 : 0);
     EXPECT_EQ(report.same, time == 0 ? 0 : 3);
   }
-  const std::string id = catalogue().batch(batch)->id;
-  EXPECT_EQ(other.catalogue().batches()->size(), 2u);
-  EXPECT_EQ(other.catalogue().batch(own)->number, "B0001");
-  const records::BatchRecord entered = **other.catalogue().batchById(id);
+  const std::string id = Batches(catalogue()).get(batch)->id;
+  EXPECT_EQ(Batches(other.catalogue()).all()->size(), 2u);
+  EXPECT_EQ(Batches(other.catalogue()).get(own)->number, "B0001");
+  const records::BatchRecord entered = **Batches(other.catalogue()).byId(id);
   EXPECT_EQ(entered.number, "B0002");
   EXPECT_EQ(entered.note, "Was B0001 where it was made.");
   EXPECT_EQ(*readFile(other.folder() / "batches/B0001/front/cam0_pos00.jpg"), "of its own");
   EXPECT_EQ(*readFile(other.folder() / "batches/B0002/front/cam0_pos00.jpg"), "JPEG");
-  for (const records::ScanRecord& scan : valueIn(other.catalogue().scans(entered.row)))
+  for (const records::ScanRecord& scan : valueIn(Batches(other.catalogue()).scans(entered.row)))
     EXPECT_TRUE(scan.path.starts_with("results/B0002/")) << scan.path;
   for (const store::SherdRow row : rows) {
-    const store::SherdRow there = *other.catalogue().sherdById(catalogue().sherd(row)->id);
-    EXPECT_EQ(other.catalogue().sherd(there)->batch_number, "B0002");
-    EXPECT_TRUE(fs::exists(other.absolute(other.catalogue().sherd(there)->model_path)));
+    const store::SherdRow there =
+        *sherds::Sherds(other.catalogue()).byId(sherds::Sherds(catalogue()).get(row)->id);
+    EXPECT_EQ(sherds::Sherds(other.catalogue()).get(there)->batch_number, "B0002");
+    EXPECT_TRUE(
+        fs::exists(other.absolute(sherds::Sherds(other.catalogue()).get(there)->model_path)));
   }
   EXPECT_TRUE(other.catalogue().checkIntegrity());
 }
@@ -443,26 +468,29 @@ TEST_F(ReadingBack, ThatIsStoppedLeavesNoFileOfABatch) {
 TEST_F(ReadingBack, FilesLieUnderTheNumberThatIsEnteredThoughABatchIsBegunMeanwhile) {
   ASSERT_TRUE(exportTo("out", all));
   upkeep::Project other = empty("other");
-  ASSERT_TRUE(other.catalogue().addBatch({}, {}));
+  ASSERT_TRUE(Batches(other.catalogue()).add({}, {}));
   const auto photograph = [&](const char* number) {
     return other.folder() / "batches" / number / "front" / "cam0_pos00.jpg";
   };
   Looking beginning([&] {
-    if (!fs::exists(photograph("B0002")) || other.catalogue().batches()->size() != 1) return;
-    EXPECT_EQ(*other.catalogue().nextBatchNumber(), "B0002");
-    EXPECT_TRUE(other.catalogue().addBatch({}, {}));
+    if (!fs::exists(photograph("B0002")) || Batches(other.catalogue()).all()->size() != 1) return;
+    EXPECT_EQ(*Batches(other.catalogue()).nextNumber(), "B0002");
+    EXPECT_TRUE(Batches(other.catalogue()).add({}, {}));
   });
   const Result<tables::ImportReport> report =
       readBack(other, folder_.path() / "out", tables::ImportMode::Enter, {}, beginning, {});
   ASSERT_TRUE(report) << report.error().sentence();
   EXPECT_EQ(report->fresh, 3);
-  const records::BatchRecord entered = **other.catalogue().batchById(catalogue().batch(batch)->id);
+  const records::BatchRecord entered =
+      **Batches(other.catalogue()).byId(Batches(catalogue()).get(batch)->id);
   EXPECT_EQ(entered.number, "B0003");
   EXPECT_EQ(*readFile(photograph("B0003")), "JPEG");
   EXPECT_FALSE(fs::exists(other.folder() / "batches/B0002")) << "it is another batch's folder";
   for (const store::SherdRow row : rows) {
-    const store::SherdRow there = *other.catalogue().sherdById(catalogue().sherd(row)->id);
-    EXPECT_TRUE(fs::exists(other.absolute(other.catalogue().sherd(there)->model_path)));
+    const store::SherdRow there =
+        *sherds::Sherds(other.catalogue()).byId(sherds::Sherds(catalogue()).get(row)->id);
+    EXPECT_TRUE(
+        fs::exists(other.absolute(sherds::Sherds(other.catalogue()).get(there)->model_path)));
   }
   EXPECT_TRUE(other.catalogue().checkIntegrity());
 }
@@ -474,7 +502,7 @@ TEST_F(ReadingBack, APreviewChangesNothing) {
       readBack(other, folder_.path() / "out", tables::ImportMode::Preview, {}, quiet, {});
   ASSERT_TRUE(preview) << preview.error().sentence();
   EXPECT_EQ(preview->fresh, 3);
-  EXPECT_TRUE(other.catalogue().contexts()->empty());
+  EXPECT_TRUE(Places(other.catalogue()).contexts()->empty());
   EXPECT_FALSE(fs::exists(other.folder() / "imported"));
 }
 
@@ -486,7 +514,7 @@ TEST_F(ReadingBack, NothingEntersWhenAFileWasChanged) {
       readBack(other, folder_.path() / "out", tables::ImportMode::Enter, {}, quiet, {});
   ASSERT_FALSE(report);
   EXPECT_NE(report.error().sentence().find("changed since the export"), std::string::npos);
-  EXPECT_TRUE(other.catalogue().sherdRows(Filter{}, {})->empty());
+  EXPECT_TRUE(sherds::Sherds(other.catalogue()).rows(sherds::Filter{}, {})->empty());
 }
 
 }  // namespace

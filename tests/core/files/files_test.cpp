@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Files : public testing::Test {
+class FilesTest : public testing::Test {
  protected:
   void SetUp() override {
     folder_ = fs::path(testing::TempDir()) / ("ostraka_files_" + std::to_string(::getpid()));
@@ -34,7 +34,7 @@ class Files : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(Files, ComeBackAsTheyWereWritten) {
+TEST_F(FilesTest, ComeBackAsTheyWereWritten) {
   const std::string bytes("a\0b\xff\n", 5);
   ASSERT_TRUE(writeFileAtomically(folder_ / "deep/er/file.bin", bytes).has_value());
   const auto back = readFile(folder_ / "deep/er/file.bin");
@@ -42,7 +42,7 @@ TEST_F(Files, ComeBackAsTheyWereWritten) {
   EXPECT_EQ(*back, bytes);
 }
 
-TEST_F(Files, AreReplacedWholeAndLeaveNothingBeside) {
+TEST_F(FilesTest, AreReplacedWholeAndLeaveNothingBeside) {
   const fs::path file = folder_ / "file.txt";
   ASSERT_TRUE(writeFileAtomically(file, "a much longer first version").has_value());
   ASSERT_TRUE(writeFileAtomically(file, "second").has_value());
@@ -50,7 +50,7 @@ TEST_F(Files, AreReplacedWholeAndLeaveNothingBeside) {
   EXPECT_EQ(entries(), 1u);
 }
 
-TEST_F(Files, KeepTheOldVersionWhenThereIsNoRoomForTheNew) {
+TEST_F(FilesTest, KeepTheOldVersionWhenThereIsNoRoomForTheNew) {
   const fs::path file = folder_ / "file.txt";
   ASSERT_TRUE(writeFileAtomically(file, "old").has_value());
   // A limit on file sizes fails a write in the middle as a full disk does.
@@ -70,7 +70,7 @@ TEST_F(Files, KeepTheOldVersionWhenThereIsNoRoomForTheNew) {
   EXPECT_EQ(entries(), 1u);
 }
 
-TEST_F(Files, SayWhatIsWrongWithWhatCannotBeRead) {
+TEST_F(FilesTest, SayWhatIsWrongWithWhatCannotBeRead) {
   const auto absent = readFile(folder_ / "absent.txt");
   ASSERT_FALSE(absent.has_value());
   EXPECT_EQ(absent.error().code, ErrorCode::UnusableInput);
@@ -81,7 +81,7 @@ TEST_F(Files, SayWhatIsWrongWithWhatCannotBeRead) {
   EXPECT_FALSE(readFile(folder_ / "large", 999).has_value());
 }
 
-TEST_F(Files, PlantedLinksAreReplacedAndWhatTheyLeadToStays) {
+TEST_F(FilesTest, PlantedLinksAreReplacedAndWhatTheyLeadToStays) {
   const fs::path precious = folder_ / "precious", file = folder_ / "in/file.txt";
   ASSERT_TRUE(writeFileAtomically(precious, "keep me").has_value());
   fs::create_directories(folder_ / "in");
@@ -97,7 +97,7 @@ TEST_F(Files, PlantedLinksAreReplacedAndWhatTheyLeadToStays) {
   EXPECT_FALSE(fs::exists(folder_ / "not made"));
 }
 
-TEST_F(Files, KeepThePermissionsThatTheyHadAndNewOnesFollowTheUmask) {
+TEST_F(FilesTest, KeepThePermissionsThatTheyHadAndNewOnesFollowTheUmask) {
   const mode_t before = ::umask(027);
   const fs::path fresh = folder_ / "fresh", closed = folder_ / "closed", open = folder_ / "open";
   const auto modeOf = [](const fs::path& file) {
@@ -117,7 +117,7 @@ TEST_F(Files, KeepThePermissionsThatTheyHadAndNewOnesFollowTheUmask) {
   EXPECT_EQ(modeOf(open), 0664U);
 }
 
-TEST_F(Files, WhatAKilledWriteLeftGoesWithTheNextWriteButALiveOneStays) {
+TEST_F(FilesTest, WhatAKilledWriteLeftGoesWithTheNextWriteButALiveOneStays) {
   const fs::path file = folder_ / "file.txt";
   const fs::path dead = folder_ / ".file.txt.0123456789ab.partial",
                  alive = folder_ / ".file.txt.ba9876543210.partial",
@@ -132,7 +132,7 @@ TEST_F(Files, WhatAKilledWriteLeftGoesWithTheNextWriteButALiveOneStays) {
   ::close(held);
 }
 
-TEST_F(Files, WritersOfOneNameAtTheSameTimeAllSucceed) {
+TEST_F(FilesTest, WritersOfOneNameAtTheSameTimeAllSucceed) {
   const fs::path file = folder_ / "file.txt";
   std::atomic<int> failures = 0;
   std::vector<std::thread> writers;
@@ -148,7 +148,7 @@ TEST_F(Files, WritersOfOneNameAtTheSameTimeAllSucceed) {
   EXPECT_EQ(entries(), 1u);
 }
 
-TEST_F(Files, DoNotTakeThePlaceOfAPipeOrADeviceOrAFolder) {
+TEST_F(FilesTest, DoNotTakeThePlaceOfAPipeOrADeviceOrAFolder) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
   fs::create_symlink("/dev/null", folder_ / "null");
   fs::create_directories(folder_ / "folder");
@@ -162,12 +162,12 @@ TEST_F(Files, DoNotTakeThePlaceOfAPipeOrADeviceOrAFolder) {
   EXPECT_TRUE(fs::is_symlink(folder_ / "null"));
 }
 
-TEST_F(Files, ANameOfTheGreatestLengthCanBeWritten) {
+TEST_F(FilesTest, ANameOfTheGreatestLengthCanBeWritten) {
   EXPECT_TRUE(writeFileAtomically(folder_ / std::string(255, 'n'), "x").has_value());
   EXPECT_EQ(entries(), 1u);
 }
 
-TEST_F(Files, CannotBeWrittenWhereAFileStandsInTheWay) {
+TEST_F(FilesTest, CannotBeWrittenWhereAFileStandsInTheWay) {
   ASSERT_TRUE(writeFileAtomically(folder_ / "file", "x").has_value());
   const auto written = writeFileAtomically(folder_ / "file" / "below", "y");
   ASSERT_FALSE(written.has_value());

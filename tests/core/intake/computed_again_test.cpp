@@ -1,5 +1,7 @@
 #include "intake/computed_again.h"
 
+#include "catalogue/batches.h"
+#include "catalogue/history.h"
 #include "files/files.h"
 #include "tests/core/catalogue/small_project.h"
 
@@ -9,8 +11,10 @@ namespace {
 class ComputedAgain : public catalogue::SmallProject {
  protected:
   ComputedAgain() : batch(newBatch({bag4})), output(project_->resultsFolder("B0001")) {}
-  void is(records::BatchState state) { ASSERT_TRUE(catalogue().setBatchState(batch, state, {})); }
-  records::BatchState state() { return catalogue().batch(batch)->state; }
+  void is(records::BatchState state) {
+    ASSERT_TRUE(catalogue::Batches(catalogue()).setState(batch, state, {}));
+  }
+  records::BatchState state() { return catalogue::Batches(catalogue()).get(batch)->state; }
   Result<void> ask() { return queueAgain(catalogue(), "B0001", anna); }
   bool askedMeanwhile() { return catalogue::valueIn(queueIfAsked(catalogue(), "B0001", {})); }
   bool takeOut() { return catalogue::valueIn(takeOutOfQueue(catalogue(), "B0001", output, anna)); }
@@ -25,7 +29,7 @@ TEST_F(ComputedAgain, ABatchIsQueuedUnlessItIsBeingPhotographed) {
   is(records::BatchState::Review);
   ASSERT_TRUE(ask());
   EXPECT_EQ(state(), records::BatchState::Queued);
-  EXPECT_EQ(catalogue().history("batch", batch.value)->front().by, anna.person);
+  EXPECT_EQ(catalogue::History(catalogue()).of("batch", batch.value)->front().by, anna.person);
 }
 
 TEST_F(ComputedAgain, WhatIsAskedWhileItIsComputedIsDoneWhenThatEnds) {

@@ -2,6 +2,16 @@
 
 #include <gmock/gmock.h>
 
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/numbers.h"
+#include "sherds/pair_decisions.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "store/database.h"
 #include "tests/core/catalogue/result_folder.h"
 #include "tests/core/catalogue/small_project.h"
@@ -21,7 +31,7 @@ class Entering : public catalogue::SmallProject {
     return entered ? *entered : EnteredResults{};
   }
   std::vector<records::SherdRecord> sherds() {
-    return *catalogue().sherds(*catalogue().sherdRows(batch));
+    return *sherds::Sherds(catalogue()).of(*sherds::Sherds(catalogue()).rows(batch));
   }
   int count(const std::string& table) {
     int rows = 0;
@@ -30,7 +40,8 @@ class Entering : public catalogue::SmallProject {
     return rows;
   }
   store::ScanRow scanNamed(const std::string& name) {
-    for (const records::ScanRecord& scan : catalogue::valueIn(catalogue().scans(batch)))
+    for (const records::ScanRecord& scan :
+         catalogue::valueIn(catalogue::Batches(catalogue()).scans(batch)))
       if (scan.name == name) return scan.row;
     return {};
   }
@@ -65,7 +76,8 @@ TEST_F(Entering, TakesThePiecesThatAPersonCutAndJoined) {
   EXPECT_EQ(entered.models, 3);
   EXPECT_EQ(entered.open, 1) << "front 2 alone; back 2 is a part of back 1";
   ASSERT_TRUE(scanNamed("f004"));
-  for (const records::ScanRecord& scan : catalogue::valueIn(catalogue().scans(batch))) {
+  for (const records::ScanRecord& scan :
+       catalogue::valueIn(catalogue::Batches(catalogue()).scans(batch))) {
     const char* folder = scan.isThere() ? "work/pieces_" : "work/scans_back/";
     EXPECT_THAT(scan.path, testing::HasSubstr(folder));
   }
@@ -80,8 +92,8 @@ TEST_F(Entering, MakesScansDecisionsSherdsMeasurementsAndFiles) {
   EXPECT_EQ(entered.measurements, 24);  // 7 measures and the filled share, of 3 sherds
   EXPECT_EQ(entered.files, 18);         // 6 scans, 3 files of 3 sherds, 3 reports
   EXPECT_EQ(entered.open, 0);
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Done);
-  EXPECT_EQ(catalogue().batch(batch)->reprojection_px, 0.31);
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Done);
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->reprojection_px, 0.31);
   const records::SherdRecord sherd = sherds().front();
   EXPECT_EQ(sherd.context, context12);
   EXPECT_THAT(sherd.model_path, testing::MatchesRegex("models/B0001/[0-9a-f]{16}/model.ply"));
@@ -89,8 +101,8 @@ TEST_F(Entering, MakesScansDecisionsSherdsMeasurementsAndFiles) {
   EXPECT_EQ(*readFile(project_->folder() / sherd.model_path), "model of f001b001model.ply");
   EXPECT_EQ(sherd.measures.at("length"), 51);
   EXPECT_NEAR(sherd.measures.at("filled_pct"), 0.7, 1e-12);
-  EXPECT_EQ(catalogue().files(sherd.row)->size(), 3u);
-  const records::ScanRecord scan = catalogue().scans(batch)->front();
+  EXPECT_EQ(catalogue::Files(catalogue()).of(sherd.row)->size(), 3u);
+  const records::ScanRecord scan = catalogue::Batches(catalogue()).scans(batch)->front();
   EXPECT_EQ(scan.points, 3);
   EXPECT_EQ(scan.plate_x_mm, 40);
   EXPECT_EQ(scan.plate_y_mm, 0);
@@ -106,9 +118,9 @@ TEST_F(Entering, KeepsTheModelsThatWereEnteredUntilOthersAre) {
   out.length_mm = 60;
   out.write();
   EXPECT_EQ(*readFile(model), "model of f001b001model.ply");
-  EXPECT_EQ(catalogue().sherd(before.row)->model_path, before.model_path);
+  EXPECT_EQ(sherds::Sherds(catalogue()).get(before.row)->model_path, before.model_path);
   enter();
-  const records::SherdRecord after = *catalogue().sherd(before.row);
+  const records::SherdRecord after = *sherds::Sherds(catalogue()).get(before.row);
   EXPECT_EQ(after.measures.at("length"), 61);
   EXPECT_EQ(*readFile(project_->folder() / after.model_path), "model of f001b001model.ply");
   EXPECT_EQ(after.model_path, before.model_path) << "the same bytes";
@@ -120,15 +132,15 @@ TEST_F(Entering, DropsModelsThatNobodyShowsAtTheNextEntering) {
   const fs::path folder = project_->resultsFolder("B0001") / "sherds/01";
   ASSERT_TRUE(writeFileAtomically(folder / "model.ply", "a better one"));
   enter();
-  const records::SherdRecord after = *catalogue().sherd(before.row);
+  const records::SherdRecord after = *sherds::Sherds(catalogue()).get(before.row);
   EXPECT_EQ(*readFile(project_->folder() / after.model_path), "a better one");
   EXPECT_TRUE(fs::exists(project_->folder() / before.model_path)) << "somebody may look at it";
-  EXPECT_EQ(catalogue().files(before.row)->size(), 3u) << "but they are no sherd's";
+  EXPECT_EQ(catalogue::Files(catalogue()).of(before.row)->size(), 3u) << "but they are no sherd's";
   enter();
   EXPECT_FALSE(fs::exists(project_->folder() / before.model_path));
-  EXPECT_EQ(catalogue().files(before.row)->size(), 3u);
-  EXPECT_EQ(catalogue().files(batch)->size(), 18u);
-  const auto files = catalogue().files(before.row);
+  EXPECT_EQ(catalogue::Files(catalogue()).of(before.row)->size(), 3u);
+  EXPECT_EQ(catalogue::Files(catalogue()).of(batch)->size(), 18u);
+  const auto files = catalogue::Files(catalogue()).of(before.row);
   for (const records::FileRecord& file : *files)
     EXPECT_EQ(sha256(*readFile(project_->folder() / file.path)), file.sha256);
 }
@@ -170,32 +182,33 @@ TEST_F(Entering, AScaleInDoubtMarksTheProgramsMeasuresUntilItIsSettled) {
   out.scale_doubts = {"The scale is wrong: 50.00 mm measure 49.51 mm."};
   out.write();
   enter();
-  const records::BatchRecord held = *catalogue().batch(batch);
+  const records::BatchRecord held = *catalogue::Batches(catalogue()).get(batch);
   EXPECT_EQ(held.state, records::BatchState::Review)
       << "no pair is open, but the scale wants a person";
   EXPECT_EQ(held.scale_doubts, out.scale_doubts.front());
   EXPECT_EQ(held.scale_error_pct, -0.98) << "the length that is off most";
   const store::SherdRow row = sherds().front().row;
-  ASSERT_TRUE(catalogue().measure({row, "length", {}, 52.1, {}, "calliper", {}, {}}, anna));
-  const records::SherdRecord sherd = *catalogue().sherd(row);
+  ASSERT_TRUE(sherds::Measurements(catalogue())
+                  .add({row, "length", {}, 52.1, {}, "calliper", {}, {}}, anna));
+  const records::SherdRecord sherd = *sherds::Sherds(catalogue()).get(row);
   EXPECT_TRUE(sherd.doubtful.contains("width"));
   EXPECT_TRUE(sherd.doubtful.contains("volume"));
   EXPECT_FALSE(sherd.doubtful.contains("length")) << "a calliper knows nothing of the plate";
   EXPECT_FALSE(sherd.doubtful.contains("filled_pct")) << "a share has no scale";
-  EXPECT_EQ(records::textOf(sherd, "scale"), "doubtful");
+  EXPECT_EQ(sherds::textOf(sherd, "scale"), "doubtful");
   const store::SherdRow elsewhere = numbered(context12);
   EXPECT_EQ(found("scale:doubtful").size(), 3u);
   EXPECT_EQ(found("-scale:doubtful").size(), 1u);
   EXPECT_EQ(found("scale:*").size(), 3u);
   EXPECT_EQ(found("scale:\"\"").size(), 1u);
-  EXPECT_TRUE(catalogue().sherd(elsewhere)->doubtful.empty());
+  EXPECT_TRUE(sherds::Sherds(catalogue()).get(elsewhere)->doubtful.empty());
 
   out.scale_doubts.clear();
   out.write();
   enter();
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Done);
-  EXPECT_EQ(catalogue().batch(batch)->scale_error_pct, -0.05);
-  EXPECT_TRUE(catalogue().sherd(row)->doubtful.empty());
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Done);
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->scale_error_pct, -0.05);
+  EXPECT_TRUE(sherds::Sherds(catalogue()).get(row)->doubtful.empty());
   EXPECT_EQ(valueOf(row, "scale"), "");
 }
 
@@ -203,15 +216,17 @@ TEST_F(Entering, ADraftIsHeldAndItsMeasuresAreMarkedUntilItIsComputedAgain) {
   out.draft = true;
   out.write();
   enter();
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review) << "no pair is open";
-  EXPECT_NE(catalogue().batch(batch)->scale_doubts.find("draft"), std::string::npos);
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Review)
+      << "no pair is open";
+  EXPECT_NE(catalogue::Batches(catalogue()).get(batch)->scale_doubts.find("draft"),
+            std::string::npos);
   const store::SherdRow row = sherds().front().row;
-  EXPECT_TRUE(catalogue().sherd(row)->doubtful.contains("width"));
+  EXPECT_TRUE(sherds::Sherds(catalogue()).get(row)->doubtful.contains("width"));
   out.draft = false;
   out.write();
   enter();
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Done);
-  EXPECT_TRUE(catalogue().sherd(row)->doubtful.empty());
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Done);
+  EXPECT_TRUE(sherds::Sherds(catalogue()).get(row)->doubtful.empty());
 }
 
 TEST_F(Entering, KeepsWhatAPersonDecided) {
@@ -221,7 +236,7 @@ TEST_F(Entering, KeepsWhatAPersonDecided) {
   for (const auto& [front, back] : {std::pair{"f001", "b002"}, std::pair{"f002", "b001"}}) {
     swap.front = scanNamed(front);
     swap.back = scanNamed(back);
-    ASSERT_TRUE(catalogue().decide(swap, anna));
+    ASSERT_TRUE(sherds::PairDecisions(catalogue()).add(swap, anna));
   }
   const EnteredResults entered = enter();
   EXPECT_EQ(entered.kept_decisions, 2);
@@ -230,14 +245,14 @@ TEST_F(Entering, KeepsWhatAPersonDecided) {
   EXPECT_EQ(all[0].back, scanNamed("b002"));
   EXPECT_TRUE(all[0].measures.empty());
   EXPECT_EQ(all[0].model_path, "");
-  EXPECT_TRUE(catalogue().files(all[0].row)->empty());
+  EXPECT_TRUE(catalogue::Files(catalogue()).of(all[0].row)->empty());
   // The program computes the pairs that the person chose.
   out.pairs() = {{1, 2, false}, {2, 1, false}, {3, 3, false}};
   out.write();
   EXPECT_EQ(enter().models, 3);
   all = sherds();
   EXPECT_EQ(all[0].measures.at("length"), 51);
-  EXPECT_EQ(catalogue().files(all[0].row)->size(), 3u);
+  EXPECT_EQ(catalogue::Files(catalogue()).of(all[0].row)->size(), 3u);
 }
 
 TEST_F(Entering, ModelsComeBackWithThePairThatTheyAreOf) {
@@ -248,12 +263,12 @@ TEST_F(Entering, ModelsComeBackWithThePairThatTheyAreOf) {
   wrong.batch = batch;
   wrong.front = scanNamed("f001");
   wrong.back = scanNamed("b002");
-  const Result<store::DecisionRow> row = catalogue().decide(wrong, anna);
+  const Result<store::DecisionRow> row = sherds::PairDecisions(catalogue()).add(wrong, anna);
   ASSERT_TRUE(row);
   records::PairDecision back = wrong;
   back.verdict = records::Verdict::Withdraw;
   back.replaces = *row;
-  ASSERT_TRUE(catalogue().decide(back, anna));
+  ASSERT_TRUE(sherds::PairDecisions(catalogue()).add(back, anna));
   EXPECT_EQ(sherds()[0].back, scanNamed("b001"));
   EXPECT_EQ(sherds()[0].model_path, "");
   EXPECT_TRUE(catalogue::valueIn(lost()));
@@ -271,7 +286,7 @@ TEST_F(Entering, FollowsTheProgramWhereNobodyDecided) {
   const EnteredResults entered = enter();
   EXPECT_EQ(entered.decisions, 2);
   EXPECT_EQ(entered.open, 2) << "front 3 and back 3 have no partner any more";
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Review);
   EXPECT_EQ(sherds().size(), 2u);
 }
 
@@ -279,14 +294,14 @@ TEST_F(Entering, CountsADoubtfulPairAsOneQuestion) {
   out.pairs()[1].ambiguous = true;
   out.write();
   EXPECT_EQ(enter().open, 1);
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
-  EXPECT_EQ(catalogue().currentDecisions(batch)->at(1).note, "two look alike");
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Review);
+  EXPECT_EQ(sherds::PairDecisions(catalogue()).current(batch)->at(1).note, "two look alike");
 }
 
 TEST_F(Entering, KeepsTheNumbersAndTheWeighing) {
   enter();
   const store::SherdRow sherd = sherds().front().row;
-  ASSERT_TRUE(catalogue().assignNumbers(std::span(&sherd, 1), anna));
+  ASSERT_TRUE(sherds::Numbers(catalogue()).assign(std::span(&sherd, 1), anna));
   ASSERT_TRUE(set(sherd, "weight_g", "23.4"));
   ASSERT_TRUE(set(sherd, "length_mm", "52"));
   out.length_mm = 50.01;
@@ -307,20 +322,21 @@ TEST_F(Entering, WhatWasSaidAboutAPieceStaysWithItHoweverItIsNumbered) {
                                                   {before[0].row, "note", "at 40 mm"},
                                                   {before[2].row, "number", "A-3"},
                                                   {before[2].row, "note", "at 120 mm"}};
-  ASSERT_TRUE(catalogue().change(said, anna));
+  ASSERT_TRUE(sherds::SherdChanges(catalogue()).apply(said, anna));
   records::PairDecision person;
   person.batch = batch;
   person.front = before[1].front;
   person.back = before[1].back;
   person.verdict = records::Verdict::Accept;
-  ASSERT_TRUE(catalogue().decide(person, anna));
+  ASSERT_TRUE(sherds::PairDecisions(catalogue()).add(person, anna));
 
   out.places_mm = {{0, -50}, {41, 1}, {79, 0}, {120, 2}};
   out.pairs() = {{1, 1, false}, {2, 2, false}, {3, 3, false}, {4, 4, false}};
   out.write();
   enter();
   const auto noteAt = [&](double x) -> std::string {
-    for (const records::ScanRecord& scan : catalogue::valueIn(catalogue().scans(batch)))
+    for (const records::ScanRecord& scan :
+         catalogue::valueIn(catalogue::Batches(catalogue()).scans(batch)))
       if (scan.side == batch::Side::Front && std::abs(*scan.plate_x_mm - x) < 5)
         for (const records::SherdRecord& sherd : sherds())
           if (sherd.front == scan.row)
@@ -332,7 +348,8 @@ TEST_F(Entering, WhatWasSaidAboutAPieceStaysWithItHoweverItIsNumbered) {
   EXPECT_EQ(noteAt(120), "A-3, at 120 mm, 4");
   EXPECT_EQ(noteAt(0), ", , 1");
   EXPECT_EQ(sherds().size(), 4U);
-  for (const records::PairDecision& d : catalogue::valueIn(catalogue().currentDecisions(batch)))
+  for (const records::PairDecision& d :
+       catalogue::valueIn(sherds::PairDecisions(catalogue()).current(batch)))
     EXPECT_EQ(static_cast<bool>(d.by), d.front == before[1].front);
   const int history = count("history");
   enter();
@@ -394,16 +411,19 @@ TEST_F(Entering, AJoinedPieceKeepsItsRowAndNumberAlsoWhenTheJoinIsTakenBack) {
   EXPECT_EQ(joined.back, before.back);
   EXPECT_FALSE(joined.model_path.empty());
   EXPECT_EQ(sherds().size(), 2U) << "that of the other fragment was a draft";
-  for (const records::ScanRecord& scan : catalogue::valueIn(catalogue().scans(batch)))
+  for (const records::ScanRecord& scan :
+       catalogue::valueIn(catalogue::Batches(catalogue()).scans(batch)))
     if (scan.row == before.front) {
       EXPECT_EQ(scan.plate_x_mm, 55);
     }
 
-  for (const int number : {2, 3}) {
+  const decisions::Decisions taken =
+      catalogue::valueIn(decisions::readDecisions(project_->resultsFolder("B0001")));
+  for (const std::size_t i : {1, 2}) {
     decisions::PairDecision back;
     back.by = "AP";
     back.kind = decisions::DecisionKind::Withdraw;
-    back.replaces = {number};
+    back.replaces = {taken.at(i).id};
     ASSERT_TRUE(decisions::appendDecision(project_->resultsFolder("B0001"), back));
   }
   apart();
@@ -417,14 +437,14 @@ TEST_F(Entering, WhatWasDecidedWhileItWasComputedWantsAPerson) {
   out.photographs = "first";
   out.write();
   EXPECT_FALSE(enter().decided_meanwhile);
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Done);
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Done);
   decisions::PairDecision pair;
   pair.by = "AP";
   pair.scans = {{batch::Side::Front, "f001", {40, 0}, "first"},
                 {batch::Side::Back, "b002", {80, 0}, "first"}};
   ASSERT_TRUE(decisions::appendDecision(project_->resultsFolder("B0001"), pair));
   EXPECT_TRUE(enter().decided_meanwhile);
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Review);
 }
 
 TEST_F(Entering, WithoutAScaleNoLengthIsKnown) {
@@ -466,7 +486,8 @@ TEST_F(Entering, OfAPairThatAPersonDecidedKeepsNothingWhenItIsTakenBack) {
   decided.batch = batch;
   decided.front = scanNamed("f001");
   decided.back = scanNamed("b002");
-  const store::DecisionRow row = catalogue::valueIn(catalogue().decide(decided, anna));
+  const store::DecisionRow row =
+      catalogue::valueIn(sherds::PairDecisions(catalogue()).add(decided, anna));
   out.pairs() = {{1, 2, false, "AP"}, {3, 3, false}};
   out.write();
   enter();
@@ -481,7 +502,7 @@ TEST_F(Entering, OfAPairThatAPersonDecidedKeepsNothingWhenItIsTakenBack) {
   back.batch = batch;
   back.verdict = records::Verdict::Withdraw;
   back.replaces = row;
-  ASSERT_TRUE(catalogue().decide(back, anna));
+  ASSERT_TRUE(sherds::PairDecisions(catalogue()).add(back, anna));
   EXPECT_NE(sherd().back, scanNamed("b002"));
   EXPECT_TRUE(sherd().model_path.empty());
   EXPECT_FALSE(sherd().measures.contains("length"));

@@ -14,7 +14,7 @@ class PieceDecisions : public catalogue::SmallProject {
     d.batch = batch;
     d.side = batch::Side::Back;
     d.pieces = {{"b003", {10.5, -20}}, {"b004", {30, -22.25}}};
-    d.note = "decision 1";
+    d.decision = "0190a0b0-0000-7000-8000-000000000001";
     return d;
   }
   store::BatchRow batch;

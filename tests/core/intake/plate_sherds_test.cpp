@@ -1,6 +1,10 @@
 // Whose front lies where, and which number a joined sherd keeps.
 #include "intake/plate_sherds.h"
 
+#include "catalogue/batches.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/sherds.h"
 #include "tests/core/catalogue/small_project.h"
 
 namespace ostraka::intake {
@@ -13,7 +17,7 @@ class PlateSherdsTest : public catalogue::SmallProject {
   PlateSherdsTest() {
     records::BatchRecord record;
     record.number = "B0001";
-    batch = *catalogue().addBatch(record, anna);
+    batch = *catalogue::Batches(catalogue()).add(record, anna);
   }
 
   void lay(const char* name, double x_mm, int points, const char* number) {
@@ -27,10 +31,10 @@ class PlateSherdsTest : public catalogue::SmallProject {
     scan.plate_y_mm = 0;
     records::SherdRecord sherd;
     sherd.batch = batch;
-    sherd.front = *catalogue().save(scan, anna);
+    sherd.front = *catalogue::Batches(catalogue()).save(scan, anna);
     sherd.context = context12;
     sherd.number = number;
-    ASSERT_TRUE(catalogue().addSherd(sherd, anna).has_value());
+    ASSERT_TRUE(sherds::Sherds(catalogue()).add(sherd, anna).has_value());
   }
 
   JoinedNumbers joined(double first_x_mm, double second_x_mm, Side side = Side::Front) {

@@ -3,9 +3,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "catalogue/batches.h"
+#include "catalogue/places.h"
 #include "decisions/candidate_table.h"
 #include "files/files.h"
 #include "intake/piece_decisions.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/pair_decisions.h"
+#include "sherds/sherds.h"
 #include "tests/core/catalogue/result_folder.h"
 #include "tests/core/catalogue/small_project.h"
 
@@ -24,13 +30,16 @@ class ReviewDecisions : public catalogue::SmallProject {
       scan.index = 1;
       scan.name = side == batch::Side::Front ? "f001" : "b001";
       scan.path = "results/B0001/scans/" + scan.name + ".ply";
-      EXPECT_TRUE(catalogue().save(scan, {}));
+      EXPECT_TRUE(catalogue::Batches(catalogue()).save(scan, {}));
     }
+  }
+  static std::string idOf(int number) {
+    return "0190a0b0-0000-7000-8000-00000000000" + std::to_string(number);
   }
   static decisions::PairDecision decision(DecisionKind kind, int number) {
     decisions::PairDecision d;
     d.kind = kind;
-    d.number = number;
+    d.id = idOf(number);
     d.by = "AP";
     d.scans = {{batch::Side::Front, "f001", {0, 0}}, {batch::Side::Back, "b001", {0, 0}}};
     return d;
@@ -42,17 +51,18 @@ class ReviewDecisions : public catalogue::SmallProject {
 };
 
 TEST_F(ReviewDecisions, APairCountsAndItsWithdrawalTakesItBack) {
-  const std::size_t persons = catalogue().persons()->size();
+  const std::size_t persons = catalogue::People(catalogue()).all()->size();
   const Result<void> entered = enter(decision(DecisionKind::Pair, 1));
   ASSERT_TRUE(entered) << entered.error().sentence();
-  ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
-  EXPECT_EQ(catalogue().currentDecisions(batch)->front().verdict, records::Verdict::Accept);
+  ASSERT_EQ(sherds::PairDecisions(catalogue()).current(batch)->size(), 1u);
+  EXPECT_EQ(sherds::PairDecisions(catalogue()).current(batch)->front().verdict,
+            records::Verdict::Accept);
   decisions::PairDecision back = decision(DecisionKind::Withdraw, 2);
-  back.replaces = {1};
+  back.replaces = {idOf(1)};
   ASSERT_TRUE(enter(back));
-  EXPECT_TRUE(catalogue().currentDecisions(batch)->empty());
-  EXPECT_EQ(catalogue().decisions(batch)->size(), 2u);
-  EXPECT_EQ(catalogue().persons()->size(), persons) << "AP was there";
+  EXPECT_TRUE(sherds::PairDecisions(catalogue()).current(batch)->empty());
+  EXPECT_EQ(sherds::PairDecisions(catalogue()).all(batch)->size(), 2u);
+  EXPECT_EQ(catalogue::People(catalogue()).all()->size(), persons) << "AP was there";
 }
 
 TEST_F(ReviewDecisions, InitialsInOtherCapitalsAreTheSamePerson) {
@@ -60,13 +70,14 @@ TEST_F(ReviewDecisions, InitialsInOtherCapitalsAreTheSamePerson) {
   typed.by = "ap";
   const Result<void> entered = enter(typed);
   ASSERT_TRUE(entered) << entered.error().sentence();
-  for (const records::PairDecision& row : catalogue::valueIn(catalogue().decisions(batch)))
+  for (const records::PairDecision& row :
+       catalogue::valueIn(sherds::PairDecisions(catalogue()).all(batch)))
     EXPECT_EQ(row.by, anna.person);
 }
 
 TEST_F(ReviewDecisions, EachScanSetAsideHasARow) {
   ASSERT_TRUE(enter(decision(DecisionKind::Aside, 1)));
-  EXPECT_EQ(catalogue().decisions(batch)->size(), 2u);
+  EXPECT_EQ(sherds::PairDecisions(catalogue()).all(batch)->size(), 2u);
 }
 
 TEST_F(ReviewDecisions, JoinsAndCutsAreKeptAndTakenBack) {
@@ -75,8 +86,8 @@ TEST_F(ReviewDecisions, JoinsAndCutsAreKeptAndTakenBack) {
   ASSERT_TRUE(enter(join));
   decisions::PairDecision back = join;
   back.kind = DecisionKind::Withdraw;
-  back.number = 3;
-  back.replaces = {2};
+  back.id = idOf(3);
+  back.replaces = {join.id};
   ASSERT_TRUE(enter(back));
   const auto kept = pieceDecisions(catalogue(), batch);
   ASSERT_EQ(kept->size(), 2u);
@@ -84,7 +95,7 @@ TEST_F(ReviewDecisions, JoinsAndCutsAreKeptAndTakenBack) {
   EXPECT_EQ(kept->at(0).pieces.at(0).name, "b002");
   EXPECT_EQ(kept->at(1).verdict, PieceVerdict::Withdraw);
   EXPECT_EQ(kept->at(1).replaces, kept->at(0).row);
-  EXPECT_TRUE(catalogue().decisions(batch)->empty());
+  EXPECT_TRUE(sherds::PairDecisions(catalogue()).all(batch)->empty());
 }
 
 TEST_F(ReviewDecisions, AScanThatIsNotEnteredIsSaid) {
@@ -98,24 +109,25 @@ TEST_F(ReviewDecisions, AScanThatIsNotEnteredIsSaid) {
 
 // The pieces were numbered anew between the decision and its entry.
 TEST_F(ReviewDecisions, AScanIsKnownByItsPlace) {
-  std::vector<records::ScanRecord> scans = catalogue::valueIn(catalogue().scans(batch));
+  std::vector<records::ScanRecord> scans =
+      catalogue::valueIn(catalogue::Batches(catalogue()).scans(batch));
   records::ScanRecord other = scans.front();
   for (records::ScanRecord& scan : scans) {
     scan.plate_x_mm = 40;
     scan.plate_y_mm = 0;
-    ASSERT_TRUE(catalogue().save(scan, {}));
+    ASSERT_TRUE(catalogue::Batches(catalogue()).save(scan, {}));
   }
   other.row = {};
   other.index = 2;
   other.name = "f002";
   other.plate_x_mm = other.plate_y_mm = 0;
-  const store::ScanRow meant = *catalogue().save(other, {});
+  const store::ScanRow meant = *catalogue::Batches(catalogue()).save(other, {});
   decisions::PairDecision d = decision(DecisionKind::Aside, 1);
   d.scans = {{batch::Side::Front, "f001", {3, 1}}};
   ASSERT_TRUE(enter(d));
-  EXPECT_EQ(catalogue().decisions(batch)->front().front, meant);
+  EXPECT_EQ(sherds::PairDecisions(catalogue()).all(batch)->front().front, meant);
   // Another piece has its old name by now, and none lies where it lay.
-  d.number = 2;
+  d.id = idOf(2);
   d.scans = {{batch::Side::Front, "f001", {90, 90}}};
   EXPECT_FALSE(enter(d));
 }
@@ -139,49 +151,27 @@ TEST_F(ReviewDecisions, WhatWasDecidedWithoutTheCatalogueIsEnteredOnce) {
   append(DecisionKind::Aside, {{batch::Side::Front, "f007", {90, 90}}});
   EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 1) << "f007 is gone";
   EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 0);
-  ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
-  const records::PairDecision now = catalogue().currentDecisions(batch)->front();
+  ASSERT_EQ(sherds::PairDecisions(catalogue()).current(batch)->size(), 1u);
+  const records::PairDecision now = sherds::PairDecisions(catalogue()).current(batch)->front();
   EXPECT_EQ(now.verdict, records::Verdict::Accept);
   EXPECT_EQ(now.by, anna.person);
 }
 
 // Rows that came with another computer's export, or of a results folder that was moved away.
-TEST_F(ReviewDecisions, ADecisionOfAnotherFileIsNotMistakenForOneOfTheSameNumber) {
+TEST_F(ReviewDecisions, ADecisionOfAnotherFileIsNotMistakenForOneOfThisFile) {
   const std::filesystem::path output = project_->resultsFolder("B0001");
   std::filesystem::create_directories(output);
-  decisions::PairDecision elsewhere = decision(DecisionKind::Pair, 1);
-  elsewhere.at = "2026-03-01T09:30:12Z";
+  const decisions::PairDecision elsewhere = decision(DecisionKind::Pair, 1);
   ASSERT_TRUE(enter(elsewhere));
-  decisions::PairDecision here = decision(DecisionKind::Pair, 0);
-  here = *decisions::appendDecision(output, here);
-  ASSERT_EQ(here.number, 1);
+  const auto here = decisions::appendDecision(output, decision(DecisionKind::Pair, 0));
+  ASSERT_TRUE(here);
   EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 1) << "it is not there already";
   decisions::PairDecision back = decision(DecisionKind::Withdraw, 0);
-  back.replaces = {1};
+  back.replaces = {here->id};
   ASSERT_TRUE(enter(*decisions::appendDecision(output, back)));
-  ASSERT_EQ(catalogue().currentDecisions(batch)->size(), 1u) << "the other's word stands";
-  EXPECT_EQ(catalogue().currentDecisions(batch)->front().note,
-            "decision 1 of 2026-03-01T09:30:12Z");
-}
-
-TEST_F(ReviewDecisions, RowsThatAnEarlierProgramMarkedByTheNumberAloneAreKnown) {
-  const std::filesystem::path output = project_->resultsFolder("B0001");
-  std::filesystem::create_directories(output);
-  now_ms = 4'102'444'800'000;  // 1 January 2100: they are entered after they were taken
-  ASSERT_TRUE(enter(decision(DecisionKind::Pair, 1)));
-  ASSERT_EQ(catalogue().decisions(batch)->front().note, "decision 1");
-  ASSERT_TRUE(decisions::appendDecision(output, decision(DecisionKind::Pair, 0)));
-  EXPECT_EQ(*followDecisions(catalogue(), "B0001", output), 0);
-  decisions::PairDecision back = decision(DecisionKind::Withdraw, 0);
-  back.replaces = {1};
-  const decisions::PairDecision taken = *decisions::appendDecision(output, back);
-  ASSERT_TRUE(enter(taken));
-  EXPECT_TRUE(catalogue().currentDecisions(batch)->empty());
-  // One that was entered before this file was begun is none of it.
-  now_ms = 946'684'800'000;  // 1 January 2000
-  ASSERT_TRUE(enter(decision(DecisionKind::Pair, 1)));
-  ASSERT_TRUE(enter(taken));
-  EXPECT_EQ(catalogue().currentDecisions(batch)->size(), 1u);
+  ASSERT_EQ(sherds::PairDecisions(catalogue()).current(batch)->size(), 1u)
+      << "the other's word stands";
+  EXPECT_EQ(sherds::PairDecisions(catalogue()).current(batch)->front().decision, elsewhere.id);
 }
 
 // Two fronts and two backs with their places, and decisions.json beside the table of these results.
@@ -192,20 +182,21 @@ class ResultsOfDecisions : public ReviewDecisions {
     for (int i = 1; i <= 2; ++i)
       for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
         records::ScanRecord record;
-        for (const records::ScanRecord& there : catalogue::valueIn(catalogue().scans(batch)))
+        for (const records::ScanRecord& there :
+             catalogue::valueIn(catalogue::Batches(catalogue()).scans(batch)))
           if (there.side == side && there.index == i) record = there;
         record.batch = batch;
         record.side = side;
         record.index = i;
-        record.name = idOf(side, i);
+        record.name = nameOf(side, i);
         record.path = "results/B0001/scans/" + record.name + ".ply";
         record.plate_x_mm = 40 * i;
         record.plate_y_mm = 0;
-        rows[{side, i}] = *catalogue().save(record, {});
+        rows[{side, i}] = *catalogue::Batches(catalogue()).save(record, {});
       }
     computed("first", {40, 80});
   }
-  static std::string idOf(batch::Side side, int i) {
+  static std::string nameOf(batch::Side side, int i) {
     return (side == batch::Side::Front ? "f00" : "b00") + std::to_string(i);
   }
   // The chain's results: pieces of both sides at these places, in photographs of this name.
@@ -213,15 +204,16 @@ class ResultsOfDecisions : public ReviewDecisions {
     decisions::CandidateTable table;
     for (std::size_t i = 0; i < at_mm.size(); ++i) {
       const int n = static_cast<int>(i) + 1;
-      table.fronts.push_back({batch::Side::Front, idOf(batch::Side::Front, n), {at_mm[i], 0}, {}});
-      table.backs.push_back({batch::Side::Back, idOf(batch::Side::Back, n), {at_mm[i], 0}, {}});
+      table.fronts.push_back(
+          {batch::Side::Front, nameOf(batch::Side::Front, n), {at_mm[i], 0}, {}});
+      table.backs.push_back({batch::Side::Back, nameOf(batch::Side::Back, n), {at_mm[i], 0}, {}});
       table.fronts.back().photographs = table.backs.back().photographs = photographs;
     }
     ASSERT_TRUE(writeFileAtomically(output / "work/pairs/candidates.json",
                                     decisions::toJson(table).dump()));
   }
   decisions::PairDecision taken(DecisionKind kind, std::vector<decisions::ScanRef> scans,
-                                std::vector<int> replaces = {}) {
+                                std::vector<std::string> replaces = {}) {
     decisions::PairDecision d;
     d.kind = kind;
     d.by = "AP";
@@ -230,19 +222,20 @@ class ResultsOfDecisions : public ReviewDecisions {
     return catalogue::valueIn(decisions::appendDecision(output, d));
   }
   static decisions::ScanRef front(int i) {
-    return {batch::Side::Front, idOf(batch::Side::Front, i), {40.0 * i, 0}, "first"};
+    return {batch::Side::Front, nameOf(batch::Side::Front, i), {40.0 * i, 0}, "first"};
   }
   static decisions::ScanRef back(int i) {
-    return {batch::Side::Back, idOf(batch::Side::Back, i), {40.0 * i, 0}, "first"};
+    return {batch::Side::Back, nameOf(batch::Side::Back, i), {40.0 * i, 0}, "first"};
   }
   // The i-th front by its new number and place.
   store::ScanRow moved(int i, int number, double x_mm) {
-    for (records::ScanRecord scan : catalogue::valueIn(catalogue().scans(batch)))
+    for (records::ScanRecord scan :
+         catalogue::valueIn(catalogue::Batches(catalogue()).scans(batch)))
       if (scan.row == rows[{batch::Side::Front, i}]) {
         scan.index = 10 + number;  // out of the way of the other
-        scan.name = idOf(batch::Side::Front, number);
+        scan.name = nameOf(batch::Side::Front, number);
         scan.plate_x_mm = x_mm;
-        return *catalogue().save(scan, {});
+        return *catalogue::Batches(catalogue()).save(scan, {});
       }
     return {};
   }
@@ -250,7 +243,8 @@ class ResultsOfDecisions : public ReviewDecisions {
   /// "f1-b2 f2": what counts, fronts first.
   std::string counting() {
     std::string text;
-    for (const records::PairDecision& d : catalogue::valueIn(catalogue().currentDecisions(batch))) {
+    for (const records::PairDecision& d :
+         catalogue::valueIn(sherds::PairDecisions(catalogue()).current(batch))) {
       text += text.empty() ? "" : " ";
       for (const auto& [key, row] : rows)
         if (key.first == batch::Side::Front && row == d.front)
@@ -266,15 +260,17 @@ class ResultsOfDecisions : public ReviewDecisions {
 };
 
 TEST_F(ResultsOfDecisions, AWithdrawalThatTheCatalogueMissedIsEntered) {
-  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(2)})));
-  taken(DecisionKind::Withdraw, {}, {1});
+  const decisions::PairDecision pair = taken(DecisionKind::Pair, {front(1), back(2)});
+  ASSERT_TRUE(enter(pair));
+  const decisions::PairDecision withdrawal = taken(DecisionKind::Withdraw, {}, {pair.id});
   EXPECT_EQ(follow(), 1);
   EXPECT_EQ(counting(), "");
-  const records::PairDecision end = catalogue::valueIn(catalogue().decisions(batch)).back();
+  const records::PairDecision end =
+      catalogue::valueIn(sherds::PairDecisions(catalogue()).all(batch)).back();
   EXPECT_EQ(end.by, anna.person);
-  EXPECT_EQ(end.note.rfind("decision 2 of ", 0), 0U) << end.note;
+  EXPECT_EQ(end.decision, withdrawal.id);
   EXPECT_EQ(follow(), 0);
-  EXPECT_EQ(catalogue().decisions(batch)->size(), 2U) << "nothing is deleted";
+  EXPECT_EQ(sherds::PairDecisions(catalogue()).all(batch)->size(), 2U) << "nothing is deleted";
 }
 
 TEST_F(ResultsOfDecisions, WhatWasSaidOfEarlierPhotographsDoesNotCount) {
@@ -301,7 +297,7 @@ TEST_F(ResultsOfDecisions, WhatWasSaidOfAPieceThatIsGoneDoesNotCount) {
 TEST_F(ResultsOfDecisions, WhatIsDoneAgainAfterTheBacksWerePhotographedAgainPairsNobody) {
   const decisions::PairDecision pair = taken(DecisionKind::Pair, {front(1), back(2)});
   ASSERT_TRUE(enter(pair));
-  ASSERT_TRUE(enter(taken(DecisionKind::Withdraw, {}, {pair.number})));
+  ASSERT_TRUE(enter(taken(DecisionKind::Withdraw, {}, {pair.id})));
   computed("second", {40, 80});
   const Result<void> again = enter(taken(DecisionKind::Pair, pair.scans));
   ASSERT_FALSE(again);
@@ -322,12 +318,12 @@ TEST_F(ResultsOfDecisions, WhatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened) 
     return catalogue::valueIn(catchUp(project_->folder(), "B0001", output));
   };
   taken(DecisionKind::Pair, {front(1), back(1)});
-  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Review, {}));
+  ASSERT_TRUE(catalogue::Batches(catalogue()).setState(batch, records::BatchState::Review, {}));
   EXPECT_EQ(caught(), 0) << "its results are not whole";
   ASSERT_TRUE(writeFileAtomically(output / "report.json", "{}"));
-  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Flipped, {}));
+  ASSERT_TRUE(catalogue::Batches(catalogue()).setState(batch, records::BatchState::Flipped, {}));
   EXPECT_EQ(caught(), 0) << "its back is being photographed again";
-  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Review, {}));
+  ASSERT_TRUE(catalogue::Batches(catalogue()).setState(batch, records::BatchState::Review, {}));
   EXPECT_EQ(caught(), 1);
   EXPECT_EQ(counting(), "f1-b1");
   EXPECT_EQ(caught(), 0);
@@ -337,10 +333,11 @@ TEST_F(ResultsOfDecisions, WhatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened) 
 
 TEST_F(ResultsOfDecisions, WhatALaterDecisionStandsAboveCountsAgainWhenThatIsTakenBack) {
   ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(1)})));
-  ASSERT_TRUE(enter(taken(DecisionKind::Pair, {front(1), back(2)})));
+  const decisions::PairDecision later = taken(DecisionKind::Pair, {front(1), back(2)});
+  ASSERT_TRUE(enter(later));
   EXPECT_EQ(follow(), 0);
   EXPECT_EQ(counting(), "f1-b2");
-  ASSERT_TRUE(enter(taken(DecisionKind::Withdraw, {}, {2})));
+  ASSERT_TRUE(enter(taken(DecisionKind::Withdraw, {}, {later.id})));
   EXPECT_EQ(counting(), "f1-b1");
   EXPECT_EQ(follow(), 0);
   // One that replaced only a part of an earlier one frees the rest of it.
@@ -355,28 +352,28 @@ TEST_F(ResultsOfDecisions, WhatWasDecidedInTheCatalogueStays) {
   own.batch = batch;
   own.front = rows.at({batch::Side::Front, 1});
   own.back = rows.at({batch::Side::Back, 2});
-  ASSERT_TRUE(catalogue().decide(own, anna));
-  own.note = "decision 1 of 2026-03-01T09:30:12Z";  // of another computer's file
+  ASSERT_TRUE(sherds::PairDecisions(catalogue()).add(own, anna));
+  own.decision = ReviewDecisions::idOf(1);  // of another computer's file
   own.front = rows.at({batch::Side::Front, 2});
   own.back = rows.at({batch::Side::Back, 1});
-  ASSERT_TRUE(catalogue().decide(own, anna));
-  taken(DecisionKind::Reshoot, {front(1)});
-  taken(DecisionKind::Withdraw, {}, {1});
-  now_ms = 4'102'444'800'000;  // 1 January 2100
-  const records::Provenance other{*catalogue().personByInitials("MH", anna), "import", {}};
-  own.note = "decision 1";  // the same by an earlier program, of another person
-  ASSERT_TRUE(catalogue().decide(own, other));
+  ASSERT_TRUE(sherds::PairDecisions(catalogue()).add(own, anna));
+  const decisions::PairDecision reshoot = taken(DecisionKind::Reshoot, {front(1)});
+  taken(DecisionKind::Withdraw, {}, {reshoot.id});
+  const records::Provenance other{
+      *catalogue::People(catalogue()).byInitials("MH", anna), "import", {}};
+  own.decision = ReviewDecisions::idOf(2);  // likewise, of another person
+  ASSERT_TRUE(sherds::PairDecisions(catalogue()).add(own, other));
   computed("second", {300, 400});
   EXPECT_EQ(follow(), 0);
   EXPECT_EQ(counting(), "f1-b2 f2-b1");
 }
 
 TEST_F(ResultsOfDecisions, JoinsThatWereTakenBackAreTakenBack) {
-  taken(DecisionKind::Join, {front(1), front(2)});
+  const decisions::PairDecision join = taken(DecisionKind::Join, {front(1), front(2)});
   EXPECT_EQ(follow(), 1);
   computed("first", {60});
   EXPECT_EQ(follow(), 0) << "its pieces are one now";
-  taken(DecisionKind::Withdraw, {}, {1});
+  taken(DecisionKind::Withdraw, {}, {join.id});
   EXPECT_EQ(follow(), 1);
   EXPECT_EQ(pieceDecisions(catalogue(), batch)->back().verdict, PieceVerdict::Withdraw);
 }
@@ -388,38 +385,27 @@ TEST_F(ResultsOfDecisions, AJoinThatWasComputedAndTakenBackLeavesNoModelOfIt) {
   whole.batch = batch;
   whole.front = rows[{batch::Side::Front, 1}];
   whole.back = rows[{batch::Side::Back, 1}];
-  const store::SherdRow sherd = catalogue::valueIn(catalogue().addSherd(whole, anna));
-  ASSERT_TRUE(catalogue().setModel(sherd, "models/B0001/1/model.ply", ""));
-  const decisions::PairDecision back = taken(DecisionKind::Withdraw, {}, {join.number});
+  const store::SherdRow sherd = catalogue::valueIn(sherds::Sherds(catalogue()).add(whole, anna));
+  ASSERT_TRUE(sherds::Sherds(catalogue()).setModel(sherd, "models/B0001/1/model.ply", ""));
+  const decisions::PairDecision back = taken(DecisionKind::Withdraw, {}, {join.id});
   ASSERT_TRUE(forgetPiecesOf(catalogue(), "B0001", back, output));
-  EXPECT_FALSE(catalogue().sherd(sherd)->model_path.empty()) << "the join was never computed";
+  EXPECT_FALSE(sherds::Sherds(catalogue()).get(sherd)->model_path.empty())
+      << "the join was never computed";
   ASSERT_TRUE(writeFileAtomically(
       output / "report.json",
-      nlohmann::json({{"format", "ostraka-report/1"}, {"decisions", {join.number}}}).dump()));
+      nlohmann::json({{"format", "ostraka-report/1"}, {"decisions", {join.id}}}).dump()));
   // One piece now, and called otherwise: a stranger that was found beside it has its name.
   records::SherdRecord strange;
   strange.context = context12;
   strange.batch = batch;
   strange.front = moved(2, 1, -80);
   moved(1, 2, 60);
-  const store::SherdRow stranger = catalogue::valueIn(catalogue().addSherd(strange, anna));
-  ASSERT_TRUE(catalogue().setModel(stranger, "models/B0001/2/model.ply", ""));
+  const store::SherdRow stranger =
+      catalogue::valueIn(sherds::Sherds(catalogue()).add(strange, anna));
+  ASSERT_TRUE(sherds::Sherds(catalogue()).setModel(stranger, "models/B0001/2/model.ply", ""));
   ASSERT_TRUE(forgetPiecesOf(catalogue(), "B0001", back, output));
-  EXPECT_TRUE(catalogue().sherd(sherd)->model_path.empty());
-  EXPECT_FALSE(catalogue().sherd(stranger)->model_path.empty());
-}
-
-TEST_F(ReviewDecisions, ABatchIsSettledUnlessItsScaleIsInDoubt) {
-  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Review, {}));
-  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Done);
-  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "", false)) << "nobody said a name";
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
-  records::BatchRecord doubtful = *catalogue().batch(batch);
-  doubtful.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
-  ASSERT_TRUE(catalogue().saveBatch(doubtful, {}));
-  ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
-  EXPECT_EQ(catalogue().batch(batch)->state, records::BatchState::Review);
+  EXPECT_TRUE(sherds::Sherds(catalogue()).get(sherd)->model_path.empty());
+  EXPECT_FALSE(sherds::Sherds(catalogue()).get(stranger)->model_path.empty());
 }
 
 }  // namespace

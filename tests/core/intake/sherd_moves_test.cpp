@@ -2,6 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include "catalogue/settings.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/numbers.h"
+#include "sherds/sherd_changes.h"
 #include "tests/core/catalogue/small_project.h"
 
 namespace ostraka::intake {
@@ -15,7 +20,7 @@ class Moves : public catalogue::SmallProject {
   Moves() {
     first = draft(context12, bag4);
     second = draft(context12, bag5);
-    EXPECT_TRUE(catalogue().assignNumbers(std::vector{first, second}, anna));
+    EXPECT_TRUE(sherds::Numbers(catalogue()).assign(std::vector{first, second}, anna));
   }
   Move move(const std::vector<records::FieldChange>& wanted) {
     return catalogue::valueIn(moveOf(catalogue(), wanted));
@@ -29,12 +34,13 @@ TEST_F(Moves, LeaveTheBagsOfTheOldContextAndUndoBringsThemBack) {
   EXPECT_EQ(both.without_bag, 2);
   EXPECT_THAT(both.bags, ElementsAre("4", "5"));
   EXPECT_THAT(both.numbers, ElementsAre("ARM1-T3-0012-0001", "ARM1-T3-0012-0002"));
-  const Result<std::vector<records::FieldChange>> undo = catalogue().change(both.changes, anna);
+  const Result<std::vector<records::FieldChange>> undo =
+      sherds::SherdChanges(catalogue()).apply(both.changes, anna);
   ASSERT_TRUE(undo) << undo.error().sentence();
   EXPECT_EQ(valueOf(first, "context"), "0013");
   EXPECT_EQ(valueOf(first, "bag"), "");
   EXPECT_EQ(valueOf(second, "bag"), "");
-  ASSERT_TRUE(catalogue().change(*undo, anna));
+  ASSERT_TRUE(sherds::SherdChanges(catalogue()).apply(*undo, anna));
   EXPECT_EQ(valueOf(first, "context"), "0012");
   EXPECT_EQ(valueOf(first, "bag"), "4");
   EXPECT_EQ(valueOf(second, "bag"), "5");
@@ -61,9 +67,9 @@ TEST_F(Moves, ThatAreNoneOrAreRefusedLeaveNothing) {
 }
 
 TEST_F(Moves, TellNoNumbersWhereTheSchemeNamesNoContext) {
-  records::ProjectRecord project = *catalogue().project();
+  records::ProjectRecord project = *catalogue::Settings(catalogue()).project();
   project.numbering = "{site}-{n}";
-  ASSERT_TRUE(catalogue().setProject(project, anna));
+  ASSERT_TRUE(catalogue::Settings(catalogue()).setProject(project, anna));
   const store::SherdRow third = numbered(context12);
   EXPECT_THAT(move({{third, "context", "0013"}}).numbers, IsEmpty());
 }

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include "files/json.h"
 
 #include "cloud/nearest.h"
 #include "cloud/ply.h"
+#include "files/json.h"
 #include "model/model.h"
 
 namespace ostraka::model {

@@ -243,7 +243,7 @@ TEST_F(ProcessBatch, DoesWhatAPersonDecidedAndOnlyWhatFollowsFromIt) {
   decisions::PairDecision undo;
   undo.kind = decisions::DecisionKind::Withdraw;
   undo.by = "AP";
-  undo.replaces = {written->number};
+  undo.replaces = {written->id};
   ASSERT_TRUE(decisions::appendDecision(folder_ / "decided", undo).has_value());
   ASSERT_TRUE(process(folder_ / "decided", 1, quiet).has_value());
   EXPECT_EQ(results(folder_ / "decided"), before) << "withdrawn, all is as it was";

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 
 #include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
 #include "tests/core/catalogue/small_project.h"
 
 namespace ostraka::records {
@@ -58,13 +61,14 @@ class TypedMeasure : public catalogue::SmallProject {
  protected:
   TypedMeasure() : sherd(numbered(context12)) {
     for (const auto& [kind, value] : {std::pair("length", 72.39), std::pair("width", 60.77)})
-      EXPECT_TRUE(catalogue().measure({sherd, kind, {}, value, {}, "program", {}, "m1"}, {}));
+      EXPECT_TRUE(sherds::Measurements(catalogue())
+                      .add({sherd, kind, {}, value, {}, "program", {}, "m1"}, {}));
   }
   FieldChange typed(const std::string& value, Confirmation confirmation = Confirmation::None) {
     return {sherd, "length_mm", value, confirmation};
   }
   ChangePreview previewOf(const FieldChange& change) {
-    return catalogue().preview(std::span(&change, 1))->front();
+    return sherds::SherdChanges(catalogue()).preview(std::span(&change, 1))->front();
   }
   store::SherdRow sherd;
 };
@@ -77,7 +81,7 @@ TEST_F(TypedMeasure, NeverTakesTheComputedOnesPlaceUnasked) {
   EXPECT_THAT(shown.question, HasSubstr("the length (7 mm) is below the width (60.77 mm)."));
   EXPECT_THAT(shown.question,
               HasSubstr("The computed value is 72.39 mm. Replace it with the measured value?"));
-  const auto refused = catalogue().change(std::span(&slip, 1), anna);
+  const auto refused = sherds::SherdChanges(catalogue()).apply(std::span(&slip, 1), anna);
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().what, HasSubstr("Replace it with the measured value?"));
   EXPECT_EQ(valueOf(sherd, "length_mm"), "72.39");
@@ -85,22 +89,23 @@ TEST_F(TypedMeasure, NeverTakesTheComputedOnesPlaceUnasked) {
 
 TEST_F(TypedMeasure, OnceConfirmedKeepsTheComputedOneBesideIt) {
   const FieldChange replace = typed("70.5", Confirmation::Given);
-  const auto undo = catalogue().change(std::span(&replace, 1), anna);
+  const auto undo = sherds::SherdChanges(catalogue()).apply(std::span(&replace, 1), anna);
   ASSERT_TRUE(undo) << undo.error().sentence();
-  SherdRecord record = *catalogue().sherd(sherd);
+  SherdRecord record = *sherds::Sherds(catalogue()).get(sherd);
   EXPECT_EQ(record.measures.at("length"), 70.5);
   EXPECT_THAT(record.replaced, ElementsAre(testing::Pair("length", 72.39)));
   EXPECT_FALSE(previewOf(typed("70.4")).asks()) << "a person's value gives way to another";
   EXPECT_FALSE(previewOf(typed("72.39")).asks()) << "nor is the computed one asked about";
-  ASSERT_TRUE(catalogue().change(*undo, anna)) << "what undoes it asks nothing";
-  record = *catalogue().sherd(sherd);
+  ASSERT_TRUE(sherds::SherdChanges(catalogue()).apply(*undo, anna))
+      << "what undoes it asks nothing";
+  record = *sherds::Sherds(catalogue()).get(sherd);
   EXPECT_EQ(record.measures.at("length"), 72.39);
   EXPECT_TRUE(record.replaced.empty());
 }
 
 TEST_F(TypedMeasure, ComparesLengthAndWidthThatChangeTogether) {
   const std::vector<FieldChange> both = {typed("50"), {sherd, "width_mm", "40"}};
-  const auto previews = catalogue().preview(both);
+  const auto previews = sherds::SherdChanges(catalogue()).preview(both);
   ASSERT_TRUE(previews);
   for (const ChangePreview& one : *previews)
     EXPECT_THAT(one.question, Not(HasSubstr("is below"))) << one.change.field;

@@ -41,6 +41,29 @@ TEST(RegisterSides, FindsTheKnownPoseFromMillimetresOff) {
   EXPECT_GT(found->log_likelihood, 2.0);
 }
 
+// The paper's method says nothing of its pose but the distance of the points: the rest is measured.
+TEST(RegisterSides, WhatTheBilateralBoundaryIcpFindsIsMeasuredAsOurs) {
+  const SimulatedSherd sherd = raised(simulatedSherd({}), ContactOptions{}.scanned_face_gap_mm);
+  RegistrationOptions options;
+  options.method = Method::BilateralBoundary;
+  const Isometry3d start = startOff(sherd, 1.5, 0.05);
+  const auto found = run(sherd.front, sherd.back, {start}, options);
+  ASSERT_TRUE(found.has_value()) << found.error().what;
+  EXPECT_LT(rms_mm(found->front_from_back, sherd.truth, sherd.back), 0.3);
+  EXPECT_FALSE(found->check_failed) << found->reason;
+  const auto ours = run(sherd.front, sherd.back, {start});
+  ASSERT_TRUE(ours.has_value());
+  EXPECT_NEAR(found->fracture_overlap, ours->fracture_overlap, 0.15);
+  EXPECT_NEAR(found->thickness_mm, ours->thickness_mm, 0.2);
+  EXPECT_GT(found->uncertainty_mm, 0.5 * ours->uncertainty_mm);
+  EXPECT_LT(found->uncertainty_mm, 0.3);
+  EXPECT_GE(found->fracture_rms_mm, ours->fracture_rms_mm);
+
+  const SimulatedSherd other = simulatedSherd({.seed = 9});
+  const auto wrong = run(sherd.front, other.back, {start}, options);
+  if (wrong) EXPECT_TRUE(wrong->check_failed) << "two different sherds";
+}
+
 TEST(RegisterSides, FindsTheKnownPoseInFramesWithoutPlate) {
   const SimulatedSherd sherd = simulatedSherd({.seed = 3});
   const auto found = run(sherd.front, sherd.back, {startOff(sherd, 1.0, 0.04)}, {}, false);

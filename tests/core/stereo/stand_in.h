@@ -14,7 +14,7 @@ namespace ostraka::stereo {
 class StandIns : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "-doors");
+    folder_ = std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "-adapters");
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_ / "bin");
     path_ = std::getenv("PATH");

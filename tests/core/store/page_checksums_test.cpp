@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "sherds/sherds.h"
 #include "store/file_header.h"
 #include "store/migrations.h"
 #include "tests/core/catalogue/flipped_bits.h"
@@ -140,7 +141,7 @@ TEST_F(PageChecksums, WhatAKilledProcessSavedIsThere) {
   ASSERT_GT(fs::file_size(file().string() + "-wal"), 0u) << "nothing was tried";
   const Result<upkeep::Project> again = upkeep::Project::open(folder());
   ASSERT_TRUE(again) << again.error().sentence();
-  EXPECT_EQ(again->catalogue().sherdRows({}, {})->size(), 30u);
+  EXPECT_EQ(sherds::Sherds(again->catalogue()).rows({}, {})->size(), 30u);
   EXPECT_TRUE(again->catalogue().checkIntegrity());
 }
 
@@ -174,7 +175,8 @@ TEST_F(PageChecksums, ManyWritersAtOnceLeaveAWholeFile) {
     if (child == 0) {
       project_ = std::make_unique<upkeep::Project>(*upkeep::Project::open(folder()));
       bool all = true;
-      for (int i = 0; i < 40; ++i) all = catalogue().addSherd({}, anna).has_value() && all;
+      for (int i = 0; i < 40; ++i)
+        all = sherds::Sherds(catalogue()).add({}, anna).has_value() && all;
       if (writer % 2 == 0) project_.reset();
       ::_exit(all ? 0 : 1);
     }
@@ -187,7 +189,7 @@ TEST_F(PageChecksums, ManyWritersAtOnceLeaveAWholeFile) {
   }
   const Result<upkeep::Project> again = upkeep::Project::open(folder());
   ASSERT_TRUE(again) << again.error().sentence();
-  EXPECT_EQ(again->catalogue().sherdRows({}, {})->size(), 160u);
+  EXPECT_EQ(sherds::Sherds(again->catalogue()).rows({}, {})->size(), 160u);
   const Result<void> whole = again->catalogue().checkIntegrity();
   EXPECT_TRUE(whole) << whole.error().sentence();
 }

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include "sherds/measurements.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "tables/import_table.h"
 #include "tests/core/catalogue/small_project.h"
 
@@ -33,7 +36,8 @@ class Columns : public SmallProject {
     return report ? *report : ImportReport();
   }
   std::string valueIn(const char* number, const char* field) {
-    return records::textOf(*catalogue().sherd(*catalogue().sherdByNumber(number)), field);
+    return sherds::textOf(
+        *sherds::Sherds(catalogue()).get(*sherds::Sherds(catalogue()).byNumber(number)), field);
   }
   QuietProgress quiet;
 };
@@ -77,8 +81,9 @@ TEST_F(Columns, AreEnteredInTheFieldsOwnUnitsExactly) {
   EXPECT_EQ(valueIn("X-1", "weight_g"), "1500");
   EXPECT_EQ(valueIn("X-1", "thickness_mean_mm"), "12");
   EXPECT_EQ(valueIn("X-1", "extra.Schublade"), "7");
-  EXPECT_EQ(catalogue().sherd(*catalogue().sherdByNumber("X-1"))->extra_json,
-            "{\"Schublade\":\"7\"}")
+  EXPECT_EQ(
+      sherds::Sherds(catalogue()).get(*sherds::Sherds(catalogue()).byNumber("X-1"))->extra_json,
+      "{\"Schublade\":\"7\"}")
       << "what is left out is nowhere";
 }
 
@@ -127,7 +132,8 @@ TEST(ColumnChoices, AreReadAsTheyAreTyped) {
 
 TEST_F(Columns, OfMeasuresThatTheCatalogueAsksAboutHoldTheirRowUntilItIsConfirmed) {
   const store::SherdRow sherd = numbered(context12);
-  ASSERT_TRUE(catalogue().measure({sherd, "length", {}, 72.39, {}, "program", {}, "m"}, {}));
+  ASSERT_TRUE(sherds::Measurements(catalogue())
+                  .add({sherd, "length", {}, 72.39, {}, "program", {}, "m"}, {}));
   const std::string table = "number,length_mm,note\n" + valueOf(sherd, "number") + ",7,slip\n";
   ImportReport report = import(table);
   EXPECT_EQ(report.asked, 1);
@@ -142,7 +148,7 @@ TEST_F(Columns, OfMeasuresThatTheCatalogueAsksAboutHoldTheirRowUntilItIsConfirme
   report = *importTable(catalogue(), table, "t.csv", options, anna, quiet, {});
   EXPECT_EQ(report.changed, 1);
   EXPECT_EQ(valueOf(sherd, "length_mm"), "7");
-  EXPECT_EQ(catalogue().sherd(sherd)->replaced.at("length"), 72.39);
+  EXPECT_EQ(sherds::Sherds(catalogue()).get(sherd)->replaced.at("length"), 72.39);
 }
 
 }  // namespace

@@ -7,7 +7,16 @@
 #include <thread>
 #include <utility>
 
+#include "catalogue/batches.h"
+#include "catalogue/history.h"
+#include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "exchange/export_folder.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "tables/csv.h"
 #include "tests/core/catalogue/small_project.h"
 
@@ -46,30 +55,30 @@ TEST_F(Import, OfSherdsMakesThemWithAllTheirValues) {
   EXPECT_EQ(report.fresh, 2);
   EXPECT_EQ(report.refused, 0);
   const records::SherdRecord sherd =
-      *catalogue().sherd(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+      *sherds::Sherds(catalogue()).get(*sherds::Sherds(catalogue()).byNumber("ARM1-T3-0012-0001"));
   EXPECT_EQ(sherd.bag, bag4);
-  EXPECT_EQ(records::textOf(sherd, "part"), "rim; neck");
+  EXPECT_EQ(sherds::textOf(sherd, "part"), "rim; neck");
   EXPECT_EQ(sherd.measures.at("weight"), 23.4);
   EXPECT_EQ(sherd.note, "=1+1") << "the guard against formulas is taken off";
-  EXPECT_EQ(catalogue().history(sherd.row)->front().source, "test");
+  EXPECT_EQ(History(catalogue()).of(sherd.row)->front().source, "test");
 }
 
 TEST_F(Import, TwiceGivesOnce) {
   import(kTwo);
-  const std::int64_t history = catalogue().historyLength();
+  const std::int64_t history = History(catalogue()).length();
   const ImportReport again = import(kTwo);
   EXPECT_EQ(again.fresh, 0);
   EXPECT_EQ(again.same, 2);
   EXPECT_EQ(again.changed, 0);
-  EXPECT_EQ(catalogue().historyLength(), history);
+  EXPECT_EQ(History(catalogue()).length(), history);
 }
 
 TEST_F(Import, APreviewCountsTheSameAndChangesNothing) {
-  const std::int64_t history = catalogue().historyLength();
+  const std::int64_t history = History(catalogue()).length();
   const ImportReport preview = import(kTwo, ImportMode::Preview);
   EXPECT_EQ(preview.fresh, 2);
-  EXPECT_EQ(catalogue().historyLength(), history);
-  EXPECT_FALSE(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+  EXPECT_EQ(History(catalogue()).length(), history);
+  EXPECT_FALSE(*sherds::Sherds(catalogue()).byNumber("ARM1-T3-0012-0001"));
 }
 
 TEST_F(Import, BlankKeepsAndClearDeletes) {
@@ -78,8 +87,8 @@ TEST_F(Import, BlankKeepsAndClearDeletes) {
       import("number,part,note,weight_g\nARM1-T3-0012-0001,,<clear>,<clear>\n");
   EXPECT_EQ(report.changed, 1);
   const records::SherdRecord sherd =
-      *catalogue().sherd(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
-  EXPECT_EQ(records::textOf(sherd, "part"), "rim; neck");
+      *sherds::Sherds(catalogue()).get(*sherds::Sherds(catalogue()).byNumber("ARM1-T3-0012-0001"));
+  EXPECT_EQ(sherds::textOf(sherd, "part"), "rim; neck");
   EXPECT_EQ(sherd.note, "");
   EXPECT_TRUE(sherd.measures.empty());
 }
@@ -109,8 +118,8 @@ TEST_F(Import, EachRefusalSaysRowColumnValueAndReason) {
   EXPECT_NE(why(head + "Y-1,ARM1,T3,0012,,,,,\ny-1,ARM1,T3,0012,,,,,\n")
                 .find("3 number y-1: This appears in two rows"),
             std::string::npos);
-  EXPECT_FALSE(*catalogue().sherdByNumber("X-1")) << "a refused row leaves nothing";
-  EXPECT_TRUE(*catalogue().sherdByNumber("Y-1")) << "the other rows enter";
+  EXPECT_FALSE(*sherds::Sherds(catalogue()).byNumber("X-1")) << "a refused row leaves nothing";
+  EXPECT_TRUE(*sherds::Sherds(catalogue()).byNumber("Y-1")) << "the other rows enter";
 }
 
 TEST_F(Import, RefusalsAreATableThemselves) {
@@ -126,17 +135,20 @@ TEST_F(Import, UnknownPlacesAreMadeWhenAskedFor) {
   EXPECT_EQ(import(table).refused, 2);
   const ImportReport report = import(table, ImportMode::Enter, UnknownPlaces::Make);
   EXPECT_EQ(report.fresh, 2);
-  const records::SherdRecord sherd = *catalogue().sherd(*catalogue().sherdByNumber("NEW-2"));
+  const records::SherdRecord sherd =
+      *sherds::Sherds(catalogue()).get(*sherds::Sherds(catalogue()).byNumber("NEW-2"));
   EXPECT_EQ(sherd.site + sherd.trench + sherd.context_number + sherd.bag_number, "TBA17");
-  EXPECT_EQ(catalogue().sites()->size(), 2u);
+  EXPECT_EQ(catalogue::Places(catalogue()).sites()->size(), 2u);
 }
 
 TEST_F(Import, UnknownColumnsBecomeFieldsOfOnesOwnWithAWarning) {
   const ImportReport report = import("number,site,trench,context,drawer\nX-1,ARM1,T3,0012,7\n");
   ASSERT_EQ(report.warnings.size(), 1u);
   EXPECT_NE(report.warnings[0].find("'drawer'"), std::string::npos);
-  EXPECT_EQ(records::textOf(*catalogue().sherd(*catalogue().sherdByNumber("X-1")), "extra.drawer"),
-            "7");
+  EXPECT_EQ(
+      sherds::textOf(*sherds::Sherds(catalogue()).get(*sherds::Sherds(catalogue()).byNumber("X-1")),
+                     "extra.drawer"),
+      "7");
 }
 
 TEST_F(Import, OfContextsMakesAndChangesThem) {
@@ -152,10 +164,13 @@ TEST_F(Import, OfContextsMakesAndChangesThem) {
   EXPECT_EQ(report.refused, 2);
   EXPECT_EQ(report.refusals[0].line, 4);
   EXPECT_NE(report.refusals[1].reason.find("2026-07-14"), std::string::npos);
-  const records::ContextRecord c = *catalogue().context(context12);
+  const records::ContextRecord c = *catalogue::Places(catalogue()).context(context12);
   EXPECT_EQ(c.kind, "layer");
   EXPECT_TRUE(c.closed);
-  EXPECT_EQ(catalogue().bags(*catalogue().contextByPlace("ARM1", "T4", "0001"))->front().weight_g,
+  EXPECT_EQ(catalogue::Places(catalogue())
+                .bags(*catalogue::Places(catalogue()).contextByPlace("ARM1", "T4", "0001"))
+                ->front()
+                .weight_g,
             12.5);
   const ImportReport again = import(table);
   EXPECT_EQ(again.same, 2);
@@ -178,7 +193,9 @@ TEST_F(Import, OfContextsKeepsColumnsThatItDoesNotKnow) {
   const ImportReport report =
       import("site;trench;context;description;Öffner\nARM1;T3;0012;dark fill;LT\n");
   EXPECT_EQ(report.warnings.size(), 2u);
-  const auto own = [&](store::ContextRow row) { return catalogue().context(row)->extra_json; };
+  const auto own = [&](store::ContextRow row) {
+    return catalogue::Places(catalogue()).context(row)->extra_json;
+  };
   EXPECT_EQ(own(context12), "{\"description\":\"dark fill\",\"Öffner\":\"LT\"}");
   EXPECT_EQ(import("site;trench;context;description\nARM1;T3;0012;\n").same, 1);
   EXPECT_EQ(import("site;trench;context;description\nARM1;T3;0012;<clear>\n").changed, 1);
@@ -192,8 +209,9 @@ TEST_F(Import, ATableOfSomethingElseIsRefusedWhole) {
 
 TEST_F(Import, TakesBackItsOwnExportUnchangedInAnyLocale) {
   import(kTwo);
-  ASSERT_TRUE(set(*catalogue().sherdByNumber("ARM1-T3-0013-0001"), "joins", "ARM1-T3-0012-0001"));
-  const std::vector<store::SherdRow> rows = *catalogue().sherdRows(Filter{}, {});
+  ASSERT_TRUE(set(*sherds::Sherds(catalogue()).byNumber("ARM1-T3-0013-0001"), "joins",
+                  "ARM1-T3-0012-0001"));
+  const std::vector<store::SherdRow> rows = *sherds::Sherds(catalogue()).rows(sherds::Filter{}, {});
   for (const char* locale : {"C", "de_DE.UTF-8", "pl_PL.UTF-8", "pt_BR.UTF-8"}) {
     std::setlocale(LC_ALL, locale);
     const Result<std::string> text =
@@ -209,14 +227,14 @@ TEST_F(Import, TakesBackItsOwnExportUnchangedInAnyLocale) {
 
 TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {
   import(kTwo);
-  const std::vector<store::SherdRow> rows = *catalogue().sherdRows(Filter(), {});
+  const std::vector<store::SherdRow> rows = *sherds::Sherds(catalogue()).rows(sherds::Filter(), {});
   for (const auto& [kind, value] :
        {std::pair("length", 32.833193793898516), std::pair("area", 15201.000499)}) {
     records::Measurement m;  // the program's
     m.sherd = rows[0];
     m.kind = kind;
     m.value = value;
-    ASSERT_TRUE(catalogue().measure(m, {}));
+    ASSERT_TRUE(sherds::Measurements(catalogue()).add(m, {}));
   }
   ASSERT_TRUE(set(rows[0], "width_mm", "21.0625"));
   const Result<std::string> text =
@@ -234,8 +252,9 @@ TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {
     EXPECT_EQ(report.changed, 0);
     EXPECT_TRUE(report.warnings.empty());
   }
-  EXPECT_DOUBLE_EQ(catalogue().sherd(rows[0])->measures.at("length"), 32.833193793898516);
-  const auto by_hand = catalogue().measuredByHand(rows);
+  EXPECT_DOUBLE_EQ(sherds::Sherds(catalogue()).get(rows[0])->measures.at("length"),
+                   32.833193793898516);
+  const auto by_hand = sherds::Measurements(catalogue()).byHand(rows);
   ASSERT_TRUE(by_hand);
   EXPECT_THAT(*by_hand,
               testing::UnorderedElementsAre(testing::Field(&records::Measurement::kind, "weight"),
@@ -247,33 +266,34 @@ TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {
   confirmed.mode = ImportMode::Enter;
   confirmed.asked_rows = AskedRows::Enter;
   EXPECT_EQ(importTable(catalogue(), other, "t.csv", confirmed, anna, quiet, {})->changed, 1);
-  EXPECT_EQ(catalogue().measuredByHand(rows)->size(), 3u);
+  EXPECT_EQ(sherds::Measurements(catalogue()).byHand(rows)->size(), 3u);
 }
 
 TEST_F(Import, OfATableOfBeforeAComputationLeavesTheProgramsMeasures) {
   import(kTwo);
-  const std::vector<store::SherdRow> rows = *catalogue().sherdRows(Filter(), {});
+  const std::vector<store::SherdRow> rows = *sherds::Sherds(catalogue()).rows(sherds::Filter(), {});
   records::Measurement m;
   m.sherd = rows[0];
   m.kind = "length";
   m.value = 60.1;
   m.model_sha256 = "first";
-  ASSERT_TRUE(catalogue().measure(m, {}));
+  ASSERT_TRUE(sherds::Measurements(catalogue()).add(m, {}));
   const Result<std::string> before =
       exchange::sherdsCsv(catalogue(), rows, exchange::ByteOrderMark::With);
   ASSERT_TRUE(before);
   m.value = 60.4;
   m.model_sha256 = "second";
-  ASSERT_TRUE(catalogue().measure(m, {}));
+  ASSERT_TRUE(sherds::Measurements(catalogue()).add(m, {}));
   EXPECT_EQ(import(*before).same, 2);
-  EXPECT_DOUBLE_EQ(catalogue().sherd(rows[0])->measures.at("length"), 60.4);
-  EXPECT_EQ(catalogue().measuredByHand(rows)->size(), 1u) << "its weight alone";
+  EXPECT_DOUBLE_EQ(sherds::Sherds(catalogue()).get(rows[0])->measures.at("length"), 60.4);
+  EXPECT_EQ(sherds::Measurements(catalogue()).byHand(rows)->size(), 1u) << "its weight alone";
 }
 
 class Joins : public Import {
  protected:
   std::string of(const char* number) {
-    return records::textOf(*catalogue().sherd(*catalogue().sherdByNumber(number)), "joins");
+    return sherds::textOf(
+        *sherds::Sherds(catalogue()).get(*sherds::Sherds(catalogue()).byNumber(number)), "joins");
   }
   const std::string head = "number,site,trench,context,joins\n";
 };
@@ -335,24 +355,29 @@ TEST_F(Import, OfANewSherdKeepsWhatAProgramMeasuredForThePrograms) {
   EXPECT_EQ(report.fresh, 1);
   ASSERT_EQ(report.refusals.size(), 1u);
   EXPECT_THAT(report.refusals[0].reason, testing::HasSubstr("1000 mm")) << "as strict as ever";
-  const store::SherdRow row = *catalogue().sherdByNumber("X-1");
+  const store::SherdRow row = *sherds::Sherds(catalogue()).byNumber("X-1");
   std::map<std::string, std::string> methods;
-  for (const records::Measurement& m : valueIn(catalogue().measurements(row)))
+  for (const records::Measurement& m : valueIn(sherds::Measurements(catalogue()).of(row)))
     methods[m.kind] = m.method;
   EXPECT_THAT(methods, testing::ElementsAre(testing::Pair("length", "program"),
                                             testing::Pair("rim_pct", "program"),
                                             testing::Pair("width", "calliper")));
   EXPECT_EQ(import(table).same, 1);
   import("number,site,trench,context,length_mm\nX-3,ARM1,T3,0012,52\n");
-  EXPECT_EQ(catalogue().measurements(*catalogue().sherdByNumber("X-3"))->front().method, "calliper")
+  EXPECT_EQ(sherds::Measurements(catalogue())
+                .of(*sherds::Sherds(catalogue()).byNumber("X-3"))
+                ->front()
+                .method,
+            "calliper")
       << "where nothing is said";
 }
 
 // Each laptop begins with B0001.
 TEST_F(Import, OfASherdDoesNotTakeABatchByItsNumber) {
-  ASSERT_EQ(catalogue().batch(newBatch({bag4}))->number, "B0001");
+  ASSERT_EQ(Batches(catalogue()).get(newBatch({bag4}))->number, "B0001");
   ASSERT_EQ(import("number,site,trench,context,batch\nX-1,ARM1,T3,0012,B0001\n").fresh, 1);
-  EXPECT_FALSE(catalogue().sherd(*catalogue().sherdByNumber("X-1"))->batch);
+  EXPECT_FALSE(
+      sherds::Sherds(catalogue()).get(*sherds::Sherds(catalogue()).byNumber("X-1"))->batch);
 }
 
 TEST_F(Import, CanBeStoppedAndThenEntersNothing) {
@@ -363,7 +388,7 @@ TEST_F(Import, CanBeStoppedAndThenEntersNothing) {
                   quiet, stop.get_token());
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, ErrorCode::Cancelled);
-  EXPECT_FALSE(*catalogue().sherdByNumber("ARM1-T3-0012-0001"));
+  EXPECT_FALSE(*sherds::Sherds(catalogue()).byNumber("ARM1-T3-0012-0001"));
 }
 
 std::string manyRows(int count) {
@@ -397,7 +422,8 @@ TEST_F(Import, ThatIsStoppedKeepsWholeRowsSaysSoAndGoesOn) {
   ASSERT_TRUE(part) << part.error().sentence();
   EXPECT_GE(part->fresh, 64);
   EXPECT_EQ(part->not_reached, 200 - part->fresh);
-  EXPECT_EQ(catalogue().sherdRows({}, {})->size(), static_cast<std::size_t>(part->fresh));
+  EXPECT_EQ(sherds::Sherds(catalogue()).rows({}, {})->size(),
+            static_cast<std::size_t>(part->fresh));
   const auto left = unfinishedImports(catalogue());
   ASSERT_EQ(left.size(), 1u);
   EXPECT_EQ(left[0].source, "bags.csv");
@@ -462,7 +488,7 @@ bool othersWriteDuring(const std::filesystem::path& project,
   std::thread other([&] {
     while (!began) std::this_thread::yield();
     Result<Catalogue> second = upkeep::Project::connect(project);
-    const bool written = second && second->setSetting("a.window", "decides");
+    const bool written = second && Settings(*second).setValue("a.window", "decides");
     meanwhile = written && !over;
   });
   At progress(64, [&] { began = true; });

@@ -4,7 +4,11 @@
 
 #include <fstream>
 
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
 #include "files/files.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "store/database.h"
 #include "tests/core/catalogue/small_project.h"
 
@@ -20,7 +24,7 @@ class FileCheck : public catalogue::SmallProject {
     enter("models/B0001/aa/model.ply", "model", std::string(2000, 'm'));
     enter("models/B0001/aa/preview.png", "preview", std::string(1000, 'v'));
     enter("results/B0001/work/scans_front/f001.ply", "scan", std::string(500, 's'));
-    EXPECT_TRUE(catalogue().setBatchState(batch, records::BatchState::Done, anna));
+    EXPECT_TRUE(catalogue::Batches(catalogue()).setState(batch, records::BatchState::Done, anna));
   }
   fs::path at(const std::string& path) const { return project_->folder() / path; }
   void enter(const std::string& path, const std::string& role, const std::string& bytes) {
@@ -33,7 +37,7 @@ class FileCheck : public catalogue::SmallProject {
     file.media_type = "application/octet-stream";
     file.batch = batch;
     if (role != "photo" && role != "scan") file.sherd = sherd;
-    ASSERT_TRUE(catalogue().save(file, anna));
+    ASSERT_TRUE(catalogue::Files(catalogue()).save(file, anna));
   }
   // One bit, as a disk does it.
   void flipBit(const std::string& path) {
@@ -90,9 +94,9 @@ TEST_F(FileCheck, FindsWhatIsMissingAndWhatHasAnotherSizeByNamesAlone) {
 
 TEST_F(FileCheck, LeavesOutTheResultsOfABatchThatIsBeingComputed) {
   flipBit("results/B0001/work/scans_front/f001.ply");
-  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Queued, anna));
+  ASSERT_TRUE(catalogue::Batches(catalogue()).setState(batch, records::BatchState::Queued, anna));
   EXPECT_THAT(sentences(check()), testing::IsEmpty());
-  ASSERT_TRUE(catalogue().setBatchState(batch, records::BatchState::Review, anna));
+  ASSERT_TRUE(catalogue::Batches(catalogue()).setState(batch, records::BatchState::Review, anna));
   EXPECT_EQ(check().damaged.size(), 1u);
 }
 

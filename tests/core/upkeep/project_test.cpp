@@ -2,6 +2,11 @@
 
 #include <fstream>
 
+#include "catalogue/history.h"
+#include "catalogue/settings.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/sherds.h"
 #include "store/database.h"
 #include "store/names.h"
 #include "tests/core/catalogue/small_project.h"
@@ -35,9 +40,9 @@ TEST_F(ProjectFolder, OpensAgainWithWhatWasSaved) {
   project_.reset();
   Result<Project> again = Project::open(folder_.path() / "project");
   ASSERT_TRUE(again) << again.error().sentence();
-  EXPECT_EQ(again->catalogue().project()->title, "Trial");
-  EXPECT_EQ(again->catalogue().sherd(sherd)->number, "ARM1-T3-0012-0001");
-  EXPECT_FALSE(again->catalogue().project()->id.empty());
+  EXPECT_EQ(catalogue::Settings(again->catalogue()).project()->title, "Trial");
+  EXPECT_EQ(sherds::Sherds(again->catalogue()).get(sherd)->number, "ARM1-T3-0012-0001");
+  EXPECT_FALSE(catalogue::Settings(again->catalogue()).project()->id.empty());
 }
 
 TEST_F(ProjectFolder, AFolderThatHoldsSomethingIsNotTaken) {
@@ -100,9 +105,10 @@ TEST_F(ProjectFolder, ABackupIsReadBackAndHoldsEverything) {
   Result<Project> restored = Project::open(folder_.path() / "restored");
   ASSERT_TRUE(restored) << restored.error().sentence();
   EXPECT_TRUE(restored->catalogue().checkIntegrity());
-  const store::SherdRow row = *restored->catalogue().sherdByNumber("ARM1-T3-0012-0001");
+  const store::SherdRow row = *sherds::Sherds(restored->catalogue()).byNumber("ARM1-T3-0012-0001");
   EXPECT_TRUE(row);
-  EXPECT_EQ(restored->catalogue().history(row)->size(), catalogue().history(row)->size());
+  EXPECT_EQ(catalogue::History(restored->catalogue()).of(row)->size(),
+            catalogue::History(catalogue()).of(row)->size());
 }
 
 TEST_F(ProjectFolder, OldBackupsMakeRoomForNewOnes) {
@@ -151,7 +157,7 @@ TEST_F(ProjectFolder, AnotherThreadsConnectionSeesWhatWasSaved) {
   const Result<catalogue::Catalogue> other = project_->connect();
   ASSERT_TRUE(other) << other.error().sentence();
   const store::SherdRow sherd = numbered(context12);
-  EXPECT_EQ(other->sherd(sherd)->number, "ARM1-T3-0012-0001");
+  EXPECT_EQ(sherds::Sherds(*other).get(sherd)->number, "ARM1-T3-0012-0001");
 }
 
 TEST_F(ProjectFolder, PathsOutsideTheProjectHaveNoPlaceInIt) {
@@ -162,18 +168,18 @@ TEST_F(ProjectFolder, PathsOutsideTheProjectHaveNoPlaceInIt) {
 TEST_F(ProjectFolder, SeveralActsAreOneTransaction) {
   const Result<void> done = catalogue().together([&]() -> Result<void> {
     draft(context12);
-    if (auto set = catalogue().setSetting("a", "1"); !set) return set;
+    if (auto set = catalogue::Settings(catalogue()).setValue("a", "1"); !set) return set;
     return Error{ErrorCode::Cancelled, "stop", {}};
   });
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().code, ErrorCode::Cancelled);
-  EXPECT_EQ(*catalogue().setting("a"), "");
+  EXPECT_EQ(*catalogue::Settings(catalogue()).value("a"), "");
   EXPECT_TRUE(found("").empty());
 }
 
 TEST_F(ProjectFolder, ANewProjectsWordsHaveLabelsThatAreToldApart) {
   for (const char* name : {"part", "surface", "decoration", "manufacture", "firing", "condition"}) {
-    const auto terms = catalogue().vocabulary(name);
+    const auto terms = catalogue::Settings(catalogue()).vocabulary(name);
     ASSERT_TRUE(terms.has_value());
     ASSERT_GE(terms->size(), 3u) << name;
     for (const char* language : {"de", "el", "es", "fr", "hy", "tr"}) {
@@ -197,14 +203,16 @@ TEST_F(ProjectFolder, ANewProjectsWordsHaveLabelsThatAreToldApart) {
 TEST_F(ProjectFolder, AVocabularyKeepsTheTermsThatAreInUse) {
   const store::SherdRow sherd = draft(context12);
   ASSERT_TRUE(set(sherd, "firing", "reduced"));
-  std::vector<records::Term> terms = *catalogue().vocabulary("firing");
+  std::vector<records::Term> terms = *catalogue::Settings(catalogue()).vocabulary("firing");
   ASSERT_EQ(terms.size(), 3u);
-  const Result<void> without = catalogue().setVocabulary("firing", {terms[0]}, anna);
+  const Result<void> without =
+      catalogue::Settings(catalogue()).setVocabulary("firing", {terms[0]}, anna);
   ASSERT_FALSE(without);
   EXPECT_NE(without.error().what.find("'reduced': 1;"), std::string::npos);
   terms.push_back({"sandwich", {{"de", "Sandwichbrand"}}, "http://example.org/1"});
-  ASSERT_TRUE(catalogue().setVocabulary("firing", terms, anna));
-  EXPECT_EQ(catalogue().vocabulary("firing")->back().labels.at("de"), "Sandwichbrand");
+  ASSERT_TRUE(catalogue::Settings(catalogue()).setVocabulary("firing", terms, anna));
+  EXPECT_EQ(catalogue::Settings(catalogue()).vocabulary("firing")->back().labels.at("de"),
+            "Sandwichbrand");
   ASSERT_TRUE(set(sherd, "firing", "sandwichbrand")) << "a label means its term";
   EXPECT_EQ(valueOf(sherd, "firing"), "sandwich");
 }

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <random>
 
+#include "records/sherd.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "store/page_checksums.h"
 #include "tests/core/catalogue/flipped_bits.h"
 #include "tests/core/catalogue/small_project.h"
@@ -78,7 +81,7 @@ TEST_F(Repairing, AFlippedBitIsTurnedBackWithoutAnyBackup) {
 
 TEST_F(Repairing, RowsOfADestroyedPageComeFromTheBackupAndLaterChangesFromTheHistory) {
   fill(60);
-  const store::SherdRow changed = *catalogue().sherdByNumber("ARM1-T3-0012-0020");
+  const store::SherdRow changed = *sherds::Sherds(catalogue()).byNumber("ARM1-T3-0012-0020");
   ASSERT_TRUE(set(changed, "vessel", "V20"));
   ASSERT_TRUE(project_->backUp());
   ASSERT_TRUE(set(changed, "ware", "red slipped"));
@@ -87,7 +90,7 @@ TEST_F(Repairing, RowsOfADestroyedPageComeFromTheBackupAndLaterChangesFromTheHis
   project_.reset();
   const std::string uuid = [&] {
     const Project open = catalogue::valueIn(Project::open(folder()));
-    return open.catalogue().sherd(changed)->id;
+    return sherds::Sherds(open.catalogue()).get(changed)->id;
   }();
   // The page with the sherd's own row, not those of its history.
   ASSERT_EQ(destroyPagesWith({"V20", uuid}), 1);
@@ -98,15 +101,15 @@ TEST_F(Repairing, RowsOfADestroyedPageComeFromTheBackupAndLaterChangesFromTheHis
   const Result<std::string> content = catalogue::contentOf(folder());
   ASSERT_TRUE(content) << content.error().sentence();
   const Project open = catalogue::valueIn(Project::open(folder()));
-  const records::SherdRecord sherd = *open.catalogue().sherd(changed);
+  const records::SherdRecord sherd = *sherds::Sherds(open.catalogue()).get(changed);
   EXPECT_EQ(sherd.id, uuid);
   EXPECT_EQ(sherd.number, "ARM1-T3-0012-0020");
-  EXPECT_EQ(records::textOf(sherd, "vessel"), "V20");
-  EXPECT_EQ(records::textOf(sherd, "ware"), "red slipped") << "as the history says";
-  EXPECT_EQ(records::textOf(sherd, "weight_g"), "77.5");
-  EXPECT_EQ(open.catalogue().sherd(untouched)->number, "ARM1-T3-0013-0001")
+  EXPECT_EQ(sherds::textOf(sherd, "vessel"), "V20");
+  EXPECT_EQ(sherds::textOf(sherd, "ware"), "red slipped") << "as the history says";
+  EXPECT_EQ(sherds::textOf(sherd, "weight_g"), "77.5");
+  EXPECT_EQ(sherds::Sherds(open.catalogue()).get(untouched)->number, "ARM1-T3-0013-0001")
       << "newer than the backup";
-  EXPECT_EQ(open.catalogue().sherdRows({}, {})->size(), 61u);
+  EXPECT_EQ(sherds::Sherds(open.catalogue()).rows({}, {})->size(), 61u);
   EXPECT_TRUE(std::any_of(report.rows.begin(), report.rows.end(), [&](const RepairedRow& row) {
     return row.table == "sherd" && row.row == changed.value &&
            row.from == RepairedRow::From::Backup && row.name == sherd.number;
@@ -119,7 +122,7 @@ TEST_F(Repairing, RowsOfADestroyedPageComeFromTheBackupAndLaterChangesFromTheHis
 TEST_F(Repairing, AnySinglePageMayBeDestroyed) {
   fill(30);
   ASSERT_TRUE(project_->backUp());
-  ASSERT_TRUE(set(*catalogue().sherdByNumber("ARM1-T3-0012-0003"), "ware", "cooking"));
+  ASSERT_TRUE(set(*sherds::Sherds(catalogue()).byNumber("ARM1-T3-0012-0003"), "ware", "cooking"));
   const fs::path backup = project_->backups()[0];
   project_.reset();
   const std::string whole = catalogue::bytesOf(file()), good = catalogue::bytesOf(backup);
@@ -138,7 +141,7 @@ TEST_F(Repairing, AnySinglePageMayBeDestroyed) {
     ASSERT_TRUE(content) << "page " << at / store::kPageBytes + 1 << ": "
                          << content.error().sentence();
     const Project open = catalogue::valueIn(Project::open(folder()));
-    EXPECT_EQ(open.catalogue().sherdRows({}, {})->size(), 30u)
+    EXPECT_EQ(sherds::Sherds(open.catalogue()).rows({}, {})->size(), 30u)
         << "page " << at / store::kPageBytes + 1;
     for (const char* part : {"-wal", "-shm"}) fs::remove(file().string() + part);
   }

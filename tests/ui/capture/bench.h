@@ -1,5 +1,7 @@
 #pragma once
+#include "catalogue/batches.h"
 #include "fake_rig.h"
+#include "records/records.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/project_session.h"
 #include "upkeep/project.h"
@@ -21,7 +23,9 @@ struct Bench {
     if (!made) qFatal("%s", made.error().sentence().c_str());
     return std::make_shared<upkeep::Project>(std::move(*made));
   }
-  records::BatchRecord batch() { return session.project().catalogue().batches()->front(); }
+  records::BatchRecord batch() {
+    return catalogue::Batches(session.project().catalogue()).all()->front();
+  }
 
   FakeRig rig;
   ProjectSession session;

@@ -11,6 +11,7 @@
 #include <QUrl>
 #include <QtTest>
 
+#include "catalogue/batches.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
@@ -73,7 +74,7 @@ class CaptureImportTest : public QObject {
     QSignalSpy imported(screen_->importer(), &BatchImporter::imported);
     QTest::mouseClick(child<QPushButton>("importStart"), Qt::LeftButton);
     QTRY_COMPARE(imported.count(), 1);
-    const auto batch = session_->project().catalogue().batchByNumber("B0001");
+    const auto batch = catalogue::Batches(session_->project().catalogue()).byNumber("B0001");
     QVERIFY(batch.has_value());
     QCOMPARE(batch->state, records::BatchState::Queued);
   }
@@ -100,7 +101,7 @@ class CaptureImportTest : public QObject {
     QVERIFY(!child<QPushButton>("importSwap")->isVisible());
     QTest::keyClick(ask, Qt::Key_Escape);
     QVERIFY(!ask->isVisible());
-    QVERIFY(session_->project().catalogue().batches()->empty());
+    QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());
   }
 
   // A sheet that nobody described: its size is all that a person has to say of it.

@@ -6,6 +6,7 @@
 #include <opencv2/objdetect.hpp>
 
 #include "bench.h"
+#include "records/records.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

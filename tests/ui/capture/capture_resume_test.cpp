@@ -3,10 +3,11 @@
 #include <QtTest>
 
 #include "bench.h"
+#include "catalogue/batches.h"
 #include "catalogue/label_codes.h"
-#include "catalogue/typed_numbers.h"
 #include "files/files.h"
 #include "rig/plate_print.h"
+#include "sherds/typed_numbers.h"
 #include "store/database.h"
 #include "ui/queue/batch_queue.h"
 
@@ -85,12 +86,12 @@ class CaptureResumeTest : public QObject {
     QCOMPARE(bench.rig.opened_for, 1);
     records::BatchRecord imported;
     imported.state = BatchState::Queued;
-    QVERIFY(bench.session.project().catalogue().addBatch(imported, {}).has_value());
+    QVERIFY(catalogue::Batches(bench.session.project().catalogue()).add(imported, {}).has_value());
     bench.session.tellBatchChanged("B0001");
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     QCOMPARE(bench.rig.opened_for, 2);
     // And when nobody told of it.
-    QVERIFY(bench.session.project().catalogue().addBatch(imported, {}).has_value());
+    QVERIFY(catalogue::Batches(bench.session.project().catalogue()).add(imported, {}).has_value());
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     QCOMPARE(bench.rig.opened_for, 3);
@@ -184,13 +185,13 @@ class CaptureResumeTest : public QObject {
     Bench bench(folder(), jobs);
     records::BatchRecord other;
     other.state = BatchState::Front;
-    QVERIFY(bench.session.project().catalogue().addBatch(other, {}).has_value());
+    QVERIFY(catalogue::Batches(bench.session.project().catalogue()).add(other, {}).has_value());
     bench.wizard.setRig(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);  // B0001 goes on
     BatchQueue queue;
     queue.setSession(&bench.session);
     connect(&bench.wizard, &CaptureWizard::batchSetAside, &queue, &BatchQueue::setAside);
-    QVERIFY(bench.session.project().catalogue().addBatch(other, {}).has_value());
+    QVERIFY(catalogue::Batches(bench.session.project().catalogue()).add(other, {}).has_value());
     const int opened = bench.rig.opened;
     bench.wizard.setAside();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
@@ -213,7 +214,7 @@ class CaptureResumeTest : public QObject {
     bench.wizard.setPlace({"ARM1", "T3", "0013", "1"});
     bench.wizard.keepDescribed();
     const auto number =
-        catalogue::wholeNumber(bench.session.project().catalogue(), bench.batch().row, "7");
+        sherds::wholeNumber(bench.session.project().catalogue(), bench.batch().row, "7");
     QCOMPARE(QString::fromStdString(*number), QStringLiteral("ARM1-T3-0013-0007"));
   }
 
@@ -407,7 +408,8 @@ class CaptureResumeTest : public QObject {
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
       records::BatchRecord imported;
       imported.state = BatchState::Queued;
-      QVERIFY(bench.session.project().catalogue().addBatch(imported, {}).has_value());
+      QVERIFY(
+          catalogue::Batches(bench.session.project().catalogue()).add(imported, {}).has_value());
     }
     Bench again(folder(), jobs);
     again.wizard.setRig(sourceOf(again.rig));

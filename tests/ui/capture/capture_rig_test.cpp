@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "catalogue/settings.h"
 #include "fake_rig.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
@@ -67,7 +68,7 @@ class CaptureRigTest : public QObject {
     RigChoice choice;
     choice.kind = RigChoice::Kind::File;
     choice.file = file.toStdString();
-    const std::string before = *session_->project().catalogue().setting("rig");
+    const std::string before = *catalogue::Settings(session_->project().catalogue()).value("rig");
     child<QAction>("changeRig")->trigger();
     QTRY_COMPARE(wizard_->phase(), CapturePhase::NoRig);
     emit screen_->findChild<RigPage*>()->chosen(choice);
@@ -79,7 +80,7 @@ class CaptureRigTest : public QObject {
     QCOMPARE(child<QLabel>("captureHeadline")->text(),
              QStringLiteral("Lay the sherds on the plate"));
     QCOMPARE(screen_->rigWords(), QStringLiteral("ready"));
-    QCOMPARE(*session_->project().catalogue().setting("rig"), before);
+    QCOMPARE(*catalogue::Settings(session_->project().catalogue()).value("rig"), before);
     QTest::mouseClick(failure->act(), Qt::LeftButton);
     QVERIFY(!failure->isVisible());
     QTest::keyClick(screen_.get(), Qt::Key_Space);

@@ -10,9 +10,14 @@
 #include <QSpinBox>
 #include <QtTest>
 
+#include "catalogue/batches.h"
 #include "catalogue/label_codes.h"
+#include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "fake_rig.h"
 #include "files/files.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "rig/rig.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_foot.h"
@@ -77,7 +82,8 @@ class CaptureScreenTest : public QObject {
     screen_->setFocus();
     QTest::keyClick(screen_.get(), Qt::Key_Space);
     QVERIFY(wizard_->phase() != CapturePhase::NoRig);
-    QVERIFY(session_->project().catalogue().setting("rig")->find("virtual") != std::string::npos);
+    QVERIFY(catalogue::Settings(session_->project().catalogue()).value("rig")->find("virtual") !=
+            std::string::npos);
   }
 
   void spaceIsTheNextThingUntilTheBatchIsQueued() {
@@ -149,7 +155,7 @@ class CaptureScreenTest : public QObject {
     QCOMPARE(place->text(), QStringLiteral("ARM1-T3-0012-4"));
     QCOMPARE(note->text(), QString());
     QCOMPARE(wizard_->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
-    QCOMPARE(session_->project().catalogue().sites()->size(), std::size_t{1});
+    QCOMPARE(catalogue::Places(session_->project().catalogue()).sites()->size(), std::size_t{1});
   }
 
   void theSherdsAreCountedByKeysAndSpaceIsStillTheNextThing() {
@@ -294,12 +300,12 @@ class CaptureScreenTest : public QObject {
     QVERIFY(said[0][0].toString().contains("cancelled"));
     QVERIFY(!stop->isVisible());
     QVERIFY(shownMessage() == nullptr);
-    QVERIFY(session_->project().catalogue().batches()->empty());
+    QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());
     QVERIFY(!QFile::exists(folder_->filePath("p/batches/import.partial")));
     importer->start(folder_->filePath("scans"), ImportKind::Scans, {});
     QVERIFY(stop->isVisible());
     QCOMPARE(bar->value(), 0);
-    QTRY_COMPARE(session_->project().catalogue().batches()->size(), std::size_t{1});
+    QTRY_COMPARE(catalogue::Batches(session_->project().catalogue()).all()->size(), std::size_t{1});
     QTRY_VERIFY(!stop->isVisible());
     QVERIFY(child<QAction>("importScans")->isEnabled());
   }
@@ -329,8 +335,8 @@ class CaptureScreenTest : public QObject {
     QTest::keyClick(line, Qt::Key_Return);
     QVERIFY(!ask->isVisible());
     QTRY_COMPARE(imported.count(), 1);
-    const auto batch =
-        session_->project().catalogue().batchByNumber(imported[0][0].toString().toStdString());
+    const auto batch = catalogue::Batches(session_->project().catalogue())
+                           .byNumber(imported[0][0].toString().toStdString());
     QCOMPARE(batch->bags.size(), std::size_t{1});
     const auto place = catalogue::placeOf(session_->project().catalogue(), batch->bags.front());
     QCOMPARE(QString::fromStdString((*place)->bag), QStringLiteral("5"));
@@ -382,7 +388,7 @@ class CaptureScreenTest : public QObject {
     const auto bag = bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {});
     QVERIFY(bag.has_value());
     batch.bags = {{*bag}};
-    const auto row = rows.addBatch(batch, {});
+    const auto row = catalogue::Batches(rows).add(batch, {});
     QVERIFY(row.has_value());
     capture::PlateInspection inspection;
     inspection.pixel_from_plate = Eigen::Matrix3d::Identity();
@@ -440,17 +446,17 @@ class CaptureScreenTest : public QObject {
     QCOMPARE(numbers.all(), (QStringList{"OLD-9", {}, "ARM1-T3-0012-0007"}));
     QCOMPARE(numbers.give(0, {}), QString());
     QCOMPARE(numbers.of(0), QString());
-    const auto before = rows.addBatch({}, {});
+    const auto before = catalogue::Batches(rows).add({}, {});
     QVERIFY(before.has_value());
     records::SherdRecord other;
     other.batch = *before;
-    other.context = rows.contexts()->front().row;
+    other.context = catalogue::Places(rows).contexts()->front().row;
     other.number = "OLD-8";
-    const auto made = rows.addSherd(other, {});
+    const auto made = sherds::Sherds(rows).add(other, {});
     QVERIFY(made.has_value());
     QCOMPARE(numbers.give(0, "old-8"), QString());  // it waits for photographs
     QCOMPARE(numbers.give(0, {}), QString());
-    QVERIFY(rows.setModel(*made, "models/B0002/1/model.ply", "").has_value());
+    QVERIFY(sherds::Sherds(rows).setModel(*made, "models/B0002/1/model.ply", "").has_value());
     QCOMPARE(numbers.give(0, "old-8"),
              QStringLiteral("A sherd of B0002 has the number old-8 already; type another."));
     // A number of another context than the bag's is kept, and doubted.

@@ -5,9 +5,9 @@
 
 #include "bench.h"
 #include "catalogue/label_codes.h"
-#include "catalogue/typed_numbers.h"
 #include "files/files.h"
 #include "flat_rig.h"
+#include "sherds/typed_numbers.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/message_panel.h"
@@ -85,7 +85,7 @@ class CaptureTypingTest : public QObject {
     QTest::keyClicks(line, "7");
     const store::BatchRow batch = bench_->batch().row;
     screen_->closeProject();
-    const auto typed = catalogue::typedNumbers(rows(), batch);
+    const auto typed = sherds::typedNumbers(rows(), batch);
     QVERIFY(typed.has_value());
     QCOMPARE(typed->size(), std::size_t{1});
     QCOMPARE(QString::fromStdString(typed->front().number), QStringLiteral("ARM1-T3-0012-0007"));
@@ -116,9 +116,9 @@ class CaptureTypingTest : public QObject {
     child<QAction>("numberSherds")->trigger();  // the first sherd was left behind
     QTest::keyClick(line, Qt::Key_Up);
     type(line, "7");
-    QCOMPARE(QString::fromStdString(
-                 catalogue::typedNumbers(rows(), bench_->batch().row)->front().number),
-             QStringLiteral("ARM1-T3-0013-0007"));
+    QCOMPARE(
+        QString::fromStdString(sherds::typedNumbers(rows(), bench_->batch().row)->front().number),
+        QStringLiteral("ARM1-T3-0013-0007"));
     QVERIFY(!told->isVisible());
     type(bag, "ARM1-T3-0012-4");
     QVERIFY(told->words().contains("ARM1-T3-0013-0007"));

@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "bench.h"
+#include "catalogue/batches.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -285,9 +286,8 @@ class CaptureWizardTest : public QObject {
     };
     QVERIFY(!told());
     QSignalSpy changed(&bench.wizard, &CaptureWizard::changed);
-    QVERIFY(bench.session.project()
-                .catalogue()
-                .setBatchState(bench.batch().row, BatchState::Review, {})
+    QVERIFY(catalogue::Batches(bench.session.project().catalogue())
+                .setState(bench.batch().row, BatchState::Review, {})
                 .has_value());
     bench.session.tellBatchChanged(bench.wizard.batchNumber());
     QCOMPARE(changed.count(), 1);
@@ -445,7 +445,7 @@ class CaptureWizardTest : public QObject {
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QVERIFY(bench.wizard.fault().has_value());
-    QVERIFY(bench.session.project().catalogue().batches()->empty());
+    QVERIFY(catalogue::Batches(bench.session.project().catalogue()).all()->empty());
   }
 
   void whatARigAsksOfAPersonIsDoneWithTheSameKey() {

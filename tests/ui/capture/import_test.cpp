@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "batch/batch.h"
+#include "catalogue/batches.h"
 #include "files/files.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/frame/project_session.h"
@@ -38,7 +39,7 @@ class ImportTest : public QObject {
     importer.start(QString::fromStdString(path("scans").string()), ImportKind::Scans,
                    {"ARM1", "T3", "0012", "4"});
     QTRY_COMPARE(imported.count(), 1);
-    const auto batches = session_->project().catalogue().batches();
+    const auto batches = catalogue::Batches(session_->project().catalogue()).all();
     QCOMPARE(batches->size(), std::size_t{1});
     const records::BatchRecord& batch = batches->front();
     QCOMPARE(batch.state, records::BatchState::Queued);
@@ -83,11 +84,11 @@ class ImportTest : public QObject {
     QCOMPARE(there[1].mid(2), (QVariantList{3, 4}));
     take("copy");
     QTRY_COMPARE(there.count(), 3);
-    QCOMPARE(session_->project().catalogue().batches()->size(), std::size_t{2});
+    QCOMPARE(catalogue::Batches(session_->project().catalogue()).all()->size(), std::size_t{2});
     QVERIFY(!std::filesystem::exists(path("project") / "batches" / "import.partial"));
     importer.startAllTheSame();
     QTRY_COMPARE(imported.count(), 3);
-    QCOMPARE(session_->project().catalogue().batches()->size(), std::size_t{3});
+    QCOMPARE(catalogue::Batches(session_->project().catalogue()).all()->size(), std::size_t{3});
     QCOMPARE(there.count(), 3);
   }
 
@@ -103,7 +104,7 @@ class ImportTest : public QObject {
     QTRY_VERIFY(!sentence.empty());
     QVERIFY(sentence.find("back/") != std::string::npos);
     QCOMPARE(imported.count(), 0);
-    QVERIFY(session_->project().catalogue().batches()->empty());
+    QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());
   }
 
   void whyAnImportIsRefusedIsSaidInThePersonsLanguage() {
@@ -167,7 +168,8 @@ class ImportTest : public QObject {
     QSignalSpy imported(&importer, &BatchImporter::imported);
     importer.start(QString::fromStdString(path("week").string()), ImportKind::Photographs, {});
     QTRY_VERIFY2(imported.count() == 1, sentence.c_str());
-    const records::BatchRecord batch = session_->project().catalogue().batches()->front();
+    const records::BatchRecord batch =
+        catalogue::Batches(session_->project().catalogue()).all()->front();
     const QDate day(2026, 7, 14);  // its clock is this computer's: it says no other
     QCOMPARE(batch.started_ms, QDateTime(day, QTime(9, 30, 0)).toMSecsSinceEpoch());
     QCOMPARE(batch.ended_ms, QDateTime(day, QTime(9, 30, 12)).toMSecsSinceEpoch());
@@ -190,7 +192,7 @@ class ImportTest : public QObject {
             [&](const Error& error) { sentence = error.sentence(); });
     importer.start(QString::fromStdString(path("bare").string()), ImportKind::Photographs, {});
     QTRY_VERIFY2(sentence.find("plate.json") != std::string::npos, sentence.c_str());
-    QVERIFY(session_->project().catalogue().batches()->empty());
+    QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());
   }
 
   // A photograph whose clock says 09:30 and so many seconds; large enough not to be a thumbnail.
@@ -302,7 +304,8 @@ class ImportTest : public QObject {
     QTRY_VERIFY2(imported.count() == 1, sentence.c_str());
     QCOMPARE(imported[0][1].toInt(), 9);
     QCOMPARE(imported[0][2].toStringList().size(), 1);  // of the one that is no picture
-    const records::BatchRecord batch = session_->project().catalogue().batches()->front();
+    const records::BatchRecord batch =
+        catalogue::Batches(session_->project().catalogue()).all()->front();
     QCOMPARE(batch.state, records::BatchState::Queued);
     const auto copy = session_->project().batchFolder(batch.number);
     for (const char* file : {"front/IMG_0.jpg", "back/IMG_3.jpg", "plate.json"})
@@ -327,7 +330,7 @@ class ImportTest : public QObject {
             [&](const Error& error) { sentence = error.sentence(); });
     importer.start(QString::fromStdString(path("holiday").string()), ImportKind::Photographs, {});
     QTRY_VERIFY(!sentence.empty());
-    QVERIFY(session_->project().catalogue().batches()->empty());
+    QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <QtTest>
 
+#include "catalogue/places.h"
 #include "upkeep/project.h"
 
 using namespace ostraka;
@@ -51,7 +52,7 @@ class PlaceTextTest : public QObject {
     QVERIFY(project.has_value());
     records::SiteRecord site;
     site.code = "AR-TS";
-    QVERIFY(project->catalogue().save(site, {}).has_value());
+    QVERIFY(catalogue::Places(project->catalogue()).save(site, {}).has_value());
     const auto read = [&](const char* text) {
       return findPlaceText(project->catalogue(), QString::fromLatin1(text));
     };
@@ -82,7 +83,7 @@ class PlaceTextTest : public QObject {
     QCOMPARE(newOf(rows, {"ARM1", "T9", "1", "5"}), QStringLiteral("trench T9, context 1, bag 5"));
     QCOMPARE(newOf(rows, {"XX", "9", "foo", "77"}),
              QStringLiteral("site XX, trench 9, context foo, bag 77"));
-    QCOMPARE(rows.sites()->size(), std::size_t{1});
+    QCOMPARE(catalogue::Places(rows).sites()->size(), std::size_t{1});
   }
 
   void theSamePlaceIsMadeOnce() {
@@ -100,8 +101,8 @@ class PlaceTextTest : public QObject {
     QCOMPARE(*bagRowOf(rows, place, {}), *first);
     const auto other = bagRowOf(rows, {"ARM1", "T3", "0012", "5"}, {});
     QVERIFY(*other != *first);
-    QCOMPARE(rows.sites()->size(), std::size_t{1});
-    QCOMPARE(rows.contexts()->size(), std::size_t{1});
+    QCOMPARE(catalogue::Places(rows).sites()->size(), std::size_t{1});
+    QCOMPARE(catalogue::Places(rows).contexts()->size(), std::size_t{1});
     QCOMPARE(*bagRowOf(rows, {}, {}), std::int64_t{0});
     QCOMPARE(*bagRowOf(rows, {"arm1", "t3", "0012", "4"}, {}), *first);
   }

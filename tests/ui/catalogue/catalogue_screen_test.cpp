@@ -1,4 +1,6 @@
 #include "ui/catalogue/catalogue_screen.h"
+#include "catalogue/history.h"
+#include "sherds/sherd_changes.h"
 #include "store/database.h"
 
 #include <QAccessible>
@@ -19,6 +21,7 @@
 #include <QTreeWidget>
 
 #include "catalogue_window.h"
+#include "records/sherd.h"
 #include "store/database.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/model_pane.h"
@@ -71,7 +74,7 @@ class CatalogueScreenTest : public CatalogueWindow {
     QCOMPARE(part->text(), QString("rim"));
     sample_->session().undo().redo();
     QCOMPARE(sample_->value(0, "part"), QString("rim; neck"));
-    const auto history = sample_->catalogue().history(sample_->sherds()[0]);
+    const auto history = catalogue::History(sample_->catalogue()).of(sample_->sherds()[0]);
     QCOMPARE(history->front().field, std::string("part"));
     QVERIFY(static_cast<bool>(history->front().by));
   }
@@ -380,9 +383,11 @@ class CatalogueScreenTest : public CatalogueWindow {
 
   void aComputedLengthHasNoFifteenDigits() {
     for (int i = 0; i < 40; ++i)  // whichever is the first row
-      SampleProject::must(sample_->session().project().catalogue().change(
-          std::vector<records::FieldChange>{{sample_->row(i), "length_mm", "53.929898797564384"}},
-          {}));
+      SampleProject::must(
+          sherds::SherdChanges(sample_->session().project().catalogue())
+              .apply(std::vector<records::FieldChange>{{sample_->row(i), "length_mm",
+                                                        "53.929898797564384"}},
+                     {}));
     choose(0);
     auto* field = child<QLineEdit>("field_length_mm");
     QTRY_COMPARE(field->text(), QStringLiteral("53.93"));

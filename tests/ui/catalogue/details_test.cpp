@@ -1,4 +1,8 @@
 // The details of a sherd: what is refused, and what has little room.
+#include "catalogue/places.h"
+#include "sherds/measurements.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
 #include "ui/catalogue/sherd_details.h"
 
 #include <QAction>
@@ -12,6 +16,8 @@
 #include <QTranslator>
 
 #include "catalogue_window.h"
+#include "records/records.h"
+#include "records/sherd.h"
 #include "ui/catalogue/catalogue_screen.h"
 #include "ui/catalogue/number_delegate.h"
 #include "ui/frame/elided_button.h"
@@ -196,8 +202,8 @@ class DetailsTest : public CatalogueWindow {
     length.method = "program";
     // The sample's own length is a person's; only where that is gone the computed one stands.
     const records::FieldChange clear{length.sherd, "length_mm", "", records::Confirmation::Given};
-    QVERIFY(sample_->catalogue().change(std::span(&clear, 1), {}).has_value());
-    QVERIFY(sample_->catalogue().measure(length, {}).has_value());
+    QVERIFY(sherds::SherdChanges(sample_->catalogue()).apply(std::span(&clear, 1), {}).has_value());
+    QVERIFY(sherds::Measurements(sample_->catalogue()).add(length, {}).has_value());
     choose(0);
     auto* line = child<QLineEdit>("field_length_mm");
     const QString computed = line->text();
@@ -224,7 +230,7 @@ class DetailsTest : public CatalogueWindow {
     QCOMPARE(yes->text(), QString("Replace with measured value"));
     QTest::mouseClick(yes, Qt::LeftButton);
     QCOMPARE(sample_->value(0, "length_mm"), QString("71.5"));
-    const auto sherd = sample_->catalogue().sherd(sample_->sherds()[0]);
+    const auto sherd = sherds::Sherds(sample_->catalogue()).get(sample_->sherds()[0]);
     QCOMPARE(QString::number(sherd->replaced.at("length")), computed);
     // Its mark in the table leaves room for the figure.
     const QAbstractItemModel* rows = table()->model();
@@ -328,12 +334,14 @@ class DetailsTest : public CatalogueWindow {
  private:
   void putIntoBag4(const std::vector<int>& sherds) {
     records::BagRecord bag;
-    bag.context = SampleProject::must(sample_->catalogue().contextByPlace("ARM1", "T3", "0012"));
+    bag.context = SampleProject::must(
+        catalogue::Places(sample_->catalogue()).contextByPlace("ARM1", "T3", "0012"));
     bag.number = "4";
-    SampleProject::must(sample_->catalogue().save(bag, {}));
+    SampleProject::must(catalogue::Places(sample_->catalogue()).save(bag, {}));
     for (const int sherd : sherds) {
       const records::FieldChange into{sample_->row(sherd), "bag", "4"};
-      SampleProject::must(sample_->catalogue().change(std::span(&into, 1), {}));
+      SampleProject::must(
+          sherds::SherdChanges(sample_->catalogue()).apply(std::span(&into, 1), {}));
     }
   }
 };

@@ -17,6 +17,7 @@
 
 #include "paper/sheet.h"
 #include "sample_project.h"
+#include "sherds/sherds.h"
 #include "ui/catalogue/sheet_view.h"
 #include "ui/frame/look.h"
 
@@ -107,7 +108,8 @@ class DrawingPageTest : public QObject {
   }
 
   void aVoidSherdIsOnNoPlateAndSaysSoBesideItsOwnSheet() {
-    QVERIFY(sample_->catalogue().voidSherd(sample_->row(1), "a brick", {}).has_value());
+    QVERIFY(
+        sherds::Sherds(sample_->catalogue()).voidSherd(sample_->row(1), "a brick", {}).has_value());
     show({1, 2});
     QTest::mouseClick(child<QPushButton>("drawMany"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(page_->pages().size(), size_t(1), 60000);

@@ -1,5 +1,7 @@
 // The filter knows the fields by the names that the window shows.
 #include "ui/catalogue/field_words.h"
+#include "records/sherd.h"
+#include "sherds/sherd_fields.h"
 
 #include <QCoreApplication>
 #include <QTranslator>
@@ -40,7 +42,7 @@ class FieldWordsTest : public QObject {
              QString("thickness>5 context:0100 Dicke"));
     const auto chips = [](const char* line) {
       QStringList shown;
-      const auto filter = ostraka::catalogue::parseFilter(line);
+      const auto filter = ostraka::sherds::parseFilter(line);
       if (!filter) return QString::fromStdString(filter.error().what);
       for (const auto& condition : filter->conditions) shown << conditionText(condition);
       return shown.join('|');
@@ -54,7 +56,7 @@ class FieldWordsTest : public QObject {
 
   void aNumberIsTypedAsTheLanguageWritesIt() {
     const auto typed = [](const char* field, const char* text) {
-      for (const ostraka::records::SherdField& known : ostraka::records::sherdFields())
+      for (const ostraka::records::SherdField& known : ostraka::sherds::sherdFields())
         if (std::string(known.name) == field) return typedText(known, text);
       return QString();
     };

@@ -10,8 +10,14 @@
 #include <QTableWidget>
 #include <QTest>
 
+#include "catalogue/history.h"
+#include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "exchange/export_folder.h"
+#include "records/sherd.h"
 #include "sample_project.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
 #include "ui/catalogue/catalogue_screen.h"
 #include "ui/catalogue/import_dialog.h"
 #include "ui/frame/look.h"
@@ -88,7 +94,7 @@ class ImportTest : public QObject {
     QCOMPARE(sample_->value(0, "ware"), QString("grey"));
     QTest::mouseClick(child<QPushButton>("importCancel"), Qt::LeftButton);
     QCOMPARE(sample_->value(0, "ware"), QString("grey"));
-    QVERIFY(!*sample_->catalogue().sherdByNumber("ARM1-T3-0012-0900"));
+    QVERIFY(!*sherds::Sherds(sample_->catalogue()).byNumber("ARM1-T3-0012-0900"));
   }
 
   // As a dig's old table has them: two names of one field, a unit to be guessed, a slip of the pen.
@@ -153,10 +159,10 @@ class ImportTest : public QObject {
     QTest::mouseClick(child<QPushButton>("importEnter"), Qt::LeftButton);
     QTRY_COMPARE(model_->state(), ImportModel::State::Done);
     QCOMPARE(sample_->value(0, "ware"), QString("black"));
-    QVERIFY(*sample_->catalogue().sherdByNumber("ARM1-T3-0012-0900"));
+    QVERIFY(*sherds::Sherds(sample_->catalogue()).byNumber("ARM1-T3-0012-0900"));
     QCOMPARE(child<QLabel>("count")->text(), QString("11 sherd(s)"));
     QCOMPARE(said.count(), 1);
-    const auto history = sample_->catalogue().history(sample_->sherds()[0]);
+    const auto history = catalogue::History(sample_->catalogue()).of(sample_->sherds()[0]);
     QCOMPARE(history->front().source, std::string("import"));
     QVERIFY(static_cast<bool>(history->front().by));
     QCOMPARE(sample_->session().undo().undoText(), QString("changes by the import of table.csv"));
@@ -175,7 +181,7 @@ class ImportTest : public QObject {
     QTRY_VERIFY(summary().endsWith("1 rejected."));
     QTest::mouseClick(child<QPushButton>("importEnter"), Qt::LeftButton);
     QTRY_COMPARE(model_->state(), ImportModel::State::Done);
-    QVERIFY(*sample_->catalogue().contextByPlace("ARM1", "T9", "0001"));
+    QVERIFY(*catalogue::Places(sample_->catalogue()).contextByPlace("ARM1", "T9", "0001"));
   }
 
   void whoStopsIsToldThatNothingWasEnteredInTheSameWindow() {
@@ -215,8 +221,8 @@ class ImportTest : public QObject {
     child<ImportDialog>("importDialog")->close();  // by Esc, or its cross
     QTRY_COMPARE(model_->state(), ImportModel::State::Done);
     QCOMPARE(model_->report()->not_reached, 2);  // the row that was begun is entered
-    QVERIFY(*sample_->catalogue().sherdByNumber("ARM1-T3-0012-1000"));
-    QVERIFY(!*sample_->catalogue().sherdByNumber("ARM1-T3-0012-1001"));
+    QVERIFY(*sherds::Sherds(sample_->catalogue()).byNumber("ARM1-T3-0012-1000"));
+    QVERIFY(!*sherds::Sherds(sample_->catalogue()).byNumber("ARM1-T3-0012-1001"));
     auto* problem = child<QLabel>("problem");
     QVERIFY(problem->isVisible());
     QVERIFY2(problem->text().contains("2"), qPrintable(problem->text()));
@@ -243,9 +249,10 @@ class ImportTest : public QObject {
   }
 
   void importsThatBrokeOffAreToldWhenTheProjectIsOpened() {
-    QVERIFY(sample_->catalogue().setSetting("import.unfinished",
-                                            R"([{"source":"my <bags>.csv","entered":30,"of":100},)"
-                                            R"({"source":"contexts.csv","entered":5,"of":7}])"));
+    QVERIFY(catalogue::Settings(sample_->catalogue())
+                .setValue("import.unfinished",
+                          R"([{"source":"my <bags>.csv","entered":30,"of":100},)"
+                          R"({"source":"contexts.csv","entered":5,"of":7}])"));
     screen_->openProject(sample_->session());
     auto* problem = child<QLabel>("problem");
     const QString told = problem->text();
@@ -265,7 +272,7 @@ class ImportTest : public QObject {
     QVERIFY(summary().startsWith("1 new, 1 updated"));
     model_->enter();
     QTRY_COMPARE(model_->state(), ImportModel::State::Done);
-    QVERIFY(*sample_->catalogue().contextByPlace("ARM2", "", "7"));
+    QVERIFY(*catalogue::Places(sample_->catalogue()).contextByPlace("ARM2", "", "7"));
   }
 
   // A spreadsheet saves over the table, or takes it away, while its preview is read.
@@ -281,7 +288,7 @@ class ImportTest : public QObject {
     model_->enter();
     QTRY_COMPARE(model_->state(), ImportModel::State::Done);
     QCOMPARE(sample_->value(0, "ware"), QString("black"));
-    QVERIFY(*sample_->catalogue().contextByPlace("ARM1", "T9", "0001"));
+    QVERIFY(*catalogue::Places(sample_->catalogue()).contextByPlace("ARM1", "T9", "0001"));
   }
 
   void noOtherTableIsChosenWhileOneIsEntered() {
@@ -347,7 +354,7 @@ class ImportTest : public QObject {
                                    sample_->sherds(), options, quiet, {})
                 .has_value());
     const records::FieldChange ours{sample_->sherds()[0], "ware", "black"};
-    QVERIFY(sample_->catalogue().change(std::span(&ours, 1), {}).has_value());
+    QVERIFY(sherds::SherdChanges(sample_->catalogue()).apply(std::span(&ours, 1), {}).has_value());
     open();
     model_->setSource(sample_->folder() + "/b");
     QTRY_COMPARE(summary(), QString("0 new, 0 updated, 9 unchanged, 1 rejected."));

@@ -6,9 +6,15 @@
 #include <memory>
 #include <stdexcept>
 
+#include "catalogue/places.h"
 #include "closed_shell.h"
 #include "cloud/ply.h"
 #include "files/files.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/numbers.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "upkeep/project.h"
@@ -28,19 +34,20 @@ class SampleProject {
     session_ = std::make_unique<ProjectSession>(project_, project_->folder(), jobs_);
     session_->setInitials("AP");
     provenance_.person =
-        must(catalogue().save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, provenance_));
+        must(catalogue::People(catalogue())
+                 .save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, provenance_));
     records::SiteRecord site;
     site.code = "ARM1";
     site.name = "Hill";
     records::TrenchRecord trench;
-    trench.site = must(catalogue().save(site, provenance_));
+    trench.site = must(catalogue::Places(catalogue()).save(site, provenance_));
     trench.code = "T3";
     records::ContextRecord context;
     context.site = trench.site;
-    context.trench = must(catalogue().save(trench, provenance_));
+    context.trench = must(catalogue::Places(catalogue()).save(trench, provenance_));
     for (const char* number : {"0012", "0013"}) {
       context.number = number;
-      contexts_.push_back(must(catalogue().save(context, provenance_)));
+      contexts_.push_back(must(catalogue::Places(catalogue()).save(context, provenance_)));
     }
     must(catalogue().together([&]() -> Result<void> {
       for (int i = 0; i < sherds; ++i) add(i);
@@ -53,14 +60,14 @@ class SampleProject {
   const std::vector<store::SherdRow>& sherds() const { return sherds_; }
   QString folder() const { return folder_.path(); }
   QString value(int sherd, const std::string& field) {
-    return QString::fromStdString(
-        records::textOf(must(catalogue().sherd(sherds_[static_cast<std::size_t>(sherd)])), field));
+    return QString::fromStdString(sherds::textOf(
+        must(sherds::Sherds(catalogue()).get(sherds_[static_cast<std::size_t>(sherd)])), field));
   }
   store::SherdRow row(int sherd) const { return sherds_[static_cast<std::size_t>(sherd)]; }
   store::SherdRow addDraft(bool with_context = true) {
     records::SherdRecord s;
     if (with_context) s.context = contexts_[0];
-    sherds_.push_back(must(catalogue().addSherd(s, provenance_)));
+    sherds_.push_back(must(sherds::Sherds(catalogue()).add(s, provenance_)));
     return sherds_.back();
   }
 
@@ -69,7 +76,8 @@ class SampleProject {
     const std::string path = "results/B0001/sherds/" + std::to_string(sherd) + "/model.ply";
     must(writeFileAtomically(project_->folder() / path, formatPly(mesh, "plate_front")));
     const auto row = sherds_[static_cast<std::size_t>(sherd)];
-    must(catalogue().setModel(row, path, must(catalogue().sherd(row)).preview_path));
+    must(sherds::Sherds(catalogue())
+             .setModel(row, path, must(sherds::Sherds(catalogue()).get(row)).preview_path));
   }
 
   template <class T>
@@ -93,13 +101,13 @@ class SampleProject {
                   {"width", 30.0 + i % 7},
                   {"thickness_mean", 4.0 + 0.5 * (i % 10)},
                   {"weight", 20.0 + i % 13}};
-    const store::SherdRow row = must(catalogue().addSherd(s, provenance_));
+    const store::SherdRow row = must(sherds::Sherds(catalogue()).add(s, provenance_));
     sherds_.push_back(row);
-    must(catalogue().assignNumbers(std::span(&row, 1), provenance_));
+    must(sherds::Numbers(catalogue()).assign(std::span(&row, 1), provenance_));
     if (i < 30) {
       const std::string path = "results/B0001/sherds/" + std::to_string(i) + "/preview.png";
       picture(i).save(prepared(path));
-      must(catalogue().setModel(row, "", path));
+      must(sherds::Sherds(catalogue()).setModel(row, "", path));
     }
   }
   QString prepared(const std::string& path) {

@@ -4,7 +4,11 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "catalogue/batches.h"
 #include "sample_project.h"
+#include "sherds/measurements.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -51,7 +55,7 @@ class SherdTableModelTest : public QObject {
     const QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
     QCOMPARE(model.data(model.index(0, 4), Qt::DisplayRole).toString(), QString("grey"));
     const records::FieldChange change{sample.sherds()[0], "ware", "black"};
-    QVERIFY(sample.catalogue().change(std::span(&change, 1), {}).has_value());
+    QVERIFY(sherds::SherdChanges(sample.catalogue()).apply(std::span(&change, 1), {}).has_value());
     QCOMPARE(model.data(model.index(0, 4), Qt::DisplayRole).toString(), QString("grey"));
     model.refresh({sample.sherds()[0]});
     QCOMPARE(model.data(model.index(0, 4), Qt::DisplayRole).toString(), QString("black"));
@@ -72,16 +76,16 @@ class SherdTableModelTest : public QObject {
     SampleProject sample(3);
     records::BatchRecord batch;
     batch.scale_doubts = "The scale is wrong.";
-    const auto row = sample.catalogue().addBatch(batch, {});
+    const auto row = catalogue::Batches(sample.catalogue()).add(batch, {});
     QVERIFY(row.has_value());
     records::SherdRecord fresh;
     fresh.batch = *row;
-    const auto sherd = sample.catalogue().addSherd(fresh, {});
+    const auto sherd = sherds::Sherds(sample.catalogue()).add(fresh, {});
     QVERIFY(sherd.has_value());
     for (const auto& [kind, value, method] :
          {std::tuple("length", 50.3, "program"), std::tuple("weight", 23.4, "scale")})
-      QVERIFY(sample.catalogue()
-                  .measure({*sherd, kind, {}, value, std::nullopt, method, {}, {}}, {})
+      QVERIFY(sherds::Measurements(sample.catalogue())
+                  .add({*sherd, kind, {}, value, std::nullopt, method, {}, {}}, {})
                   .has_value());
     SherdTableModel model;
     model.setCatalogue(&sample.catalogue(), sample.session().folder(), nullptr);
@@ -121,4 +125,6 @@ class SherdTableModelTest : public QObject {
 };
 
 QTEST_MAIN(SherdTableModelTest)
+#include "records/records.h"
+#include "records/sherd.h"
 #include "sherd_table_model_test.moc"

@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "catalogue/places.h"
 #include "ui/jobs/job.h"
 #include "upkeep/project.h"
 
@@ -28,7 +29,8 @@ class ProjectSessionTest : public QObject {
 
   void whoTypesSmallLettersIsTheSamePerson() {
     catalogue::Catalogue& rows = session_->project().catalogue();
-    const auto anna = rows.save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
+    const auto anna =
+        catalogue::People(rows).save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
     QVERIFY(anna.has_value());
     QSignalSpy refused(session_.get(), &ProjectSession::personRefused);
     session_->setInitials("ap ");
@@ -40,7 +42,7 @@ class ProjectSessionTest : public QObject {
   void aPersonWhomTheProjectDoesNotKnowIsEntered() {
     session_->setInitials("bk");
     const records::Provenance provenance = session_->provenance();
-    const auto persons = session_->project().catalogue().persons();
+    const auto persons = catalogue::People(session_->project().catalogue()).all();
     QCOMPARE(persons->size(), std::size_t{1});
     QCOMPARE(persons->front().initials, std::string("BK"));
     QCOMPARE(provenance.person, persons->front().row);

@@ -12,8 +12,10 @@
 #include <filesystem>
 
 #include "archive/bagit.h"
-#include "catalogue/filter.h"
 #include "person.h"
+#include "records/sherd.h"
+#include "sherds/filter.h"
+#include "sherds/sherds.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/look.h"
@@ -130,11 +132,12 @@ class FirstRunTest : public QObject {
     QVERIFY(row.figures.has_value());
     QCOMPARE(row.figures->sherds, 2);
     doubtful_ = doubtful_ || row.state == QueueState::Review;
-    const auto sherds = window.session()->project().catalogue().sherdRows(catalogue::Filter(),
-                                                                          records::SherdOrder());
+    const auto sherds = sherds::Sherds(window.session()->project().catalogue())
+                            .rows(sherds::Filter(), records::SherdOrder());
     QVERIFY(sherds.has_value());
     QCOMPARE(sherds->size(), std::size_t{2});
-    const auto record = window.session()->project().catalogue().sherd(sherds->front());
+    const auto record =
+        sherds::Sherds(window.session()->project().catalogue()).get(sherds->front());
     QCOMPARE(record->context_number, std::string("0012"));
     QVERIFY(record->measures.at("length") > 10);
     QVERIFY(!window.session()->project().backups().empty());

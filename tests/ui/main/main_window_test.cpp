@@ -9,9 +9,12 @@
 #include <atomic>
 #include <thread>
 
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
 #include "files/files.h"
 #include "person.h"
 #include "records/sherd.h"
+#include "sherds/sherds.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
@@ -94,7 +97,7 @@ class MainWindowTest : public QObject {
     store::SherdRow row;
     {
       auto project = upkeep::Project::open(folder_.toStdString());
-      row = *project->catalogue().addSherd({}, {});
+      row = *sherds::Sherds(project->catalogue()).add({}, {});
     }
     {
       MainWindow window(jobs_);
@@ -113,13 +116,13 @@ class MainWindowTest : public QObject {
       window.close();  // no Return, no Tab
     }
     const auto project = upkeep::Project::open(folder_.toStdString());
-    QCOMPARE(project->catalogue().sherd(row)->ware, std::string("red slip"));
+    QCOMPARE(sherds::Sherds(project->catalogue()).get(row)->ware, std::string("red slip"));
   }
 
   void closingSaysOnceThatAnExportWouldBeLost() {
     {
       auto project = upkeep::Project::open(folder_.toStdString());
-      QVERIFY(project->catalogue().addSherd({}, {}).has_value());
+      QVERIFY(sherds::Sherds(project->catalogue()).add({}, {}).has_value());
     }
     MainWindow window(jobs_);
     activate(window);
@@ -143,7 +146,7 @@ class MainWindowTest : public QObject {
       auto project = upkeep::Project::open(folder_.toStdString());
       records::BatchRecord batch;
       batch.state = records::BatchState::Queued;
-      QVERIFY(project->catalogue().addBatch(batch, {}).has_value());
+      QVERIFY(catalogue::Batches(project->catalogue()).add(batch, {}).has_value());
     }
     const QString other = home_->path(QStringLiteral("Ostraka/p2"));
     records::ProjectRecord record;
@@ -154,12 +157,12 @@ class MainWindowTest : public QObject {
     const auto may_end = std::make_shared<std::atomic<bool>>(false);
     const auto at_the_end = qScopeGuard([may_end] { *may_end = true; });
     MainWindow window(jobs_);
-    window.queue()->setWork(
-        [=](const ComputeOptions&, Progress&, std::stop_token) -> Result<BatchFigures> {
-          *computing = true;
-          while (!*may_end) std::this_thread::yield();  // a stage that ends its work
-          return Error::cancelled();
-        });
+    window.queue()->setWork([=](const intake::ComputeOptions&, Progress&,
+                                std::stop_token) -> Result<intake::BatchFigures> {
+      *computing = true;
+      while (!*may_end) std::this_thread::yield();  // a stage that ends its work
+      return Error::cancelled();
+    });
     activate(window);
     window.openProject(folder_);
     QTRY_VERIFY(computing->load());
@@ -184,7 +187,7 @@ class MainWindowTest : public QObject {
       file.sha256 = sha256("as it was entered");
       file.media_type = "application/octet-stream";
       file.role = "model";
-      QVERIFY(project->catalogue().save(file, {}).has_value());
+      QVERIFY(catalogue::Files(project->catalogue()).save(file, {}).has_value());
       QVERIFY(writeFileAtomically(project->absolute(file.path), "one bit another").has_value());
     }
     MainWindow window(jobs_);

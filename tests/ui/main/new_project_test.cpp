@@ -2,6 +2,8 @@
 
 #include <QtTest>
 
+#include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "ui/capture/rig_source.h"
 #include "upkeep/project.h"
 
@@ -80,8 +82,8 @@ class NewProjectTest : public QObject {
     fresh.setFolder(folder.filePath("p"));
     const auto made = fresh.make();
     QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
-    QCOMPARE((*made)->catalogue().sites()->front().code, std::string("ARM1"));
-    QCOMPARE((*made)->catalogue().project()->title, std::string("Aragats"));
+    QCOMPARE(catalogue::Places((*made)->catalogue()).sites()->front().code, std::string("ARM1"));
+    QCOMPARE(catalogue::Settings((*made)->catalogue()).project()->title, std::string("Aragats"));
     QVERIFY(fresh.refusal().contains("project in this folder already"));
   }
 
@@ -89,9 +91,9 @@ class NewProjectTest : public QObject {
     const QTemporaryDir folder;
     const auto made = makeVirtualProject(folder.filePath("v"));
     QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
-    const auto rig = (*made)->catalogue().setting("rig");
+    const auto rig = catalogue::Settings((*made)->catalogue()).value("rig");
     QCOMPARE(RigChoice::fromJson(QString::fromStdString(*rig)).kind, RigChoice::Kind::Virtual);
-    QVERIFY(!(*made)->catalogue().setting("capture.place")->empty());
+    QVERIFY(!catalogue::Settings((*made)->catalogue()).value("capture.place")->empty());
   }
 
   void aRigIsReadAsItWasWritten() {

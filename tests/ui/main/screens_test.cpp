@@ -18,6 +18,8 @@
 #include <QTranslator>
 
 #include "../names.h"
+#include "catalogue/batches.h"
+#include "catalogue/settings.h"
 #include "person.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/look.h"
@@ -370,16 +372,17 @@ class ScreensTest : public QObject {
           records::BatchState::Queued}) {
       records::BatchRecord batch;
       batch.state = state;
-      const auto row = rows.addBatch(batch, {});
+      const auto row = catalogue::Batches(rows).add(batch, {});
       QVERIFY(row.has_value());
-      const std::string number = rows.batch(*row)->number;
+      const std::string number = catalogue::Batches(rows).get(*row)->number;
       if (state == records::BatchState::Failed)
-        (void)rows.setSetting("queue.failure." + number,
-                              R"({"sentence":"front/cam1_pos03.jpg: only two markers are seen; )"
-                              R"(photograph the fronts again."})");
+        (void)catalogue::Settings(rows).setValue(
+            "queue.failure." + number,
+            R"({"sentence":"front/cam1_pos03.jpg: only two markers are seen; )"
+            R"(photograph the fronts again."})");
       else if (state != records::BatchState::Queued)
-        (void)rows.setSetting("queue.figures." + number,
-                              R"({"sherds":9,"sure":7,"ask":2,"uncertainty_mm":0.08})");
+        (void)catalogue::Settings(rows).setValue(
+            "queue.figures." + number, R"({"sherds":9,"sure":7,"ask":2,"uncertainty_mm":0.08})");
     }
     window_->session()->tellBatchChanged({});
   }
@@ -459,4 +462,5 @@ int main(int argc, char** argv) {
   ScreensTest test;
   return QTest::qExec(&test, argc, argv);
 }
+#include "records/records.h"
 #include "screens_test.moc"

@@ -7,7 +7,9 @@
 #include <QTranslator>
 
 #include "../capture/fake_rig.h"
+#include "catalogue/batches.h"
 #include "person.h"
+#include "sherds/sherds.h"
 #include "synthetic_out.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/look.h"
@@ -201,11 +203,11 @@ class SmallWindowTest : public QObject {
     records::BatchRecord batch;
     batch.number = "B0001";
     batch.state = records::BatchState::Review;
-    QVERIFY(made->catalogue().addBatch(batch, {}).has_value());
+    QVERIFY(catalogue::Batches(made->catalogue()).add(batch, {}).has_value());
     for (int i = 0; i < 8; ++i) {
       records::SherdRecord sherd;
       sherd.ware = "grey";
-      QVERIFY(made->catalogue().addSherd(sherd, {}).has_value());
+      QVERIFY(sherds::Sherds(made->catalogue()).add(sherd, {}).has_value());
     }
   }
 
@@ -257,4 +259,6 @@ int main(int argc, char** argv) {
   SmallWindowTest test;
   return QTest::qExec(&test, argc, argv);
 }
+#include "records/records.h"
+#include "records/sherd.h"
 #include "small_window_test.moc"

@@ -9,7 +9,13 @@
 #include <QTest>
 
 #include "capture/label_code.h"
-#include "catalogue/filter.h"
+#include "catalogue/batches.h"
+#include "catalogue/places.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/filter.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
 #include "ui/capture/place_text.h"
 #include "upkeep/project.h"
 
@@ -162,7 +168,7 @@ void CatalogueLabelsTest::aBagsLabelIsReadBackWhateverItsCodesLookLike() {
   // As the field shows it, and as a person types it.
   QCOMPARE(findPlaceText(rows, place.typed()), std::optional(place));
   QCOMPARE(*bagRowOf(rows, *findPlaceText(rows, place.typed().toLower()), {}), *row);
-  QCOMPARE(rows.bags()->size(), std::size_t{2});
+  QCOMPARE(catalogue::Places(rows).bags()->size(), std::size_t{2});
 }
 
 void CatalogueLabelsTest::aBagsLabelSaysHowManySherdsAndWhoBaggedThem() {
@@ -172,7 +178,8 @@ void CatalogueLabelsTest::aBagsLabelSaysHowManySherdsAndWhoBaggedThem() {
   auto project = upkeep::Project::create(folder.path().toStdString() + "/project", record);
   QVERIFY(project.has_value());
   catalogue::Catalogue& rows = project->catalogue();
-  const auto anna = rows.save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
+  const auto anna =
+      catalogue::People(rows).save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
   const auto row = bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {*anna, "window", {}});
   QVERIFY(row.has_value());
   QVERIFY(bagRowOf(rows, {"ARM1", "T3", "0012", "5"}, {}).has_value());
@@ -181,21 +188,21 @@ void CatalogueLabelsTest::aBagsLabelSaysHowManySherdsAndWhoBaggedThem() {
   };
   QCOMPARE(contents({}), QStringLiteral("AP | "));
   QCOMPARE(contents("BK"), QStringLiteral("AP | BK"));
-  records::BagRecord bag = rows.bags()->front();
+  records::BagRecord bag = catalogue::Places(rows).bags()->front();
   bag.count_written = 3;
-  QVERIFY(rows.save(bag, {}).has_value());
+  QVERIFY(catalogue::Places(rows).save(bag, {}).has_value());
   QCOMPARE(contents({}), QStringLiteral("3 sherd(s), AP | "));
   std::vector<store::SherdRow> sherds;
   for (int i = 0; i < 4; ++i) {
     records::SherdRecord sherd;
     sherd.context = bag.context;
     sherd.bag = bag.row;
-    const auto added = rows.addSherd(sherd, {});
+    const auto added = sherds::Sherds(rows).add(sherd, {});
     QVERIFY(added.has_value());
     sherds.push_back(*added);
   }
   QCOMPARE(contents({}), QStringLiteral("4 of 3 sherd(s), AP | "));
-  QVERIFY(rows.voidSherd(sherds.back(), "a stone", {}).has_value());
+  QVERIFY(sherds::Sherds(rows).voidSherd(sherds.back(), "a stone", {}).has_value());
   QCOMPARE(contents({}), QStringLiteral("3 sherd(s), AP | "));
 }
 
@@ -209,7 +216,7 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   catalogue::Catalogue& rows = project->catalogue();
   records::BatchRecord batch;
   batch.number = "B0001";
-  const auto batch_row = rows.addBatch(batch, {});
+  const auto batch_row = catalogue::Batches(rows).add(batch, {});
   QVERIFY(batch_row.has_value());
   records::ScanRecord scan;
   scan.batch = *batch_row;
@@ -218,7 +225,7 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   scan.path = "results/B0001/scans/f003.ply";
   scan.plate_x_mm = 30;
   scan.plate_y_mm = 10;
-  const auto scan_row = rows.save(scan, {});
+  const auto scan_row = catalogue::Batches(rows).save(scan, {});
   QVERIFY2(scan_row.has_value(), scan_row ? "" : scan_row.error().sentence().c_str());
   records::SherdRecord sherd;
   sherd.batch = *batch_row;
@@ -226,16 +233,16 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   records::SiteRecord site;
   site.code = "ARM1";
   site.name = "Trial";
-  const auto site_row = rows.save(site, {});
+  const auto site_row = catalogue::Places(rows).save(site, {});
   QVERIFY2(site_row.has_value(), site_row ? "" : site_row.error().sentence().c_str());
   records::ContextRecord context;
   context.site = *site_row;
   context.number = "0012";
-  const auto context_row = rows.save(context, {});
+  const auto context_row = catalogue::Places(rows).save(context, {});
   QVERIFY2(context_row.has_value(), context_row ? "" : context_row.error().sentence().c_str());
   sherd.context = *context_row;
   sherd.number = "ARM1-T3-0012-0007";
-  const auto sherd_row = rows.addSherd(sherd, {});
+  const auto sherd_row = sherds::Sherds(rows).add(sherd, {});
   QVERIFY2(sherd_row.has_value(), sherd_row ? "" : sherd_row.error().sentence().c_str());
 
   review::PlateMap map;
@@ -252,12 +259,13 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   QCOMPARE(labels.size(), 2);
   QCOMPARE(labels[0].number, QStringLiteral("sherd 1 of B0001"));
   QCOMPARE(labels[1].number, QStringLiteral("ARM1-T3-0012-0007"));
-  const QString id = QString::fromStdString(rows.sherd(*sherd_row)->id).remove('-').toUpper();
+  const QString id =
+      QString::fromStdString(sherds::Sherds(rows).get(*sherd_row)->id).remove('-').toUpper();
   QCOMPARE(labels[1].code, "OST1:S:ARM1-T3-0012-0007:" + id.right(8));
   QCOMPARE(labels[1].context, QStringLiteral("ARM1 / 0012"));
   const auto leadsTo = [&](const QString& code) {
-    const auto filter = catalogue::parseFilter(code.toStdString());
-    return filter ? *rows.sherdRows(*filter, {}) : std::vector<store::SherdRow>();
+    const auto filter = sherds::parseFilter(code.toStdString());
+    return filter ? *sherds::Sherds(rows).rows(*filter, {}) : std::vector<store::SherdRow>();
   };
   QCOMPARE(leadsTo(labels[1].code), std::vector<store::SherdRow>{*sherd_row});
   // A draft's label, and what it leads to after the sherd has its number.
@@ -268,14 +276,14 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   scan.name = "f001";
   scan.plate_x_mm = -51;
   scan.plate_y_mm = 0;
-  draft.front = *rows.save(scan, {});
-  const auto draft_row = rows.addSherd(draft, {});
+  draft.front = *catalogue::Batches(rows).save(scan, {});
+  const auto draft_row = sherds::Sherds(rows).add(draft, {});
   QVERIFY(draft_row.has_value());
   const SherdLabel before = labelsOf(sherdsOnPlate(map, &rows, "B0001", day))[0];
   QCOMPARE(before.number, QStringLiteral("sherd 1 of B0001"));
   QCOMPARE(leadsTo(before.code), std::vector<store::SherdRow>{*draft_row});
   const records::FieldChange number{*draft_row, "number", "ARM1-8"};
-  QVERIFY(rows.change(std::span(&number, 1), {}).has_value());
+  QVERIFY(sherds::SherdChanges(rows).apply(std::span(&number, 1), {}).has_value());
   QCOMPARE(leadsTo(before.code), std::vector<store::SherdRow>{*draft_row});
   QCOMPARE(leadsTo(plain[0].code), std::vector<store::SherdRow>{*draft_row});
   QCOMPARE(labels[1].date, QStringLiteral("2026-07-14"));
@@ -288,7 +296,7 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   QCOMPARE(labelsOf(sherdsOnPlate(map, nullptr, "B0001", day)).size(), 0);  // stones, perhaps
   map.front.marks[2].state = review::CardState::Sure;
   QVERIFY(mapNumbers(sherdsOnPlate(map, &rows, "B0001", day)).voided.isEmpty());
-  QVERIFY(rows.voidSherd(*sherd_row, "a brick", {}).has_value());
+  QVERIFY(sherds::Sherds(rows).voidSherd(*sherd_row, "a brick", {}).has_value());
   const QVector<SherdLabel> left = labelsOf(sherdsOnPlate(map, &rows, "B0001", day));
   QCOMPARE(left.size(), 1);
   QCOMPARE(left[0].number, QStringLiteral("ARM1-8"));

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "catalogue/batches.h"
 #include "files/files.h"
 #include "synthetic_out.h"
 #include "ui/frame/message_panel.h"
@@ -177,7 +178,7 @@ void MapTest::theLabelSaysTheDayOfTheShooting() {
   batch.number = "B0007";
   batch.state = records::BatchState::Review;
   batch.started_ms = QDateTime(QDate(2019, 7, 14), QTime(12, 0)).toMSecsSinceEpoch();
-  QVERIFY(project->catalogue().addBatch(batch, {}).has_value());
+  QVERIFY(catalogue::Batches(project->catalogue()).add(batch, {}).has_value());
   ProjectSession dated(project, folder_.path().toStdString(), runner_);
   screen_->openProject(dated);
   QTRY_VERIFY(!screen_->labels().isEmpty());

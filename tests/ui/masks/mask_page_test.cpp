@@ -17,6 +17,7 @@
 #include <filesystem>
 
 #include "../names.h"
+#include "catalogue/batches.h"
 #include "decisions/mask_strokes.h"
 #include "files/files.h"
 #include "review/review.h"
@@ -121,10 +122,12 @@ class MaskPageTest : public QObject {
                 .has_value());
     records::BatchRecord batch;
     batch.state = records::BatchState::Done;
-    QVERIFY(made->catalogue().addBatch(batch, {}).has_value());
+    QVERIFY(catalogue::Batches(made->catalogue()).add(batch, {}).has_value());
     ProjectSession session(std::make_shared<upkeep::Project>(std::move(*made)), project, jobs_);
     session.setInitials("AP");
-    const auto state = [&] { return session.project().catalogue().batchByNumber("B0001")->state; };
+    const auto state = [&] {
+      return catalogue::Batches(session.project().catalogue()).byNumber("B0001")->state;
+    };
     const bool asks = review::loadReview(project / "results" / "B0001")->waiting() > 0;
     const auto settled = asks ? records::BatchState::Review : records::BatchState::Done;
     QSignalSpy told(&session, &ProjectSession::batchChanged);

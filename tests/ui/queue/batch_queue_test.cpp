@@ -9,6 +9,8 @@
 #include <mutex>
 #include <thread>
 
+#include "catalogue/batches.h"
+#include "catalogue/settings.h"
 #include "queue_bench.h"
 #include "store/database.h"
 
@@ -24,10 +26,10 @@ class BatchQueueTest : public QObject {
   void whatNobodyWantsIsSetAsideAndComesBackByComputingIt() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.queue.setWork(
-        [](const ComputeOptions&, Progress&, std::stop_token) -> Result<BatchFigures> {
-          return Error{ErrorCode::NotEnough, "No plate is seen.", {}};
-        });
+    bench.queue.setWork([](const intake::ComputeOptions&, Progress&,
+                           std::stop_token) -> Result<intake::BatchFigures> {
+      return Error{ErrorCode::NotEnough, "No plate is seen.", {}};
+    });
     const QString number = addBatch(bench.session, BatchState::Queued);
     bench.queue.setSession(&bench.session);
     QTRY_COMPARE(bench.queue.failed(), 1);
@@ -35,7 +37,8 @@ class BatchQueueTest : public QObject {
     QCOMPARE(bench.queue.failed(), 0);
     QCOMPARE(stateWords(bench.queue.row(0)), QStringLiteral("Set aside"));
     QVERIFY(bench.queue.row(0).failure.contains("photographs are kept"));
-    const auto kept = bench.session.project().catalogue().setting("queue.failure.B0001");
+    const auto kept =
+        catalogue::Settings(bench.session.project().catalogue()).value("queue.failure.B0001");
     QVERIFY2(!kept->empty() && !QString::fromStdString(*kept).contains("photographs"),
              "kept in the language of one day");
     BatchQueue after_a_start;
@@ -105,7 +108,8 @@ class BatchQueueTest : public QObject {
     bench.queue.setSession(&bench.session);
     QSignalSpy changed(&bench.queue, &QAbstractItemModel::dataChanged);
     catalogue::Catalogue& rows = bench.session.project().catalogue();
-    (void)rows.setBatchState(rows.batchByNumber("B0002")->row, BatchState::Done, {});
+    (void)catalogue::Batches(rows).setState(catalogue::Batches(rows).byNumber("B0002")->row,
+                                            BatchState::Done, {});
     bench.session.tellBatchChanged("B0002");
     QCOMPARE(bench.queue.row(1).state, QueueState::Done);
     QCOMPARE(changed.count(), 1);
@@ -119,19 +123,19 @@ class BatchQueueTest : public QObject {
     {
       Bench bench(folder(), jobs);
       number = addBatch(bench.session, BatchState::Queued);
-      bench.queue.setWork(
-          [&](const ComputeOptions&, Progress&, std::stop_token) -> Result<BatchFigures> {
-            catalogue::Catalogue& rows = bench.session.project().catalogue();
-            records::BatchRecord record = *rows.batchByNumber(number.toStdString());
-            record.state = BatchState::Review;
-            record.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
-            (void)rows.saveBatch(record, {});
-            BatchFigures figures;
-            figures.sherds = figures.sure = 3;
-            figures.counted = 4;
-            figures.numbers_left = {"A-7"};
-            return figures;
-          });
+      bench.queue.setWork([&](const intake::ComputeOptions&, Progress&,
+                              std::stop_token) -> Result<intake::BatchFigures> {
+        catalogue::Catalogue& rows = bench.session.project().catalogue();
+        records::BatchRecord record = *catalogue::Batches(rows).byNumber(number.toStdString());
+        record.state = BatchState::Review;
+        record.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
+        (void)catalogue::Batches(rows).save(record, {});
+        intake::BatchFigures figures;
+        figures.sherds = figures.sure = 3;
+        figures.counted = 4;
+        figures.numbers_left = {"A-7"};
+        return figures;
+      });
       bench.queue.setSession(&bench.session);
       QTRY_COMPARE(bench.queue.row(0).state, QueueState::Review);
       QVERIFY(stateWords(bench.queue.row(0)).startsWith(QLatin1String("Scale in doubt")));
@@ -150,19 +154,19 @@ class BatchQueueTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     QVector<bool> drafts;
-    bench.queue.setWork(
-        [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
-          drafts << options.draft;
-          catalogue::Catalogue& rows = bench.session.project().catalogue();
-          records::BatchRecord record = *rows.batchByNumber(options.number);
-          record.state = options.draft ? BatchState::Review : BatchState::Done;
-          record.scale_doubts = options.draft ? "This is a draft." : "";
-          (void)rows.saveBatch(record, {});
-          BatchFigures figures;
-          figures.sherds = figures.sure = 3;
-          figures.draft = options.draft;
-          return figures;
-        });
+    bench.queue.setWork([&](const intake::ComputeOptions& options, Progress&,
+                            std::stop_token) -> Result<intake::BatchFigures> {
+      drafts << options.draft;
+      catalogue::Catalogue& rows = bench.session.project().catalogue();
+      records::BatchRecord record = *catalogue::Batches(rows).byNumber(options.number);
+      record.state = options.draft ? BatchState::Review : BatchState::Done;
+      record.scale_doubts = options.draft ? "This is a draft." : "";
+      (void)catalogue::Batches(rows).save(record, {});
+      intake::BatchFigures figures;
+      figures.sherds = figures.sure = 3;
+      figures.draft = options.draft;
+      return figures;
+    });
     bench.queue.setSession(&bench.session);
     bench.queue.setMakesDrafts(true);
     const QString number = addBatch(bench.session, BatchState::Queued);
@@ -186,8 +190,8 @@ class BatchQueueTest : public QObject {
     Bench bench(folder(), jobs);
     std::mutex guard;
     QStringList begun;
-    bench.queue.setWork([&](const ComputeOptions& options, Progress& progress,
-                            std::stop_token stop) -> Result<BatchFigures> {
+    bench.queue.setWork([&](const intake::ComputeOptions& options, Progress& progress,
+                            std::stop_token stop) -> Result<intake::BatchFigures> {
       bool endless = false;
       {
         const std::lock_guard lock(guard);
@@ -200,9 +204,9 @@ class BatchQueueTest : public QObject {
       }
       if (stop.stop_requested()) return Error::cancelled();
       auto project = upkeep::Project::open(options.project);
-      const auto batch = project->catalogue().batchByNumber(options.number);
-      (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
-      BatchFigures figures;
+      const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.number);
+      (void)catalogue::Batches(project->catalogue()).setState(batch->row, BatchState::Review, {});
+      intake::BatchFigures figures;
       figures.sherds = figures.sure = 3;
       figures.draft = options.draft;
       return figures;
@@ -231,15 +235,16 @@ class BatchQueueTest : public QObject {
   void aBumpedCameraIsNamedUntilTheRigIsCalibratedAgain() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.queue.setWork(
-        [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
-          catalogue::Catalogue& rows = bench.session.project().catalogue();
-          (void)rows.setBatchState(rows.batchByNumber(options.number)->row, BatchState::Done, {});
-          BatchFigures figures;
-          figures.sherds = figures.sure = 3;
-          figures.moved = {{1, 0.83, 2.5, 0.01}};
-          return figures;
-        });
+    bench.queue.setWork([&](const intake::ComputeOptions& options, Progress&,
+                            std::stop_token) -> Result<intake::BatchFigures> {
+      catalogue::Catalogue& rows = bench.session.project().catalogue();
+      (void)catalogue::Batches(rows).setState(
+          catalogue::Batches(rows).byNumber(options.number)->row, BatchState::Done, {});
+      intake::BatchFigures figures;
+      figures.sherds = figures.sure = 3;
+      figures.moved = {{1, 0.83, 2.5, 0.01}};
+      return figures;
+    });
     bench.queue.setSession(&bench.session);
     const QString number = addBatch(bench.session, BatchState::Queued);
     bench.session.tellBatchChanged(number);
@@ -286,8 +291,8 @@ class BatchQueueTest : public QObject {
   void aBatchThatWasBeingComputedWhenTheWindowClosedIsComputedAgain() {
     ThreadedJobRunner jobs;
     std::atomic<int> begun = 0;
-    const auto endless = [&begun](const ComputeOptions&, Progress&,
-                                  std::stop_token stop) -> Result<BatchFigures> {
+    const auto endless = [&begun](const intake::ComputeOptions&, Progress&,
+                                  std::stop_token stop) -> Result<intake::BatchFigures> {
       ++begun;
       while (!stop.stop_requested()) std::this_thread::yield();
       return Error::cancelled();
@@ -312,15 +317,15 @@ class BatchQueueTest : public QObject {
     std::atomic<bool> begun = false, go = false;
     {
       Bench bench(folder(), jobs);
-      bench.queue.setWork(
-          [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
-            begun = true;
-            while (!go) std::this_thread::yield();  // too far on to be stopped
-            auto project = upkeep::Project::open(options.project);
-            const auto batch = project->catalogue().batchByNumber(options.number);
-            (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
-            return BatchFigures{3, 2, 1, 0.07, 5};
-          });
+      bench.queue.setWork([&](const intake::ComputeOptions& options, Progress&,
+                              std::stop_token) -> Result<intake::BatchFigures> {
+        begun = true;
+        while (!go) std::this_thread::yield();  // too far on to be stopped
+        auto project = upkeep::Project::open(options.project);
+        const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.number);
+        (void)catalogue::Batches(project->catalogue()).setState(batch->row, BatchState::Review, {});
+        return intake::BatchFigures{3, 2, 1, 0.07, 5};
+      });
       addBatch(bench.session, BatchState::Queued);
       bench.queue.setSession(&bench.session);
       QTRY_VERIFY(begun);
@@ -339,14 +344,14 @@ class BatchQueueTest : public QObject {
     ThreadedJobRunner jobs;
     std::atomic<int> at_once = 0, most = 0, begun = 0;
     Bench bench(folder(), jobs);
-    bench.queue.setWork(
-        [&](const ComputeOptions&, Progress&, std::stop_token stop) -> Result<BatchFigures> {
-          most = std::max(most.load(), ++at_once);
-          ++begun;
-          while (!stop.stop_requested()) std::this_thread::yield();
-          --at_once;
-          return Error::cancelled();
-        });
+    bench.queue.setWork([&](const intake::ComputeOptions&, Progress&,
+                            std::stop_token stop) -> Result<intake::BatchFigures> {
+      most = std::max(most.load(), ++at_once);
+      ++begun;
+      while (!stop.stop_requested()) std::this_thread::yield();
+      --at_once;
+      return Error::cancelled();
+    });
     addBatch(bench.session, BatchState::Queued);
     bench.queue.setSession(&bench.session);
     QTRY_COMPARE(begun.load(), 1);
@@ -361,17 +366,18 @@ class BatchQueueTest : public QObject {
     Bench bench(folder(), jobs);
     const QString bad = addBatch(bench.session, BatchState::Queued);
     const QString good = addBatch(bench.session, BatchState::Queued);
-    bench.queue.setWork(
-        [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
-          if (QString::fromStdString(options.number) == bad)
-            return Error{ErrorCode::UnusableInput, "Only two markers are seen; shoot it again.",
-                         "front/cam1_pos03.jpg"};
-          bench.computed << QString::fromStdString(options.number);
-          (void)bench.session.project().catalogue().setBatchState(
-              bench.session.project().catalogue().batchByNumber(options.number)->row,
+    bench.queue.setWork([&](const intake::ComputeOptions& options, Progress&,
+                            std::stop_token) -> Result<intake::BatchFigures> {
+      if (QString::fromStdString(options.number) == bad)
+        return Error{ErrorCode::UnusableInput, "Only two markers are seen; shoot it again.",
+                     "front/cam1_pos03.jpg"};
+      bench.computed << QString::fromStdString(options.number);
+      (void)catalogue::Batches(bench.session.project().catalogue())
+          .setState(
+              catalogue::Batches(bench.session.project().catalogue()).byNumber(options.number)->row,
               BatchState::Done, {});
-          return BatchFigures{};
-        });
+      return intake::BatchFigures{};
+    });
     QSignalSpy failed(&bench.queue, &BatchQueue::batchFailed);
     bench.queue.setSession(&bench.session);
     QTRY_COMPARE(bench.computed, QStringList{good});
@@ -388,15 +394,16 @@ class BatchQueueTest : public QObject {
     Bench bench(folder(), jobs);
     const QString number = addBatch(bench.session, BatchState::Queued);
     bool full = true;
-    bench.queue.setWork(
-        [&](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
-          if (full) return Error{ErrorCode::CannotWrite, "The disk is full.", "OUT"};
-          bench.computed << QString::fromStdString(options.number);
-          (void)bench.session.project().catalogue().setBatchState(
-              bench.session.project().catalogue().batchByNumber(options.number)->row,
+    bench.queue.setWork([&](const intake::ComputeOptions& options, Progress&,
+                            std::stop_token) -> Result<intake::BatchFigures> {
+      if (full) return Error{ErrorCode::CannotWrite, "The disk is full.", "OUT"};
+      bench.computed << QString::fromStdString(options.number);
+      (void)catalogue::Batches(bench.session.project().catalogue())
+          .setState(
+              catalogue::Batches(bench.session.project().catalogue()).byNumber(options.number)->row,
               BatchState::Done, {});
-          return BatchFigures{};
-        });
+      return intake::BatchFigures{};
+    });
     bench.queue.setSession(&bench.session);
     QTRY_VERIFY(!bench.queue.trouble().isEmpty());
     QVERIFY(bench.queue.isPaused());
@@ -412,19 +419,20 @@ class BatchQueueTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     std::atomic<int> begun = 0;
-    bench.queue.setWork(
-        [&begun](const ComputeOptions&, Progress&, std::stop_token stop) -> Result<BatchFigures> {
-          ++begun;
-          while (!stop.stop_requested()) std::this_thread::yield();
-          return Error{ErrorCode::UnusableInput, "A photograph is gone.", {}};
-        });
+    bench.queue.setWork([&begun](const intake::ComputeOptions&, Progress&,
+                                 std::stop_token stop) -> Result<intake::BatchFigures> {
+      ++begun;
+      while (!stop.stop_requested()) std::this_thread::yield();
+      return Error{ErrorCode::UnusableInput, "A photograph is gone.", {}};
+    });
     const QString number = addBatch(bench.session, BatchState::Queued);
     bench.queue.setSession(&bench.session);
     QTRY_COMPARE(begun.load(), 1);
     catalogue::Catalogue& rows = bench.session.project().catalogue();
-    QVERIFY(
-        rows.setBatchState(rows.batchByNumber(number.toStdString())->row, BatchState::Flipped, {})
-            .has_value());
+    QVERIFY(catalogue::Batches(rows)
+                .setState(catalogue::Batches(rows).byNumber(number.toStdString())->row,
+                          BatchState::Flipped, {})
+                .has_value());
     bench.session.tellBatchChanged(number);
     QTRY_VERIFY(!bench.queue.isBusy());
     QCOMPARE(stateOf(bench.session, number), BatchState::Flipped);
@@ -443,11 +451,11 @@ class BatchQueueTest : public QObject {
             "SELECT RAISE(ABORT, 'no'); END")
         .run();
     int begun = 0;
-    bench.queue.setWork(
-        [&begun](const ComputeOptions&, Progress&, std::stop_token) -> Result<BatchFigures> {
-          ++begun;
-          return Error{ErrorCode::NotEnough, "There are no photographs.", "B0001"};
-        });
+    bench.queue.setWork([&begun](const intake::ComputeOptions&, Progress&,
+                                 std::stop_token) -> Result<intake::BatchFigures> {
+      ++begun;
+      return Error{ErrorCode::NotEnough, "There are no photographs.", "B0001"};
+    });
     bench.queue.setSession(&bench.session);
     QTRY_VERIFY(!bench.queue.trouble().isEmpty());
     QCOMPARE(begun, 1);
@@ -462,12 +470,12 @@ class BatchQueueTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     std::atomic<int> begun = 0;
-    bench.queue.setWork(
-        [&begun](const ComputeOptions&, Progress&, std::stop_token stop) -> Result<BatchFigures> {
-          ++begun;
-          while (!stop.stop_requested()) std::this_thread::yield();
-          return Error::cancelled();
-        });
+    bench.queue.setWork([&begun](const intake::ComputeOptions&, Progress&,
+                                 std::stop_token stop) -> Result<intake::BatchFigures> {
+      ++begun;
+      while (!stop.stop_requested()) std::this_thread::yield();
+      return Error::cancelled();
+    });
     const QString number = addBatch(bench.session, BatchState::Queued);
     bench.queue.setSession(&bench.session);
     QTRY_COMPARE(begun.load(), 1);

@@ -2,6 +2,8 @@
 #pragma once
 #include <QStringList>
 
+#include "catalogue/batches.h"
+#include "records/records.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_queue.h"
 #include "upkeep/project.h"
@@ -24,27 +26,28 @@ inline QString addBatch(ProjectSession& session, BatchState state) {
   records::BatchRecord record;
   record.state = state;
   catalogue::Catalogue& rows = session.project().catalogue();
-  const auto row = rows.addBatch(record, {});
+  const auto row = catalogue::Batches(rows).add(record, {});
   if (!row) qFatal("%s", row.error().sentence().c_str());
-  return QString::fromStdString(rows.batch(*row)->number);
+  return QString::fromStdString(catalogue::Batches(rows).get(*row)->number);
 }
 
 inline BatchState stateOf(ProjectSession& session, const QString& number) {
-  return session.project().catalogue().batchByNumber(number.toStdString())->state;
+  return catalogue::Batches(session.project().catalogue()).byNumber(number.toStdString())->state;
 }
 
-// A queue with work that notes its batches, sets the state that computeBatch sets, and ends.
+// A queue with work that notes its batches, sets the state that intake::computeBatch sets, and
+// ends.
 struct Bench {
   explicit Bench(const std::filesystem::path& folder, JobRunner& jobs)
       : session(projectIn(folder), folder, jobs) {
-    queue.setWork(
-        [this](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
-          computed << QString::fromStdString(options.number);
-          auto project = upkeep::Project::open(options.project);
-          const auto batch = project->catalogue().batchByNumber(options.number);
-          (void)project->catalogue().setBatchState(batch->row, BatchState::Review, {});
-          return BatchFigures{3, 2, 1, 0.07, 5};
-        });
+    queue.setWork([this](const intake::ComputeOptions& options, Progress&,
+                         std::stop_token) -> Result<intake::BatchFigures> {
+      computed << QString::fromStdString(options.number);
+      auto project = upkeep::Project::open(options.project);
+      const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.number);
+      (void)catalogue::Batches(project->catalogue()).setState(batch->row, BatchState::Review, {});
+      return intake::BatchFigures{3, 2, 1, 0.07, 5};
+    });
   }
   ProjectSession session;
   BatchQueue queue;

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <thread>
 
+#include "catalogue/batches.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_queue.h"
@@ -36,8 +37,8 @@ class QueueScreenTest : public QObject {
     queue_->setClock([this] { return QDateTime::currentDateTime().addSecs(3600 * hours_); });
     begun_ = hours_ = 0;
     refuse_ = false;
-    queue_->setWork([this](const ComputeOptions&, Progress& progress,
-                           std::stop_token stop) -> Result<BatchFigures> {
+    queue_->setWork([this](const intake::ComputeOptions&, Progress& progress,
+                           std::stop_token stop) -> Result<intake::BatchFigures> {
       ++begun_;
       progress.note(NoteLevel::Info, "rig: camera B 0.31 px over 412 corners");
       if (refuse_) return Error{ErrorCode::CannotWrite, "The disk is full.", "results"};
@@ -119,17 +120,18 @@ class QueueScreenTest : public QObject {
   }
 
   void aBumpedCameraIsCalibratedAwayByOneKey() {
-    queue_->setWork(
-        [this](const ComputeOptions& options, Progress&, std::stop_token) -> Result<BatchFigures> {
-          ++begun_;
-          auto project = upkeep::Project::open(options.project);
-          const auto batch = project->catalogue().batchByNumber(options.number);
-          (void)project->catalogue().setBatchState(batch->row, records::BatchState::Done, {});
-          BatchFigures figures;
-          figures.sherds = figures.sure = 3;
-          if (begun_ == 1) figures.moved = {{1, 0.83, 2.5, 0.01}};
-          return figures;
-        });
+    queue_->setWork([this](const intake::ComputeOptions& options, Progress&,
+                           std::stop_token) -> Result<intake::BatchFigures> {
+      ++begun_;
+      auto project = upkeep::Project::open(options.project);
+      const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.number);
+      (void)catalogue::Batches(project->catalogue())
+          .setState(batch->row, records::BatchState::Done, {});
+      intake::BatchFigures figures;
+      figures.sherds = figures.sure = 3;
+      if (begun_ == 1) figures.moved = {{1, 0.83, 2.5, 0.01}};
+      return figures;
+    });
     addBatch();
     screen_->openProject(*session_);
     auto* button = child<QWidget>("queueCalibrateButton");
@@ -168,7 +170,7 @@ class QueueScreenTest : public QObject {
   void addBatch() {
     records::BatchRecord record;
     record.state = records::BatchState::Queued;
-    QVERIFY(session_->project().catalogue().addBatch(record, {}).has_value());
+    QVERIFY(catalogue::Batches(session_->project().catalogue()).add(record, {}).has_value());
   }
   std::atomic<int> begun_ = 0;
   std::atomic<bool> refuse_ = false;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <thread>
 
+#include "catalogue/settings.h"
 #include "queue_bench.h"
 #include "review/review.h"
 #include "synthetic_out.h"
@@ -73,18 +74,19 @@ class TakenOutTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     std::atomic<bool> begun = false;
-    bench.queue.setWork(
-        [&begun](const ComputeOptions&, Progress&, std::stop_token stop) -> Result<BatchFigures> {
-          begun = true;
-          while (!stop.stop_requested()) std::this_thread::yield();
-          return Error::cancelled();
-        });
+    bench.queue.setWork([&begun](const intake::ComputeOptions&, Progress&,
+                                 std::stop_token stop) -> Result<intake::BatchFigures> {
+      begun = true;
+      while (!stop.stop_requested()) std::this_thread::yield();
+      return Error::cancelled();
+    });
     const QString number = addBatch(bench.session, BatchState::Queued);
     bench.queue.setSession(&bench.session);
     QTRY_VERIFY(begun);
     bench.queue.retry(number);
     QCOMPARE(bench.queue.row(0).state, QueueState::Busy);
-    const auto asked = bench.session.project().catalogue().setting("queue.again.B0001");
+    const auto asked =
+        catalogue::Settings(bench.session.project().catalogue()).value("queue.again.B0001");
     QVERIFY(!asked->empty());
     bench.queue.setSession(nullptr);
   }

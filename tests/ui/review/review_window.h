@@ -7,6 +7,8 @@
 #include <QTest>
 #include <memory>
 
+#include "catalogue/batches.h"
+#include "records/records.h"
 #include "synthetic_out.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
@@ -65,7 +67,7 @@ class ReviewWindow : public QObject {
     records::BatchRecord batch;
     batch.number = number;
     batch.state = records::BatchState::Review;
-    const auto row = rows.addBatch(batch, {});
+    const auto row = catalogue::Batches(rows).add(batch, {});
     QVERIFY2(row.has_value(), row ? "" : row.error().sentence().c_str());
     for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
       for (int i = 0; i < sherds; ++i) {
@@ -80,7 +82,7 @@ class ReviewWindow : public QObject {
         scan.plate_x_mm = ref.place_mm.x();
         scan.plate_y_mm = ref.place_mm.y();
         scan.path = "results/" + number + "/scans/" + scan.name + ".ply";
-        QVERIFY(rows.save(scan, {}).has_value());
+        QVERIFY(catalogue::Batches(rows).save(scan, {}).has_value());
       }
   }
 
@@ -92,7 +94,7 @@ class ReviewWindow : public QObject {
   }
 
   records::BatchState batchState() {
-    return session_->project().catalogue().batchByNumber("B0001")->state;
+    return catalogue::Batches(session_->project().catalogue()).byNumber("B0001")->state;
   }
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
     // For a moment nothing has it: the window manager is still busy with the window.

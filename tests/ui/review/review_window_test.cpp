@@ -8,9 +8,12 @@
 #include <QTest>
 
 #include "../names.h"
+#include "catalogue/batches.h"
+#include "catalogue/places.h"
 #include "files/files.h"
 #include "intake/piece_decisions.h"
 #include "review_window.h"
+#include "sherds/sherds.h"
 #include "ui/frame/look.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/review/card_delegate.h"
@@ -266,16 +269,16 @@ void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
   records::SiteRecord site;
   site.code = site.name = "ARM1";
   records::ContextRecord context;
-  context.site = *rows.save(site, {});
+  context.site = *catalogue::Places(rows).save(site, {});
   context.number = "0012";
   records::SherdRecord sherd;
-  sherd.context = *rows.save(context, {});
-  sherd.batch = rows.batchByNumber("B0001")->row;
-  const auto scans = *rows.scans(sherd.batch);
+  sherd.context = *catalogue::Places(rows).save(context, {});
+  sherd.batch = catalogue::Batches(rows).byNumber("B0001")->row;
+  const auto scans = *catalogue::Batches(rows).scans(sherd.batch);
   for (const int i : {2, 3}) {
     sherd.front = scans.at(static_cast<std::size_t>(i)).row;
     sherd.number = "ARM1-0012-" + std::to_string(i);
-    QVERIFY(rows.addSherd(sherd, {}).has_value());
+    QVERIFY(sherds::Sherds(rows).add(sherd, {}).has_value());
   }
   session_->tellSherdsChanged();
   const auto numberOf = [this](int front) {
@@ -341,13 +344,13 @@ void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {
 
   // Both joins and the withdrawal stand in the catalogue, with who took them.
   catalogue::Catalogue& rows = session_->project().catalogue();
-  const auto kept = intake::pieceDecisions(rows, rows.batchByNumber("B0001")->row);
+  const auto kept = intake::pieceDecisions(rows, catalogue::Batches(rows).byNumber("B0001")->row);
   QVERIFY(kept.has_value());
   QCOMPARE(kept->size(), std::size_t{3});
   QCOMPARE(kept->at(1).verdict, intake::PieceVerdict::Withdraw);
   QCOMPARE(kept->at(2).pieces.at(1).name, out_.table.backs.at(3).id);
-  QCOMPARE(rows.persons()->at(0).initials, std::string("AP"));
-  QCOMPARE(kept->at(2).by, rows.persons()->at(0).row);
+  QCOMPARE(catalogue::People(rows).all()->at(0).initials, std::string("AP"));
+  QCOMPARE(kept->at(2).by, catalogue::People(rows).all()->at(0).row);
 }
 
 void ReviewWindowTest::theQueueFollowsWhatIsDecided() {
@@ -413,9 +416,9 @@ void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
   auto* bar = screen_->findChild<QWidget*>("scaleInDoubt");
   QVERIFY(!bar->isVisible());
   catalogue::Catalogue& rows = session_->project().catalogue();
-  records::BatchRecord held = *rows.batchByNumber("B0001");
+  records::BatchRecord held = *catalogue::Batches(rows).byNumber("B0001");
   held.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
-  QVERIFY(rows.saveBatch(held, {}).has_value());
+  QVERIFY(catalogue::Batches(rows).save(held, {}).has_value());
   session_->tellBatchChanged("B0001");
   QTRY_VERIFY(bar->isVisible());
   const QString words = screen_->findChild<QLabel*>("scaleWords")->text();
@@ -425,7 +428,7 @@ void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
   QCOMPARE(asked.count(), 1);
   QCOMPARE(asked.at(0).at(0).toString(), QStringLiteral("queue"));
   held.scale_doubts.clear();
-  QVERIFY(rows.saveBatch(held, {}).has_value());
+  QVERIFY(catalogue::Batches(rows).save(held, {}).has_value());
   session_->tellBatchChanged("B0001");
   QTRY_VERIFY(!bar->isVisible());
 }
@@ -464,4 +467,6 @@ int main(int argc, char** argv) {
   ostraka::ui::ReviewWindowTest test;
   return QTest::qExec(&test, argc, argv);
 }
+#include "records/records.h"
+#include "records/sherd.h"
 #include "review_window_test.moc"

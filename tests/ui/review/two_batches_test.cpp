@@ -6,9 +6,11 @@
 #include <QTest>
 #include <fstream>
 
+#include "catalogue/batches.h"
 #include "files/files.h"
+#include "intake/batch_figures.h"
 #include "review_window.h"
-#include "ui/queue/batch_figures.h"
+#include "sherds/pair_decisions.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/viewport/sherd_view.h"
 
@@ -49,7 +51,7 @@ pipeline::SyntheticOut TwoBatchesTest::addBatch(const std::string& number) {
 // Decisions on pairs that the catalogue holds of a batch.
 std::size_t TwoBatchesTest::entered(const std::string& number) {
   catalogue::Catalogue& rows = session_->project().catalogue();
-  return rows.decisions(rows.batchByNumber(number)->row)->size();
+  return sherds::PairDecisions(rows).all(catalogue::Batches(rows).byNumber(number)->row)->size();
 }
 
 // The window asks for it at the first Enter, see open().
@@ -157,7 +159,9 @@ void TwoBatchesTest::twoBatchesTakenBackAtOnceBothWantAPersonAgain() {
   open(4, true);
   const pipeline::SyntheticOut second = addBatch("B0002");
   const auto decided = [this](const char* number) {
-    return keptFigures(session_->project().catalogue(), number).value_or(BatchFigures{}).decided;
+    return intake::keptFigures(session_->project().catalogue(), number)
+        .value_or(intake::BatchFigures{})
+        .decided;
   };
   for (const char* number : {"B0001", "B0002"}) {
     screen_->showItem(number);
@@ -249,4 +253,5 @@ int main(int argc, char** argv) {
   ostraka::ui::TwoBatchesTest test;
   return QTest::qExec(&test, argc, argv);
 }
+#include "records/records.h"
 #include "two_batches_test.moc"

@@ -8,6 +8,13 @@
 #include <QtTest>
 
 #include "../names.h"
+#include "catalogue/places.h"
+#include "catalogue/settings.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/numbers.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/settings/numbering_edit.h"
@@ -36,13 +43,13 @@ class NumberingTest : public QObject {
     site.code = "ARM1";
     site.name = "Hill";
     records::TrenchRecord trench;
-    trench.site = *rows().save(site, {});
+    trench.site = *catalogue::Places(rows()).save(site, {});
     trench.code = "T3";
     records::ContextRecord context;
     context.site = trench.site;
-    context.trench = *rows().save(trench, {});
+    context.trench = *catalogue::Places(rows()).save(trench, {});
     context.number = "0012";
-    context_ = *rows().save(context, {});
+    context_ = *catalogue::Places(rows()).save(context, {});
   }
 
   // Whose finds they are is not the program's to say.
@@ -54,15 +61,15 @@ class NumberingTest : public QObject {
     QCOMPARE(licence->text(), QString());
     QTest::keyClicks(licence, "CC-BY-NC-4.0");
     QTest::keyClick(licence, Qt::Key_Return);
-    QCOMPARE(rows().project()->licence, std::string("CC-BY-NC-4.0"));
+    QCOMPARE(catalogue::Settings(rows()).project()->licence, std::string("CC-BY-NC-4.0"));
     auto* holder = edit.findChild<QLineEdit*>("rightsHolder");
     QTest::keyClicks(holder, "Museum Yerevan");
     QTest::keyClick(holder, Qt::Key_Return);
-    QCOMPARE(rows().project()->rights_holder, std::string("Museum Yerevan"));
+    QCOMPARE(catalogue::Settings(rows()).project()->rights_holder, std::string("Museum Yerevan"));
     session_->undo().undo();
-    QCOMPARE(rows().project()->rights_holder, std::string());
+    QCOMPARE(catalogue::Settings(rows()).project()->rights_holder, std::string());
     session_->undo().undo();
-    QCOMPARE(rows().project()->licence, std::string());
+    QCOMPARE(catalogue::Settings(rows()).project()->licence, std::string());
     QCOMPARE(licence->text(), QString());
   }
 
@@ -89,7 +96,8 @@ class NumberingTest : public QObject {
     QCOMPARE(numberOf(numbered()), QStringLiteral("ARM1-T3-0012-0002"));
     session_->undo().redo();
     QCOMPARE(numberOf(numbered()), QStringLiteral("ARM1/0012.002"));
-    QCOMPARE(rows().project()->numbering, std::string("{site}/{context}.{n:03}"));
+    QCOMPARE(catalogue::Settings(rows()).project()->numbering,
+             std::string("{site}/{context}.{n:03}"));
   }
 
   void whatCannotBeIsRefusedInASentence() {
@@ -103,12 +111,13 @@ class NumberingTest : public QObject {
     QVERIFY(!edit.findChild<QPushButton*>("numberingApply")->isEnabled());
     QVERIFY(told->text() != before);
     QTest::keyClick(scheme, Qt::Key_Return);
-    QCOMPARE(rows().project()->numbering, std::string("{site}-{trench}-{context}-{n:04}"));
+    QCOMPARE(catalogue::Settings(rows()).project()->numbering,
+             std::string("{site}-{trench}-{context}-{n:04}"));
     // A context straight in the site has no trench to be named.
     records::ContextRecord lone;
-    lone.site = rows().sites()->front().row;
+    lone.site = catalogue::Places(rows()).sites()->front().row;
     lone.number = "0099";
-    QVERIFY(rows().save(lone, {}).has_value());
+    QVERIFY(catalogue::Places(rows()).save(lone, {}).has_value());
     scheme->selectAll();
     QTest::keyClicks(scheme, "{trench}.{n}");
     QVERIFY2(told->text().contains("ARM1 0099"), qPrintable(told->text()));
@@ -124,7 +133,7 @@ class NumberingTest : public QObject {
     edit.findChild<QSpinBox*>("numberingLast")->setValue(6000);
     edit.findChild<QPushButton*>("numberingApply")->click();
     QCOMPARE(numberOf(numbered()), QStringLiteral("ARM1-T3-0012-5001"));
-    QCOMPARE(*rows().setting("numbering.last"), std::string("6000"));
+    QCOMPARE(*catalogue::Settings(rows()).value("numbering.last"), std::string("6000"));
   }
 
   void theExampleIsTheNextNumber() {
@@ -138,7 +147,7 @@ class NumberingTest : public QObject {
   void numbersLeftOutAreTold() {
     const store::SherdRow sherd = draft();
     const records::FieldChange typed{sherd, "number", "ARM1-T3-0012-0005"};
-    QVERIFY(rows().change(std::span(&typed, 1), {}).has_value());
+    QVERIFY(sherds::SherdChanges(rows()).apply(std::span(&typed, 1), {}).has_value());
     numbered();
     NumberingEdit edit;
     edit.setSession(session_.get());
@@ -151,7 +160,7 @@ class NumberingTest : public QObject {
   void wordsAreAddedAndThoseInUseStay() {
     const store::SherdRow sherd = draft();
     const records::FieldChange unknown{sherd, "firing", "smoked"};
-    QVERIFY(!rows().change(std::span(&unknown, 1), {}).has_value());
+    QVERIFY(!sherds::SherdChanges(rows()).apply(std::span(&unknown, 1), {}).has_value());
     VocabularyEdit edit;
     edit.setSession(session_.get());
     const QSignalSpy told(session_.get(), &ProjectSession::vocabulariesChanged);
@@ -162,15 +171,15 @@ class NumberingTest : public QObject {
     terms->setPlainText("oxidised\nreduced\nmixed\n smoked \n");
     edit.findChild<QPushButton*>("vocabularySave")->click();
     QCOMPARE(told.count(), 1);
-    QVERIFY(rows().change(std::span(&unknown, 1), {}).has_value());
+    QVERIFY(sherds::SherdChanges(rows()).apply(std::span(&unknown, 1), {}).has_value());
     terms->setPlainText("oxidised\nreduced\nmixed");
     edit.findChild<QPushButton*>("vocabularySave")->click();
     QVERIFY(edit.findChild<QLabel*>("vocabularyTold")->text().contains("smoked"));
-    QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{4});
+    QCOMPARE(catalogue::Settings(rows()).vocabulary("firing")->size(), std::size_t{4});
     const records::FieldChange none{sherd, "firing", ""};
-    QVERIFY(rows().change(std::span(&none, 1), {}).has_value());
+    QVERIFY(sherds::SherdChanges(rows()).apply(std::span(&none, 1), {}).has_value());
     session_->undo().undo();
-    QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{3});
+    QCOMPARE(catalogue::Settings(rows()).vocabulary("firing")->size(), std::size_t{3});
     QCOMPARE(terms->toPlainText(), QStringLiteral("oxidised\nreduced\nmixed"));
   }
 
@@ -189,9 +198,9 @@ class NumberingTest : public QObject {
     which->setCurrentIndex(which->findData("firing"));
     QCOMPARE(terms->toPlainText(), QStringLiteral("oxidised\nreduced\nmixed\nsmoked"));
     QVERIFY(told->text() != standard);  // and says that it is not saved
-    QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{3});
+    QCOMPARE(catalogue::Settings(rows()).vocabulary("firing")->size(), std::size_t{3});
     edit.findChild<QPushButton*>("vocabularySave")->click();
-    QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{4});
+    QCOMPARE(catalogue::Settings(rows()).vocabulary("firing")->size(), std::size_t{4});
     which->setCurrentIndex(which->findData("surface"));
     which->setCurrentIndex(which->findData("firing"));
     QCOMPARE(told->text(), standard);
@@ -200,7 +209,7 @@ class NumberingTest : public QObject {
     const QString typed = terms->toPlainText() + "\nsooted";
     terms->setPlainText(typed);
     session_->undo().undo();
-    QCOMPARE(rows().vocabulary("firing")->size(), std::size_t{3});
+    QCOMPARE(catalogue::Settings(rows()).vocabulary("firing")->size(), std::size_t{3});
     QCOMPARE(terms->toPlainText(), typed);
     edit.setSession(nullptr);
     edit.setSession(session_.get());
@@ -228,15 +237,15 @@ class NumberingTest : public QObject {
   store::SherdRow draft() {
     records::SherdRecord sherd;
     sherd.context = context_;
-    return *rows().addSherd(sherd, {});
+    return *sherds::Sherds(rows()).add(sherd, {});
   }
   store::SherdRow numbered() {
     const store::SherdRow row = draft();
-    if (!rows().assignNumbers(std::span(&row, 1), {})) qFatal("no number");
+    if (!sherds::Numbers(rows()).assign(std::span(&row, 1), {})) qFatal("no number");
     return row;
   }
   QString numberOf(store::SherdRow row) {
-    return QString::fromStdString(rows().sherd(row)->number);
+    return QString::fromStdString(sherds::Sherds(rows()).get(row)->number);
   }
 
   ThreadedJobRunner jobs_;

@@ -1,0 +1,27 @@
+#include "catalogue/search.h"
+
+namespace ostraka::catalogue {
+
+std::string searched(std::string word) {
+  for (const std::string_view other : {"İ", "ı"})
+    for (std::size_t at; (at = word.find(other)) != std::string::npos;)
+      word.replace(at, other.size(), "i");
+  return word;
+}
+
+void searchAnew(store::Database& database, store::SherdRow sherd) {
+  database.sql("DELETE FROM sherd_term WHERE sherd = ?").with(sherd).run();
+  database
+      .sql(
+          "INSERT INTO sherd_term SELECT DISTINCT term, field, sherd FROM sherd_terms WHERE sherd "
+          "= ?")
+      .with(sherd)
+      .run();
+  database
+      .sql(std::string("INSERT OR REPLACE INTO sherd_text (rowid, words) SELECT sherd, ") +
+           kSearchedWords + " FROM sherd_words WHERE sherd = ?")
+      .with(sherd)
+      .run();
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,16 @@
+#pragma once
+#include <string>
+
+#include "store/database.h"
+#include "store/row.h"
+
+namespace ostraka::catalogue {
+
+/// As the search has them: with one i, dotted or not (see searched()).
+inline constexpr const char* kSearchedWords = "replace(replace(words, 'İ', 'i'), 'ı', 'i')";
+/// A word as it is searched for: İ and ı are i, I is folded by the index.
+std::string searched(std::string word);
+/// The search finds the sherd by what it says now.
+void searchAnew(store::Database& database, store::SherdRow sherd);
+
+}  // namespace ostraka::catalogue

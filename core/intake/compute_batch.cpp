@@ -1,0 +1,207 @@
+#include "intake/compute_batch.h"
+
+#include <algorithm>
+#include <functional>
+#include <system_error>
+
+#include "catalogue/batches.h"
+#include "decisions/scan_folder.h"
+#include "intake/computed_again.h"
+#include "intake/enter_results.h"
+#include "pipeline/process_batch.h"
+#include "records/records.h"
+#include "review/more_candidates.h"
+#include "review/review.h"
+#include "sherds/sherds.h"
+#include "upkeep/project.h"
+
+namespace ostraka::intake {
+namespace {
+
+namespace fs = std::filesystem;
+using records::BatchState;
+
+// Before a batch of this project was computed: 54 photographs of 8 MB and as much again for masks,
+// depth and models.
+constexpr double kUsualBatch_bytes = 1.0e9;
+// A first small batch does not make many of few.
+constexpr std::size_t kEnoughBatches = 3, kNewestBatches = 10;
+constexpr double kLeastBatch_bytes = 10.0e6;
+// Of large photographs as much again, of small ones up to five times as much.
+constexpr double kResultsPerPhotographs = 2;
+// Below this the next stage would fail half-way on any camera; the queue waits for space instead.
+constexpr double kLeastFree_bytes = 300.0e6;
+constexpr int kWantedCandidates = 3;  // that the review shows for a doubtful front
+
+double sizeOf(const fs::path& folder) {
+  double bytes = 0;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error))
+    if (at->is_regular_file(error)) bytes += static_cast<double>(at->file_size(error));
+  return bytes;
+}
+
+// Photographs, or scans that were split already.
+Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& batch,
+                              const fs::path& output, Progress& progress,
+                              const std::stop_token& stop) {
+  pipeline::ProcessOptions process;
+  process.batch = batch;
+  process.output = output;
+  process.threads = options.threads;
+  process.dense = options.dense == "colmap"    ? pipeline::DenseMethod::Colmap
+                  : options.dense == "openmvs" ? pipeline::DenseMethod::OpenMvs
+                                               : pipeline::DenseMethod::Builtin;
+  if (options.draft) process.megapixels = pipeline::kDraftMegapixels;
+  if (fs::exists(batch / "rig.json")) process.rig = batch / "rig.json";
+  const Result<pipeline::ProcessSummary> done =
+      decisions::holdsScans(batch) ? pipeline::processScans(process, progress, stop)
+                                   : pipeline::processBatch(process, progress, stop);
+  if (!done) return done.error();
+  BatchFigures figures;
+  if (process.rig)
+    if (const auto moved = checks::movedCameras(output)) figures.moved = *moved;
+  figures.draft = done->draft;
+  figures.sherds = static_cast<int>(done->sherds.size());
+  figures.ask = done->ambiguous();
+  for (const pipeline::SherdSummary& sherd : done->sherds)
+    figures.decided += sherd.decided_by.empty() ? 0 : 1;
+  figures.sure = figures.sherds - figures.ask - figures.decided;
+  // As the review counts: pieces that found no partner want a person too.
+  if (const auto review = review::loadReview(output)) figures.take(review::countsOf(*review));
+  figures.seconds = done->seconds;
+  for (const pipeline::SherdSummary& sherd : done->sherds)
+    figures.uncertainty_mm = std::max(figures.uncertainty_mm, sherd.uncertainty_mm);
+  return figures;
+}
+
+Result<void> hasSpace(const fs::path& project) {
+  std::error_code error;
+  const fs::space_info space = fs::space(project, error);
+  if (error || static_cast<double>(space.available) > kLeastFree_bytes) return {};
+  return Error{ErrorCode::CannotWrite,
+               "The disk has only " + std::to_string(space.available / 1000000) +
+                   " MB left; a batch needs more. Nothing is lost: make room, then go on.",
+               project.string()};
+}
+
+// As many as lay on the plate, though some found no partner.
+int piecesOf(const catalogue::Catalogue& rows, store::BatchRow batch) {
+  const auto scans = catalogue::Batches(rows).scans(batch);
+  int found[2] = {0, 0};
+  if (scans)
+    for (const records::ScanRecord& scan : *scans)
+      if (scan.isThere()) ++found[scan.side == batch::Side::Front ? 0 : 1];
+  return std::max(found[0], found[1]);
+}
+
+std::string leftSentence(const catalogue::Catalogue& rows, const std::string& number) {
+  const auto holder = sherds::Sherds(rows).byNumber(number);
+  return number +
+         (holder && *holder
+              ? ": this number was typed on the plate, but is another sherd's; look which of the "
+                "two bears it, and give the other one a new number."
+              : ": this number was typed on the plate, but no sherd with a context lies there; "
+                "give "
+                "it in the catalogue.");
+}
+
+}  // namespace
+
+Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
+                                  std::stop_token stop) {
+  if (const Result<void> space = hasSpace(options.project); !space) return space.error();
+  Result<upkeep::Project> project = upkeep::Project::open(options.project);
+  if (!project) return project.error();
+  catalogue::Catalogue& rows = project->catalogue();
+  const Result<records::BatchRecord> record = catalogue::Batches(rows).byNumber(options.number);
+  if (!record) return record.error();
+  const fs::path batch = project->batchFolder(options.number);
+  const fs::path output = project->resultsFolder(options.number);
+
+  if (const Result<void> begun = beginComputing(rows, options.number); !begun) return begun.error();
+  const bool scans = decisions::holdsScans(batch);
+  Result<BatchFigures> figures = computed(options, batch, output, progress, stop);
+  if (!figures) return figures.error();
+
+  // Who opens the review finds the candidates registered. Without them it compares them then.
+  if (figures->ask > 0) {
+    progress.begin("candidates", 0.02);
+    const Result<void> prepared =
+        review::prepareCandidates(output, kWantedCandidates, progress, stop);
+    if (!prepared && prepared.error().code == ErrorCode::Cancelled) return prepared.error();
+    if (!prepared) progress.note(NoteLevel::Warning, prepared.error().sentence());
+  }
+  // Since it began a side may be photographed again.
+  const Result<records::BatchRecord> now = catalogue::Batches(rows).get(record->row);
+  if (!now) return now.error();
+  if (now->state <= records::BatchState::Back && now->state != record->state)
+    return Error::cancelled();
+  const records::Provenance provenance{{}, "process", {}};
+  progress.begin("catalogue", 0.01);
+  if (const auto set =
+          catalogue::Batches(rows).setState(record->row, BatchState::Computed, provenance);
+      !set)
+    return set.error();
+  if (!scans)
+    if (const auto entered =
+            enterPhotographs(rows, project->folder(), record->row, provenance, progress, stop);
+        !entered)
+      return entered.error();
+  const Result<EnteredResults> entered =
+      enterResults(rows, project->folder(), record->row, output, provenance, progress, stop);
+  if (!entered) return entered.error();
+  const Result<bool> again = queueIfAsked(rows, options.number, provenance);
+  if (!again) progress.note(NoteLevel::Warning, again.error().sentence());
+  for (const std::string& number : entered->numbers_left)
+    progress.note(NoteLevel::Warning, leftSentence(rows, number));
+  figures->numbers_left = entered->numbers_left;
+  if (entered->decided_meanwhile && !(again && *again))
+    progress.note(NoteLevel::Warning,
+                  "Pairs were decided or masks edited while the batch was processed. Reprocess it "
+                  "for them.");
+  if (auto unlike = sherds::unlikeBefore(rows, record->row)) figures->unlike = *unlike;
+  // A sherd that was on the plate and is in no scan would be missed by nobody.
+  figures->sherds = piecesOf(rows, record->row);
+  if (figures->sherds != record->counted) figures->counted = record->counted;
+  if (figures->counted > 0)
+    progress.note(NoteLevel::Warning,
+                  "Sherds counted on the plate: " + std::to_string(figures->counted) +
+                      ". Another number was found; look at the map for one that is missing or cut "
+                      "in two.");
+  if (const auto backup = project->backUp(); !backup)
+    progress.note(NoteLevel::Warning, backup.error().sentence());
+  return figures;
+}
+
+double bytesPerBatch(const fs::path& project) {
+  std::vector<fs::path> batches;
+  std::error_code error;
+  for (fs::directory_iterator at(project / "batches", error), end; !error && at != end;
+       at.increment(error))
+    if (fs::exists(at->path() / "back") && !decisions::holdsScans(at->path()))
+      batches.push_back(at->path());  // whole, and photographed
+  std::sort(batches.begin(), batches.end(), std::greater<>());
+  batches.resize(std::min(batches.size(), kNewestBatches));
+  // The largest, so that the room does not grow while batches are made.
+  double largest = 0;
+  for (const fs::path& batch : batches) {
+    const fs::path results = project / "results" / batch.filename();
+    const double photographs = sizeOf(batch);
+    largest = std::max(largest, photographs + (fs::exists(results / "report.json")
+                                                   ? sizeOf(results)
+                                                   : kResultsPerPhotographs * photographs));
+  }
+  return std::max(largest, batches.size() < kEnoughBatches ? kUsualBatch_bytes : kLeastBatch_bytes);
+}
+
+int roomForBatches(const fs::path& project) {
+  std::error_code error;
+  const fs::space_info space = fs::space(project, error);
+  if (error) return -1;
+  const double usable = std::max(0.0, static_cast<double>(space.available) - kLeastFree_bytes);
+  return static_cast<int>(std::min(usable / bytesPerBatch(project), 1.0e6));
+}
+
+}  // namespace ostraka::intake

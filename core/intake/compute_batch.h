@@ -1,0 +1,32 @@
+#pragma once
+#include <filesystem>
+#include <stop_token>
+#include <string>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "intake/batch_figures.h"
+
+namespace ostraka::intake {
+
+struct ComputeOptions {
+  std::filesystem::path project;
+  std::string number;             ///< B0031
+  std::string dense = "builtin";  ///< builtin, colmap or openmvs
+  int threads = 0;                ///< 0: all
+  bool draft = false;             ///< a quick look at coarser photographs; final models come later
+};
+
+/// A batch of the project from photographs (or scans) to rows of the catalogue, going on from the
+/// last whole stage; at the end the catalogue is backed up. Opens the project by itself: callable
+/// in any thread. The batch's state becomes Computed, then Review or Done; on an error it stays.
+Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
+                                  std::stop_token stop);
+
+/// Bytes that a batch and its results will take, by those on the disk; of one that is photographed
+/// and not computed yet by its photographs.
+double bytesPerBatch(const std::filesystem::path& project);
+/// How many more batches fit; -1 when the disk does not say.
+int roomForBatches(const std::filesystem::path& project);
+
+}  // namespace ostraka::intake

@@ -1,0 +1,55 @@
+#include "intake/settle_batch.h"
+
+#include "catalogue/batches.h"
+#include "catalogue/places.h"
+#include "intake/batch_figures.h"
+#include "review/review.h"
+#include "store/database.h"
+#include "upkeep/project.h"
+
+namespace ostraka::intake {
+
+namespace fs = std::filesystem;
+
+Result<void> settleBatch(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                         const std::string& person, bool nothing_to_do) {
+  // In one step: the queue may take the batch meanwhile.
+  return catalogue.database().inTransaction([&] {
+    const records::BatchRecord batch =
+        store::valueOrThrow(catalogue::Batches(catalogue).byNumber(batch_number));
+    if (batch.state != records::BatchState::Review && batch.state != records::BatchState::Done)
+      return;
+    const records::BatchState state = nothing_to_do && batch.scale_doubts.empty()
+                                          ? records::BatchState::Done
+                                          : records::BatchState::Review;
+    if (state == batch.state) return;
+    records::Provenance provenance{{}, "window", {}};
+    if (!person.empty())
+      provenance.person = store::valueOrThrow(catalogue::People(catalogue).byInitials(person, {}));
+    store::valueOrThrow(catalogue::Batches(catalogue).setState(batch.row, state, provenance));
+  });
+}
+
+Result<bool> settleByResults(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                             const fs::path& output, const std::string& person) {
+  const Result<review::Review> review = review::loadReview(output);
+  if (!review) return review.error();
+  const bool wants_computing = review::wantsComputing(output);
+  BatchFigures figures = keptFigures(catalogue, batch_number).value_or(BatchFigures{});
+  figures.take(review::countsOf(*review));
+  const Result<void> settled = catalogue.together([&]() -> Result<void> {
+    if (const Result<void> kept = keepFigures(catalogue, batch_number, figures); !kept) return kept;
+    return settleBatch(catalogue, batch_number, person, figures.ask == 0 && !wants_computing);
+  });
+  if (!settled) return settled.error();
+  return wants_computing;
+}
+
+Result<bool> settleByResults(const fs::path& project, const std::string& batch_number,
+                             const std::string& person) {
+  Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(project);
+  if (!catalogue) return catalogue.error();
+  return settleByResults(*catalogue, batch_number, project / "results" / batch_number, person);
+}
+
+}  // namespace ostraka::intake

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+
+namespace ostraka::intake {
+
+/// A computed batch is done when nobody needs to look, nothing needs to be computed and its scale
+/// is not in doubt, and wants a person otherwise. One that is being shot, waits or failed is left
+/// as it is.
+Result<void> settleBatch(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                         const std::string& person, bool nothing_to_do);
+
+/// The same by what OUT of the batch says now, with the figures that are shown of it. Returns
+/// whether it wants to be computed. Errors: results that cannot be read.
+Result<bool> settleByResults(catalogue::Catalogue& catalogue, const std::string& batch_number,
+                             const std::filesystem::path& output, const std::string& person);
+/// Opens the project by itself: callable in any thread.
+Result<bool> settleByResults(const std::filesystem::path& project, const std::string& batch_number,
+                             const std::string& person);
+
+}  // namespace ostraka::intake

@@ -1,0 +1,189 @@
+#include "files/json_text.h"
+#include "sherds/filter.h"
+
+#include <nlohmann/json.hpp>
+
+#include "catalogue/search.h"
+#include "records/sherd.h"
+#include "sherds/sherd_columns.h"
+#include "sherds/sherd_order.h"
+#include "store/database.h"
+#include "store/names.h"
+#include "store/values.h"
+
+namespace ostraka::sherds {
+namespace {
+
+struct Query {
+  store::Database& database;
+  std::string where;
+  std::vector<std::string> texts;
+  std::string mark(std::string value) {
+    texts.push_back(std::move(value));
+    return "?" + std::to_string(texts.size());
+  }
+};
+
+std::size_t letters(const std::string& text) {
+  std::size_t count = 0;
+  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  return count;
+}
+
+// Site, trench and context are found through the context, which few rows share.
+std::string inContext(const std::string& condition) {
+  return "s.context IN (SELECT context.row FROM context JOIN site ON site.row = context.site LEFT "
+         "JOIN trench ON trench.row = context.trench WHERE " +
+         condition + ")";
+}
+
+// The terms that are meant, as they are spelled in the vocabularies and so at the sherds: capitals
+// make no difference, and a label in another language will do.
+std::vector<std::string> termsCalled(Query& query, const std::string& word) {
+  const std::string key = store::uniqueKey(catalogue::searched(word));
+  std::vector<std::string> terms;
+  store::Statement rows = query.database.sql("SELECT term, labels FROM vocabulary");
+  while (rows.next()) {
+    std::string term, labels;
+    rows >> term >> labels;
+    bool meant = store::uniqueKey(catalogue::searched(term)) == key;
+    const nlohmann::json names = jsonOrDiscarded(labels);
+    for (const nlohmann::json& name : names)
+      meant |=
+          name.is_string() && store::uniqueKey(catalogue::searched(name.get<std::string>())) == key;
+    if (meant) terms.push_back(term);
+  }
+  return terms;
+}
+
+std::string isTerm(Query& query, const std::string& word) {
+  std::string in = "term IN (" + query.mark(word);
+  for (const std::string& term : termsCalled(query, word)) in += ", " + query.mark(term);
+  return in + ")";
+}
+
+std::string wordSql(Query& query, const std::string& word) {
+  if (letters(word) >= 3) {
+    std::string quoted = "\"";
+    for (const char c : catalogue::searched(word)) {
+      quoted += c;
+      if (c == '"') quoted += '"';
+    }
+    std::string found =
+        "SELECT rowid FROM sherd_text WHERE sherd_text MATCH " + query.mark(quoted + "\"");
+    // The text holds terms as they are stored, and the window shows their labels.
+    const std::vector<std::string> terms = termsCalled(query, word);
+    if (std::any_of(terms.begin(), terms.end(), [&](const std::string& term) {
+          return store::uniqueKey(term) != store::uniqueKey(word);
+        }))
+      found += " UNION SELECT sherd FROM sherd_term WHERE " + isTerm(query, word);
+    return "s.row IN (" + found + ")";
+  }
+  // Below three letters the search has no index: whole terms and whole places then.
+  const std::string key = query.mark(store::uniqueKey(word));
+  return "(s.row IN (SELECT sherd FROM sherd_term WHERE " + isTerm(query, word) + ") OR " +
+         inContext("site.code_key = " + key + " OR trench.code_key = " + key +
+                   " OR context.number_key = " + key) +
+         " OR s.bag IN (SELECT row FROM bag WHERE number_key = " + key + "))";
+}
+
+constexpr const char* kDoubtfulSql =
+    "(s.batch IS NOT NULL AND s.batch IN (SELECT row FROM batch WHERE scale_doubts <> ''))";
+
+std::string emptySql(const SherdColumn& column) {
+  const std::string name = column.field.name;
+  if (column.measure) return "m." + std::string(column.measure) + " IS NULL";
+  if (column.terms) return std::string(column.sql) + " = '[]'";
+  if (name == "site" || name == "context") return "s.context IS NULL";
+  if (name == "trench")
+    return "(s.context IS NULL OR s.context IN (SELECT row FROM context WHERE trench IS NULL))";
+  if (name == "bag") return "s.bag IS NULL";
+  if (name == "batch") return "s.batch IS NULL";
+  if (name == "number") return "s.number = ''";
+  if (name == "scale") return "NOT " + std::string(kDoubtfulSql);
+  if (name == "joins") return "s.row NOT IN (SELECT sherd FROM sherd_join)";
+  return std::string(column.sql) + " = ''";
+}
+
+std::string equalSql(Query& query, const SherdColumn& column, const std::string& value) {
+  const std::string name = column.field.name;
+  const std::string key = store::uniqueKey(value);
+  if (name == "site") return inContext("site.code_key = " + query.mark(key));
+  if (name == "trench") return inContext("trench.code_key = " + query.mark(key));
+  if (name == "context") return inContext("context.number_key = " + query.mark(key));
+  if (name == "bag")
+    return "s.bag IN (SELECT row FROM bag WHERE number_key = " + query.mark(key) + ")";
+  if (name == "batch")
+    return "s.batch IN (SELECT row FROM batch WHERE number = " + query.mark(value) +
+           " COLLATE NOCASE)";
+  if (name == "scale") return key == kDoubtfulScale ? kDoubtfulSql : "0";
+  if (name == "number") return "s.number_sort = " + query.mark(store::sortKey(value));
+  if (name == "joins")
+    return "s.row IN (SELECT sherd FROM sherd_join WHERE other IN (SELECT sherd FROM given_number "
+           "WHERE number_key = " +
+           query.mark(key) + "))";
+  if (column.field.kind == records::FieldKind::Terms ||
+      column.field.kind == records::FieldKind::Term) {
+    return "s.row IN (SELECT sherd FROM sherd_term WHERE " + isTerm(query, value) +
+           " AND field = " + query.mark(name) + ")";
+  }
+  return std::string(column.sql) + " = " + query.mark(value) + " COLLATE NOCASE";
+}
+
+const char* signOf(Condition::Is is) {
+  switch (is) {
+    case Condition::Is::Less:
+      return " < ";
+    case Condition::Is::LessEqual:
+      return " <= ";
+    case Condition::Is::Greater:
+      return " > ";
+    case Condition::Is::GreaterEqual:
+      return " >= ";
+    default:
+      return " = ";
+  }
+}
+
+std::string conditionSql(Query& query, const Condition& condition) {
+  using Is = Condition::Is;
+  if (condition.is == Is::Word) return wordSql(query, condition.value);
+  const SherdColumn* column = sherdColumn(condition.field);
+  if (!column) store::refuse("There is no field '" + condition.field + "'.", condition.text);
+  if (condition.is == Is::Empty) return emptySql(*column);
+  if (condition.is == Is::NotEmpty) return "NOT (" + emptySql(*column) + ")";
+  if (column->measure) {
+    const std::string value =
+        query.mark(store::numberText(store::valueOrThrow(store::parsedNumber(condition.value))));
+    return "m." + std::string(column->measure) + signOf(condition.is) + "CAST(" + value +
+           " AS REAL)";
+  }
+  return equalSql(query, *column, condition.value);
+}
+
+}  // namespace
+
+std::vector<store::SherdRow> matching(store::Database& database, const Filter& filter,
+                                      const records::SherdOrder& order) {
+  Query query{database, {}, {}};
+  query.where = "NOT (s.state = 'void' AND s.number = '')";
+  for (const Condition& condition : filter.conditions) {
+    const std::string sql = conditionSql(query, condition);
+    query.where += condition.negated ? " AND NOT ifnull(" + sql + ", 0)" : " AND " + sql;
+  }
+  // Drafts share one sort key, so their rows run up whichever way the numbers go.
+  const char* way = order.field == "number" && order.descending ? " DESC" : "";
+  store::Statement statement =
+      database.sql("SELECT s.row FROM sherd s LEFT JOIN sherd_measure m ON m.sherd = s.row WHERE " +
+                   query.where + " ORDER BY s.number_sort" + way + ", s.row");
+  for (const std::string& text : query.texts) statement.with(text);
+  std::vector<store::SherdRow> rows;
+  while (statement.next()) {
+    store::SherdRow row;
+    statement >> row;
+    rows.push_back(row);
+  }
+  return order.field == "number" ? rows : inOrder(database, rows, order);
+}
+
+}  // namespace ostraka::sherds

@@ -1,0 +1,131 @@
+#include "sherds/kept_models.h"
+
+#include <set>
+#include <system_error>
+
+#include "catalogue/catalogue.h"
+#include "files/cannot_write.h"
+#include "files/files.h"
+#include "store/database.h"
+#include "store/values.h"
+
+namespace ostraka::sherds {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kModelFiles[] = {"model.ply", "model.glb", "preview.png"};
+constexpr std::size_t kNameLength = 16;  // hexadecimal digits: 64 bits of the contents' checksum
+
+fs::path folderOf(const std::string& batch) {
+  return fs::path("models") / batch;
+}
+
+// Files are only ever replaced, never written into, so a second name keeps what is there now.
+Result<void> secondName(const fs::path& from, const fs::path& to) {
+  std::error_code failed;
+  fs::create_hard_link(from, to, failed);
+  if (!failed) return {};
+  const Result<std::string> bytes = readFile(from);
+  return bytes ? writeFileAtomically(to, *bytes) : Result<void>(bytes.error());
+}
+
+// By the contents of its files.
+Result<std::string> nameOf(const fs::path& folder) {
+  std::string sums;
+  std::error_code failed;
+  for (const char* name : kModelFiles) {
+    if (!fs::is_regular_file(folder / name, failed)) continue;
+    const Result<std::string> bytes = readFile(folder / name);
+    if (!bytes) return bytes.error();
+    sums += name + sha256(*bytes);
+  }
+  return sha256(sums).substr(0, kNameLength);
+}
+
+}  // namespace
+
+Result<std::string> keepModel(const fs::path& project, const std::string& batch,
+                              const fs::path& from) {
+  std::error_code failed;
+  if (!fs::is_regular_file(from / kModelFiles[0], failed))
+    return Error{ErrorCode::Missing, "This model is missing; reprocess its batch.",
+                 (from / kModelFiles[0]).string()};
+  const fs::path all = project / folderOf(batch), partial = all / "new.partial";
+  fs::remove_all(partial, failed);
+  fs::create_directories(partial, failed);
+  if (failed) return cannotWrite(partial, failed.value());
+  for (const char* name : kModelFiles)
+    if (fs::is_regular_file(from / name, failed))
+      if (const Result<void> named = secondName(from / name, partial / name); !named)
+        return named.error();
+  // Of what was kept, not of what may lie in `from` by now.
+  const Result<std::string> name = nameOf(partial);
+  if (!name) return name.error();
+  if (const Result<std::string> there = nameOf(all / *name); there && *there == *name) {
+    fs::remove_all(partial, failed);
+  } else {
+    fs::remove_all(all / *name, failed);  // damaged since
+    fs::rename(partial, all / *name, failed);
+    if (failed) return cannotWrite(all / *name, failed.value());
+    syncFolder(all / *name);
+    syncFolder(all);
+  }
+  return (folderOf(batch) / *name).generic_string();
+}
+
+Result<void> dropUnusedModels(const catalogue::Catalogue& catalogue, const fs::path& project,
+                              const std::string& batch) {
+  std::set<std::string> unused;
+  std::error_code failed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(project / folderOf(batch), failed))
+    unused.insert((folderOf(batch) / entry.path().filename()).generic_string());
+  if (unused.empty()) return {};
+  const Result<void> dropped = catalogue.database().inTransaction([&] {
+    store::Statement shown = catalogue.database().sql(
+        "SELECT model_path, preview_path FROM sherd WHERE model_path LIKE ?");
+    shown.with(folderOf(batch).generic_string() + "/%");
+    while (shown.next()) {
+      std::string model, preview;
+      shown >> model >> preview;
+      for (const std::string& path : {model, preview})
+        unused.erase(fs::path(path).parent_path().generic_string());
+    }
+    for (const std::string& folder : unused)
+      catalogue.database()
+          .sql("DELETE FROM file WHERE substr(path, 1, length(?)) = ?")
+          .with(folder + "/", folder + "/")
+          .run();
+  });
+  if (!dropped) return dropped;
+  for (const std::string& folder : unused) fs::remove_all(project / folder, failed);
+  return {};
+}
+
+void forgetModel(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
+                 const records::Provenance& provenance) {
+  store::Database& database = catalogue.database();
+  std::vector<std::string> kinds;
+  {
+    store::Statement rows = database.sql(
+        "SELECT kind FROM measurement WHERE sherd = ? AND current = 1 AND person IS NULL AND "
+        "method = 'program'");
+    rows.with(sherd);
+    while (rows.next()) {
+      kinds.emplace_back();
+      rows >> kinds.back();
+    }
+  }
+  for (const std::string& kind : kinds) clearMeasure(catalogue, sherd, kind, provenance);
+  database
+      .sql(
+          "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview', "
+          "'drawing', 'scan')")
+      .with(sherd)
+      .run();
+  database.sql("UPDATE sherd SET preview_path = '', model_path = '' WHERE row = ?")
+      .with(sherd)
+      .run();
+}
+
+}  // namespace ostraka::sherds

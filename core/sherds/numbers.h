@@ -1,0 +1,29 @@
+#pragma once
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "catalogue/subject.h"
+#include "records/records.h"
+
+namespace ostraka::sherds {
+
+/// The inventory numbers of sherds, by the project's scheme.
+class Numbers : public catalogue::Subject {
+ public:
+  using catalogue::Subject::Subject;
+
+  /// The next free numbers of a context (and bag, batch); not reserved.
+  Result<std::vector<std::string>> propose(std::span<const store::SherdRow>) const;
+  /// Gives drafts their numbers. Returns them in the order of the rows.
+  Result<std::vector<std::string>> assign(std::span<const store::SherdRow>,
+                                          const records::Provenance&);
+  /// The next running number of a count (records::Numbering::counter) within first..last; not
+  /// reserved.
+  Result<int> next(const std::string& counter, int first, int last) const;
+  /// Numbers below the highest that were never given.
+  Result<std::vector<int>> gaps(store::ContextRow) const;
+};
+
+}  // namespace ostraka::sherds

@@ -1,0 +1,22 @@
+#pragma once
+#include <vector>
+
+#include "base/result.h"
+#include "catalogue/subject.h"
+#include "records/records.h"
+
+namespace ostraka::sherds {
+
+/// Which fronts and backs belong together, as the program and persons decided. Rows are only added.
+class PairDecisions : public catalogue::Subject {
+ public:
+  using catalogue::Subject::Subject;
+
+  Result<std::vector<records::PairDecision>> all(store::BatchRow) const;  ///< oldest first
+  /// What counts now, one per pair or lone scan: persons before the program, later before earlier.
+  Result<std::vector<records::PairDecision>> current(store::BatchRow) const;
+  /// The draft sherds of the batch follow.
+  Result<store::DecisionRow> add(const records::PairDecision&, const records::Provenance&);
+};
+
+}  // namespace ostraka::sherds

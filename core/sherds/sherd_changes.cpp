@@ -1,0 +1,507 @@
+#include "sherds/sherd_changes.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "catalogue/history.h"
+#include "catalogue/places.h"
+#include "catalogue/search.h"
+#include "catalogue/settings.h"
+#include "files/json_text.h"
+#include "records/words.h"
+#include "sherds/measurements.h"
+#include "sherds/sherd_columns.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
+#include "store/names.h"
+#include "store/values.h"
+
+namespace ostraka::sherds {
+namespace {
+
+constexpr double kMostMillimetres = 1000, kMostGrams = 20'000;
+
+// A change that was looked at: what the preview shows, and what is needed to do it.
+struct Examined {
+  records::ChangePreview shown;
+  const SherdColumn* column = nullptr;  ///< null for the user's own fields
+  double number = 0;
+  store::ContextRow context;  ///< of a place, once for all its parts
+  store::BagRow bag;
+  std::vector<store::SherdRow> joins;
+  std::optional<double> uncertainty = std::nullopt;  ///< of a measure typed as 12.5 ± 0.4; 0: none
+  bool changes() const { return shown.old_value != shown.new_value; }
+};
+
+class Examination {
+ public:
+  explicit Examination(const catalogue::Catalogue& catalogue) : catalogue_(catalogue) {}
+
+  /// All changes of one sherd, which are looked at together: the parts of a place belong together.
+  void sherd(const records::SherdRecord& sherd, std::vector<Examined*> changes) {
+    bool place = false;
+    for (Examined* change : changes) {
+      try {
+        one(sherd, *change);
+      } catch (const store::Refused& refused) {
+        change->shown.refusal = refused.error.what;
+      }
+      place |= change->column && change->column->field.kind == records::FieldKind::Place;
+    }
+    askAboutMeasures(sherd, changes);
+    if (!place) return;
+    try {
+      placeOf(sherd, changes);
+    } catch (const store::Refused& refused) {
+      for (Examined* change : changes)
+        if (change->column && change->column->field.kind == records::FieldKind::Place)
+          change->shown.refusal = refused.error.what;
+    }
+  }
+
+ private:
+  void one(const records::SherdRecord& sherd, Examined& change) {
+    const std::string& field = change.shown.change.field;
+    const std::string& typed = change.shown.change.value;
+    change.shown.old_value = textOf(sherd, field);
+    std::string& value = change.shown.new_value;
+    value = store::valueOrThrow(store::checkedText(typed));
+    if (field.starts_with("extra.") && field.size() > 6) return;
+    change.column = sherdColumn(field);
+    if (!change.column) store::refuse("There is no field '" + field + "'.");
+    const records::SherdField& known = change.column->field;
+    if (!known.editable)
+      store::refuse("The field " + field + " is read-only: the program sets it.");
+    switch (known.kind) {
+      case records::FieldKind::Text:
+        if (field == "number") number(sherd, change);
+        break;
+      case records::FieldKind::Term:
+        if (!value.empty()) value = term(known.vocabulary, value);
+        break;
+      case records::FieldKind::Terms:
+        terms(known.vocabulary, value);
+        break;
+      case records::FieldKind::Munsell:
+        value = store::valueOrThrow(store::checkedMunsell(value));
+        break;
+      case records::FieldKind::Edtf:
+        value = store::valueOrThrow(store::checkedEdtf(value));
+        break;
+      case records::FieldKind::Day:
+        value = store::valueOrThrow(store::checkedDay(value));
+        break;
+      case records::FieldKind::Number:
+        if (!value.empty()) measure(sherd.row, change);
+        break;
+      case records::FieldKind::Place:
+        break;  // together with the sherd's other changes
+      case records::FieldKind::Joins:
+        joins(sherd, change);
+        break;
+    }
+  }
+
+  void number(const records::SherdRecord& sherd, Examined& change) {
+    const std::string& value = change.shown.new_value;
+    if (sherd.state == records::SherdState::Void && value != sherd.number)
+      store::refuse("A void sherd keeps its number.");
+    if (value.empty() || value == sherd.number) return;
+    if (value.find_first_of("\r\n\t%") != std::string::npos)
+      store::refuse("A number cannot contain a line break, a tab or '%'.");
+    if (value.size() > 120) store::refuse("A number has at most 120 characters.");
+    const Taken taken = takenBy(catalogue_.database(), value);
+    const std::string key = store::uniqueKey(value);
+    const auto [earlier, first] = numbers_.emplace(key, sherd.row);
+    if (!first && earlier->second != sherd.row)
+      store::refuse("The number " + value + " would be assigned twice.");
+    if (!taken.sherd) return notOnAPlate(sherd, value);
+    if (taken.sherd == sherd.row && !taken.slug_only) return;
+    change.shown.in_the_way = taken.sherd;
+    const Result<records::SherdRecord> other = Sherds(catalogue_).get(taken.sherd);
+    if (taken.slug_only)
+      store::refuse("The files of " + value + " would have the same names as those of " +
+                    taken.number + ".");
+    if (other && other->number != taken.number)
+      store::refuse("The number " + value + " was assigned before and is never reused.");
+    store::refuse("The number " + value + " belongs to another sherd.");
+  }
+
+  // Else it would be written on two sherds.
+  void notOnAPlate(const records::SherdRecord& sherd, const std::string& number) {
+    if (!waiting_) waiting_ = typedAndWaiting(catalogue_);
+    const auto plate = waiting_->find(store::uniqueKey(number));
+    if (plate != waiting_->end() && plate->second != sherd.batch_number)
+      store::refuse("The number " + number + " was entered for a sherd of " + plate->second +
+                    ", which is not processed yet.");
+  }
+
+  // The term itself, also when a label of another language or capitals were typed.
+  std::string term(const std::string& vocabulary, const std::string& typed) {
+    auto& known = vocabularies_[vocabulary];
+    if (known.empty())
+      for (const records::Term& entry :
+           store::valueOrThrow(catalogue::Settings(catalogue_).vocabulary(vocabulary))) {
+        known.emplace(store::uniqueKey(entry.term), entry.term);
+        for (const auto& [language, label] : entry.labels)
+          known.emplace(store::uniqueKey(label), entry.term);
+      }
+    const auto found = known.find(store::uniqueKey(typed));
+    if (found != known.end()) return found->second;
+    store::refuse("'" + typed + "' is not a term of the vocabulary '" + vocabulary +
+                  "'; choose another or add it in the settings.");
+  }
+
+  void terms(const std::string& vocabulary, std::string& value) {
+    std::vector<std::string> canonical;
+    for (const std::string& typed : store::splitTerms(value)) {
+      std::string known = term(vocabulary, typed);
+      if (std::find(canonical.begin(), canonical.end(), known) == canonical.end())
+        canonical.push_back(std::move(known));
+    }
+    value = store::joinTerms(canonical);
+  }
+
+  void measure(store::SherdRow sherd, Examined& change) {
+    const std::string unit = records::unitOf(change.column->measure);
+    std::string value = change.shown.new_value;
+    std::optional<std::string> half;
+    for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
+      if (const std::size_t at = value.find(sign); at != std::string::npos) {
+        half = value.substr(at + sign.size());
+        value.resize(at);
+        break;
+      }
+    change.number = store::valueOrThrow(store::parsedNumber(value));
+    if (half) change.uncertainty = store::valueOrThrow(store::parsedNumber(*half));
+    if (change.uncertainty.value_or(0) < 0)
+      store::refuse("Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.");
+    if (!(change.number > 0)) store::refuse("Enter a value greater than 0.");
+    if (unit == "mm" && change.number > kMostMillimetres)
+      store::refuse("No sherd is larger than 1000 mm; check that the value is in millimetres.");
+    if (unit == "g" && change.number > kMostGrams)
+      store::refuse("No sherd is heavier than 20 kg; check that the value is in grams.");
+    if (unit == "pct" && change.number > 100) store::refuse("A share cannot exceed 100 %.");
+    change.shown.new_value = store::numberText(change.number);
+    if (change.uncertainty) showUncertainty(sherd, change);
+  }
+
+  // Where it becomes another; so it is a change of a value that stays, too.
+  void showUncertainty(store::SherdRow sherd, Examined& change) {
+    double old = 0;
+    for (const records::Measurement& m : store::valueOrThrow(Measurements(catalogue_).of(sherd)))
+      if (m.kind == change.column->measure) old = m.uncertainty.value_or(0);
+    if (old == *change.uncertainty) return;
+    const bool stays = change.shown.old_value == change.shown.new_value;
+    if (old > 0 || stays) change.shown.old_value += " ± " + store::numberText(old);
+    if (*change.uncertainty > 0 || stays)
+      change.shown.new_value += " ± " + store::numberText(*change.uncertainty);
+  }
+
+  // Together: a length and a width that change at once are compared with each other.
+  void askAboutMeasures(const records::SherdRecord& sherd, const std::vector<Examined*>& changes) {
+    records::MeasureValues measured = sherd.measures;
+    std::vector<std::string> kinds;
+    for (const Examined* change : changes) {
+      if (!change->column || !change->column->measure || !change->shown.refusal.empty()) continue;
+      const std::string kind = change->column->measure;
+      if (change->shown.new_value.empty())
+        measured.erase(kind);
+      else
+        measured[kind] = change->number;
+      if (change->changes()) kinds.push_back(kind);
+    }
+    if (kinds.empty()) return;
+    const ComputedMeasures computed = computedMeasures(catalogue_, sherd.row);
+    for (Examined* change : changes) {
+      if (!change->column || !change->column->measure || !change->changes() ||
+          !change->shown.refusal.empty())
+        continue;
+      const std::string kind = change->column->measure;
+      std::vector<records::MeasureFinding>& findings = change->shown.findings;
+      const bool deletes = change->shown.new_value.empty();
+      // To take the computed value again needs no reason.
+      if (!deletes && computed.values.contains(kind) && !computed.current.contains(kind) &&
+          computed.values.at(kind) == change->number)
+        continue;
+      findings = records::implausible({kind}, measured, computed.values);
+      if (computed.current.contains(kind))
+        findings.push_back({deletes ? records::MeasureDoubt::DeletesComputed
+                                    : records::MeasureDoubt::ReplacesComputed,
+                            kind,
+                            change->number,
+                            {},
+                            computed.values.at(kind)});
+      for (const records::MeasureFinding& finding : findings)
+        change->shown.question +=
+            (change->shown.question.empty() ? "" : " ") + records::sentenceOf(finding);
+    }
+  }
+
+  void joins(const records::SherdRecord& sherd, Examined& change) {
+    std::vector<std::string> numbers;
+    for (const std::string& typed : store::splitTerms(change.shown.new_value)) {
+      store::SherdRow other = store::valueOrThrow(Sherds(catalogue_).byNumber(typed));
+      if (!other) other = store::valueOrThrow(Sherds(catalogue_).byId(typed));
+      if (!other) store::refuse("There is no sherd " + typed + " to join.");
+      if (other == sherd.row) store::refuse("A sherd cannot join itself.");
+      change.joins.push_back(other);
+    }
+    std::sort(change.joins.begin(), change.joins.end());
+    change.joins.erase(std::unique(change.joins.begin(), change.joins.end()), change.joins.end());
+    std::vector<std::pair<std::string, std::string>> sorted;
+    for (const records::SherdRecord& other :
+         store::valueOrThrow(Sherds(catalogue_).of(change.joins))) {
+      const std::string& name = other.number.empty() ? other.id : other.number;
+      sorted.emplace_back(store::sortKey(name), name);
+    }
+    std::sort(sorted.begin(), sorted.end());
+    for (auto& [key, name] : sorted) numbers.push_back(name);
+    change.shown.new_value = store::joinTerms(numbers);
+  }
+
+  // Site, trench, context and bag as they would be, found in the catalogue.
+  void placeOf(const records::SherdRecord& sherd, const std::vector<Examined*>& changes) {
+    std::map<std::string, std::string> wanted = {{"site", sherd.site},
+                                                 {"trench", sherd.trench},
+                                                 {"context", sherd.context_number},
+                                                 {"bag", sherd.bag_number}};
+    for (const Examined* change : changes)
+      if (change->column && change->column->field.kind == records::FieldKind::Place)
+        wanted[change->shown.change.field] = change->shown.new_value;
+    store::ContextRow context;
+    store::BagRow bag;
+    if (!wanted["context"].empty()) {
+      if (wanted["site"].empty())
+        store::refuse("The context " + wanted["context"] + " needs its site; enter both.");
+      context = store::valueOrThrow(
+          catalogue::Places(catalogue_)
+              .contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
+      if (!context)
+        store::refuse("There is no context " + wanted["context"] + " in " + wanted["site"] +
+                      (wanted["trench"].empty() ? "" : " " + wanted["trench"]) + "; add it first.");
+    } else if (sherd.state == records::SherdState::Numbered && !losesNumber(changes)) {
+      store::refuse("A numbered sherd needs its context.");
+    }
+    if (!wanted["bag"].empty()) {
+      store::Statement rows =
+          catalogue_.database().sql("SELECT row FROM bag WHERE context = ? AND number_key = ?");
+      if (!rows.with(context, store::uniqueKey(wanted["bag"])).next())
+        store::refuse(!context ? "A bag belongs to a context; enter the context first."
+                      : wanted["bag"] == sherd.bag_number
+                          ? "Context " + wanted["context"] + " has no bag " + wanted["bag"] +
+                                "; change or empty the bag at the same time."
+                          : "There is no bag " + wanted["bag"] + " in context " +
+                                wanted["context"] +
+                                " yet; enter it during capture or import a table of contexts that "
+                                "contains it.");
+      rows >> bag;
+    }
+    for (Examined* change : changes)
+      if (change->column && change->column->field.kind == records::FieldKind::Place) {
+        change->context = context;
+        change->bag = bag;
+        if (context && !change->shown.new_value.empty()) canonical(*change);
+      }
+  }
+
+  // The codes as the catalogue writes them, so that arm1 for ARM1 is no change.
+  void canonical(Examined& change) {
+    const records::ContextRecord place =
+        store::valueOrThrow(catalogue::Places(catalogue_).context(change.context));
+    std::string& value = change.shown.new_value;
+    const std::string& field = change.shown.change.field;
+    if (field == "site") value = place.site_code;
+    if (field == "trench") value = place.trench_code;
+    if (field == "context") value = place.number;
+    if (field != "bag") return;
+    store::Statement number = catalogue_.database().sql("SELECT number FROM bag WHERE row = ?");
+    if (number.with(change.bag).next()) number >> value;
+  }
+
+  static bool losesNumber(const std::vector<Examined*>& changes) {
+    return std::any_of(changes.begin(), changes.end(), [](const Examined* change) {
+      return change->shown.change.field == "number" && change->shown.new_value.empty();
+    });
+  }
+
+  const catalogue::Catalogue& catalogue_;
+  std::map<std::string, std::map<std::string, std::string>> vocabularies_;
+  std::map<std::string, store::SherdRow> numbers_;
+  std::optional<std::map<std::string, std::string>>
+      waiting_;  ///< on plates, once they are asked for
+};
+
+struct Batch {
+  std::vector<Examined> changes;
+  std::map<std::int64_t, records::SherdRecord> sherds;
+};
+
+Batch examine(const catalogue::Catalogue& catalogue, std::span<const records::FieldChange> wanted) {
+  Batch all;
+  std::vector<store::SherdRow> rows;
+  std::map<std::int64_t, std::vector<std::size_t>> by_sherd;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    all.changes.push_back({{wanted[i], {}, {}, {}, {}}, nullptr, 0, {}, {}, {}});
+    auto& of_sherd = by_sherd[wanted[i].sherd.value];
+    if (of_sherd.empty()) rows.push_back(wanted[i].sherd);
+    of_sherd.push_back(i);
+  }
+  Examination examination(catalogue);
+  for (records::SherdRecord& sherd : store::valueOrThrow(Sherds(catalogue).of(rows))) {
+    std::vector<Examined*> of_sherd;
+    for (const std::size_t i : by_sherd[sherd.row.value]) of_sherd.push_back(&all.changes[i]);
+    examination.sherd(sherd, of_sherd);
+    all.sherds.emplace(sherd.row.value, std::move(sherd));
+  }
+  return all;
+}
+
+void setJoins(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
+              const std::vector<store::SherdRow>& joins) {
+  store::Database& database = catalogue.database();
+  database.sql("DELETE FROM sherd_join WHERE sherd = ?1 OR other = ?1").with(sherd).run();
+  for (const store::SherdRow& other : joins) {
+    database.sql("INSERT INTO sherd_join VALUES (?, ?)").with(sherd, other).run();
+    database.sql("INSERT INTO sherd_join VALUES (?, ?)").with(other, sherd).run();
+  }
+}
+
+std::string methodOf(const std::string& kind) {
+  if (kind == "weight") return "scale";
+  return kind.starts_with("rim_") ? "estimate" : "calliper";
+}
+
+void setExtra(const catalogue::Catalogue& catalogue, store::SherdRow sherd, const std::string& name,
+              const std::string& value) {
+  store::Database& database = catalogue.database();
+  std::string text;
+  {
+    store::Statement row = database.sql("SELECT extra FROM sherd WHERE row = ?");
+    if (row.with(sherd).next()) row >> text;
+  }
+  nlohmann::ordered_json extra = orderedJsonOrDiscarded(text);
+  if (!extra.is_object()) extra = nlohmann::ordered_json::object();
+  if (value.empty())
+    extra.erase(name);
+  else
+    extra[name] = value;
+  database.sql("UPDATE sherd SET extra = ? WHERE row = ?").with(extra.dump(), sherd).run();
+}
+
+// Numbers are taken away before places change and given afterwards: a numbered sherd always has its
+// context.
+int turnOf(const Examined& change) {
+  if (!change.column) return 2;
+  if (change.column->field.kind == records::FieldKind::Place) return 1;
+  return std::string_view(change.column->field.name) == "number" && change.shown.new_value.empty()
+             ? 0
+             : 2;
+}
+
+// Columns that are set together, in one statement for each sherd.
+using Plain = std::vector<std::pair<std::string, std::string>>;
+
+void write(const catalogue::Catalogue& catalogue, const Examined& change,
+           records::SherdRecord& sherd, Plain& plain, const records::Provenance& provenance) {
+  store::Database& database = catalogue.database();
+  const store::SherdRow row = sherd.row;
+  const std::string& field = change.shown.change.field;
+  const std::string& value = change.shown.new_value;
+  if (!change.column) {
+    setExtra(catalogue, row, field.substr(6), value);
+  } else if (change.column->measure) {
+    const std::string kind = change.column->measure;
+    if (value.empty())
+      clearMeasure(catalogue, row, kind, provenance);
+    else
+      typeMeasure(
+          catalogue,
+          {row, kind, {}, change.number, change.uncertainty, methodOf(kind), provenance.person, {}},
+          provenance);
+    return;  // its history is written with the measurement
+  } else if (change.column->field.kind == records::FieldKind::Joins) {
+    setJoins(catalogue, row, change.joins);
+  } else if (change.column->field.kind == records::FieldKind::Place) {
+    if (sherd.context != change.context || sherd.bag != change.bag)
+      database.sql("UPDATE sherd SET context = ?, bag = ? WHERE row = ?")
+          .with(change.context, change.bag, row)
+          .run();
+    sherd.context = change.context;
+    sherd.bag = change.bag;
+  } else if (field == "number") {
+    if (!value.empty() && !sherd.context)
+      store::refuse("A sherd needs its context before it gets a number.", value);
+    setNumber(catalogue, store::valueOrThrow(Sherds(catalogue).get(row)), value);
+    sherd.number = value;
+  } else if (field == "void_reason") {
+    const char* state = !value.empty() ? "void" : sherd.number.empty() ? "draft" : "numbered";
+    database.sql("UPDATE sherd SET void_reason = ?, state = ? WHERE row = ?")
+        .with(value, state, row)
+        .run();
+  } else {
+    plain.emplace_back(field,
+                       change.column->terms ? store::termsJson(store::splitTerms(value)) : value);
+  }
+  catalogue::remember(catalogue, provenance, "sherd", row.value, field, change.shown.old_value,
+                      value);
+}
+
+void finish(const catalogue::Catalogue& catalogue, store::SherdRow sherd, const Plain& plain,
+            const records::Provenance& provenance) {
+  std::string pairs;
+  for (const auto& [column, value] : plain) pairs += column + " = ?, ";
+  store::Statement update = catalogue.database().sql(
+      "UPDATE sherd SET " + pairs +
+      "updated_at = ?, updated_by = ?, revision = revision + 1 WHERE row = ?");
+  for (const auto& [column, value] : plain) update.with(value);
+  update.with(catalogue.now(), provenance.person, sherd).run();
+  catalogue::searchAnew(catalogue.database(), sherd);
+}
+
+}  // namespace
+
+Result<std::vector<records::ChangePreview>> SherdChanges::preview(
+    std::span<const records::FieldChange> wanted) const {
+  return database_->asResult([&] {
+    std::vector<records::ChangePreview> shown;
+    for (Examined& change : examine(catalogue_, wanted).changes)
+      shown.push_back(std::move(change.shown));
+    return shown;
+  });
+}
+
+Result<std::vector<records::FieldChange>> SherdChanges::apply(
+    std::span<const records::FieldChange> wanted, const records::Provenance& provenance) {
+  return database_->inTransaction([&] {
+    Batch all = examine(catalogue_, wanted);
+    for (const Examined& change : all.changes)
+      if (!change.shown.refusal.empty()) {
+        const records::SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
+        store::refuse(change.shown.refusal, sherd.number.empty() ? std::string() : sherd.number);
+      }
+    for (const Examined& change : all.changes)
+      if (change.shown.asks()) {
+        const records::SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
+        store::refuse(change.shown.question, sherd.number);
+      }
+    std::vector<records::FieldChange> undo;
+    std::map<std::int64_t, Plain> touched;
+    for (const int turn : {0, 1, 2})
+      for (const Examined& change : all.changes) {
+        if (!change.changes() || turnOf(change) != turn) continue;
+        const records::FieldChange& asked = change.shown.change;
+        write(catalogue_, change, all.sherds.at(asked.sherd.value), touched[asked.sherd.value],
+              provenance);
+        undo.push_back(
+            {asked.sherd, asked.field, change.shown.old_value, records::Confirmation::Given});
+      }
+    for (const auto& [row, plain] : touched)
+      finish(catalogue_, store::SherdRow{row}, plain, provenance);
+    std::reverse(undo.begin(), undo.end());
+    return undo;
+  });
+}
+
+}  // namespace ostraka::sherds

@@ -1,0 +1,14 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "records/sherd.h"
+
+namespace ostraka::sherds {
+
+/// All fields in the order of the CSV.
+const std::vector<records::SherdField>& sherdFields();
+/// The field's value as text ('; ' between the terms of a list), as in CSV and in edits.
+std::string textOf(const records::SherdRecord& sherd, const std::string& field);
+
+}  // namespace ostraka::sherds

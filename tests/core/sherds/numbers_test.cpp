@@ -1,0 +1,127 @@
+#include <gmock/gmock.h>
+
+#include "catalogue/settings.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/numbers.h"
+#include "sherds/sherds.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::sherds {
+namespace {
+
+using testing::ElementsAre;
+using NumbersTest = catalogue::SmallProject;
+
+TEST_F(NumbersTest, AreProposedPerContextAndGivenInTheSameOrder) {
+  const std::vector<store::SherdRow> rows = {draft(context12), draft(context13), draft(context12)};
+  const auto expected = ElementsAre("ARM1-T3-0012-0001", "ARM1-T3-0013-0001", "ARM1-T3-0012-0002");
+  EXPECT_THAT(*Numbers(catalogue()).propose(rows), expected);
+  EXPECT_THAT(*Numbers(catalogue()).propose(rows), expected) << "a proposal reserves nothing";
+  EXPECT_THAT(*Numbers(catalogue()).assign(rows, anna), expected);
+  EXPECT_EQ(Sherds(catalogue()).get(rows[2])->state, records::SherdState::Numbered);
+}
+
+TEST_F(NumbersTest, AreNeverUsedAgain) {
+  const store::SherdRow a = numbered(context12), b = draft(context12);
+  ASSERT_TRUE(set(a, "number", "OLD-7"));
+  const Result<std::vector<records::FieldChange>> taken = set(b, "number", "ARM1-T3-0012-0001");
+  ASSERT_FALSE(taken);
+  EXPECT_NE(taken.error().what.find("assigned before"), std::string::npos);
+  EXPECT_THAT(*Numbers(catalogue()).assign(std::span(&b, 1), anna),
+              ElementsAre("ARM1-T3-0012-0002"));
+  ASSERT_TRUE(Sherds(catalogue()).voidSherd(b, "a stone", anna));
+  EXPECT_THAT(*Numbers(catalogue()).propose(std::vector{draft(context12)}),
+              ElementsAre("ARM1-T3-0012-0003"));
+}
+
+TEST_F(NumbersTest, DifferOnlyIfTheyDifferForPeopleAndForFiles) {
+  const store::SherdRow a = draft(context12), b = draft(context12);
+  ASSERT_TRUE(set(a, "number", "É-1"));
+  EXPECT_FALSE(set(b, "number", "é-1"));
+  EXPECT_FALSE(set(b, "number", "E\xCC\x81-1"));
+  ASSERT_TRUE(set(a, "number", "A/1"));
+  const Result<std::vector<records::FieldChange>> same_file = set(b, "number", "A_1");
+  ASSERT_FALSE(same_file);
+  EXPECT_NE(same_file.error().what.find("same names as those of A/1"), std::string::npos);
+}
+
+TEST_F(NumbersTest, TypedByHandInTheSchemesFormAreCounted) {
+  const store::SherdRow a = draft(context12);
+  ASSERT_TRUE(set(a, "number", "ARM1-T3-0012-0041"));
+  EXPECT_THAT(*Numbers(catalogue()).propose(std::vector{draft(context12)}),
+              ElementsAre("ARM1-T3-0012-0042"));
+  std::vector<int> gaps = *Numbers(catalogue()).gaps(context12);
+  ASSERT_EQ(gaps.size(), 40u);
+  EXPECT_EQ(gaps.front(), 1);
+  EXPECT_EQ(gaps.back(), 40);
+}
+
+TEST_F(NumbersTest, UndoneComeBackToTheSameSherd) {
+  const store::SherdRow a = draft(context12), b = draft(context12);
+  ASSERT_TRUE(Numbers(catalogue()).assign(std::span(&a, 1), anna));
+  ASSERT_TRUE(set(a, "number", ""));
+  EXPECT_EQ(Sherds(catalogue()).get(a)->state, records::SherdState::Draft);
+  EXPECT_THAT(*Numbers(catalogue()).assign(std::span(&b, 1), anna),
+              ElementsAre("ARM1-T3-0012-0002"));
+  EXPECT_THAT(*Numbers(catalogue()).assign(std::span(&a, 1), anna),
+              ElementsAre("ARM1-T3-0012-0001"));
+}
+
+TEST_F(NumbersTest, OfTwoComputersComeFromTwoBlocks) {
+  ASSERT_TRUE(catalogue::Settings(catalogue()).setValue("numbering.first", "5001"));
+  ASSERT_TRUE(catalogue::Settings(catalogue()).setValue("numbering.last", "5002"));
+  const std::vector<store::SherdRow> two = {draft(context12), draft(context12)};
+  EXPECT_THAT(*Numbers(catalogue()).assign(two, anna),
+              ElementsAre("ARM1-T3-0012-5001", "ARM1-T3-0012-5002"));
+  const Result<std::vector<std::string>> none =
+      Numbers(catalogue()).propose(std::vector{draft(context12)});
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().what.find("block of numbers up to 5002 is used up"), std::string::npos);
+}
+
+TEST_F(NumbersTest, NeedThePlaceThatTheSchemeNames) {
+  const Result<std::vector<std::string>> none =
+      Numbers(catalogue()).propose(std::vector{draft({})});
+  ASSERT_FALSE(none);
+  records::ProjectRecord record = *catalogue::Settings(catalogue()).project();
+  record.numbering = "P{yyyy}.{n:05}";
+  ASSERT_TRUE(catalogue::Settings(catalogue()).setProject(record, anna));
+  EXPECT_THAT(*Numbers(catalogue()).propose(std::vector{draft(context12)}),
+              ElementsAre("P2026.00001"));
+}
+
+TEST_F(NumbersTest, FollowAChangedSchemeAndNeverDouble) {
+  const store::SherdRow first = numbered(context12), second = numbered(context12);
+  records::ProjectRecord record = *catalogue::Settings(catalogue()).project();
+  record.numbering = "{site}-{trench}-{context}-{n:02}";
+  ASSERT_TRUE(catalogue::Settings(catalogue()).setProject(record, anna));
+  const store::SherdRow narrow = numbered(context12);
+  EXPECT_EQ(valueOf(narrow, "number"), "ARM1-T3-0012-03") << "the same count, another width";
+  record.numbering = "{context}/{n}";
+  ASSERT_TRUE(catalogue::Settings(catalogue()).setProject(record, anna));
+  // Typed by hand before in what is now the scheme's form, and once more by its file's name.
+  const store::SherdRow typed = draft(context13), other = draft(context13);
+  ASSERT_TRUE(set(typed, "number", "0012/1"));
+  ASSERT_TRUE(set(other, "number", "0012_2"));
+  const store::SherdRow third = numbered(context12);
+  EXPECT_EQ(valueOf(third, "number"), "0012/3");
+  EXPECT_EQ(valueOf(first, "number"), "ARM1-T3-0012-0001") << "what was numbered stays";
+  EXPECT_EQ(valueOf(second, "number"), "ARM1-T3-0012-0002");
+  record.numbering = "{site}-{trench}-{context}-{n:04}";
+  ASSERT_TRUE(catalogue::Settings(catalogue()).setProject(record, anna));
+  EXPECT_EQ(valueOf(numbered(context12), "number"), "ARM1-T3-0012-0004") << "back again";
+  EXPECT_TRUE(catalogue().checkIntegrity());
+}
+
+TEST_F(NumbersTest, GivenByTwoConnectionsAtOnceAreStillDifferent) {
+  catalogue::Catalogue other = *project_->connect();
+  const store::SherdRow a = draft(context12), b = draft(context12);
+  EXPECT_EQ(Numbers(catalogue()).propose(std::span(&a, 1))->front(),
+            Numbers(other).propose(std::span(&b, 1))->front());
+  EXPECT_NE(Numbers(catalogue()).assign(std::span(&a, 1), anna)->front(),
+            Numbers(other).assign(std::span(&b, 1), anna)->front());
+}
+
+}  // namespace
+}  // namespace ostraka::sherds

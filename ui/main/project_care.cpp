@@ -1,0 +1,63 @@
+#include "ui/main/project_care.h"
+
+#include "intake/compute_batch.h"
+#include "ui/jobs/job.h"
+#include "ui/main/main_window.h"
+#include "ui/words/sentence.h"
+#include "upkeep/project.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kRoomEvery_ms = 60000;
+constexpr int kBackUpEvery_ms = 30 * 60000;
+
+}  // namespace
+
+ProjectCare::ProjectCare(JobRunner& runner, QObject* parent) : QObject(parent), runner_(runner) {
+  connect(&room_timer_, &QTimer::timeout, this, &ProjectCare::measureRoom);
+  connect(&back_up_timer_, &QTimer::timeout, this, &ProjectCare::backUp);
+  room_timer_.start(kRoomEvery_ms);
+  back_up_timer_.start(kBackUpEvery_ms);
+}
+
+void ProjectCare::begin(const std::filesystem::path& folder, bool read_only) {
+  folder_ = folder;
+  measureRoom();
+  if (!read_only) backUp();
+}
+
+void ProjectCare::measureRoom() {
+  if (folder_.empty()) return;
+  JobHandle* job =
+      runner_.start(makeJob(MainWindow::tr("Room on the disk"),
+                            [folder = folder_](Progress&, std::stop_token) -> Result<int> {
+                              return intake::roomForBatches(folder);
+                            }),
+                    this);
+  connect(job, &JobHandle::finished, this, [this, job](const JobOutcome& outcome) {
+    job->deleteLater();
+    if (const Result<int> room = outcomeAs<int>(outcome)) emit roomMeasured(*room);
+  });
+}
+
+// What is described by hand has copies, too, not only what is computed.
+void ProjectCare::backUp() {
+  if (folder_.empty()) return;
+  JobHandle* job =
+      runner_.start(makeJob(MainWindow::tr("Copy of the catalogue"),
+                            [folder = folder_](Progress&, std::stop_token) {
+                              const auto project = upkeep::Project::open(folder);
+                              return project ? project->backUpIfChanged() : project.error();
+                            }),
+                    this);
+  connect(job, &JobHandle::finished, this, [this, job](const JobOutcome& outcome) {
+    job->deleteLater();
+    if (const Result<bool> done = outcomeAs<bool>(outcome);
+        !done && done.error().code != ErrorCode::Cancelled)
+      emit said(
+          MainWindow::tr("The catalogue could not be copied: %1").arg(sentenceOf(done.error())));
+  });
+}
+
+}  // namespace ostraka::ui

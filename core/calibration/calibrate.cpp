@@ -430,9 +430,7 @@ class Poser {
     }
     for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
       if (side == batch::Side::Back && sidesShot() == SidesShot::FrontOnly) break;
-      const auto views =
-          std::count_if(out_.images.begin(), out_.images.end(),
-                        [&](const rig::PosedImage& image) { return image.side == side; });
+      const auto views = std::ranges::count(out_.images, side, &rig::PosedImage::side);
       if (views < kMinViewsPerSide)
         return Error{ErrorCode::NotEnough,
                      std::string("Only ") + std::to_string(views) + " photographs of the " +

@@ -62,7 +62,9 @@ Result<AppliedDecision> applyToFileAlone(const std::filesystem::path& output,
                                          decisions::PairDecision decision) {
   Result<decisions::PairDecision> written = decisions::appendDecision(output, std::move(decision));
   if (!written) return written.error();
-  return AppliedDecision{.decision = std::move(*written)};
+  AppliedDecision applied;
+  applied.decision = std::move(*written);
+  return applied;
 }
 
 }  // namespace ostraka::intake

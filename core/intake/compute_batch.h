@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <stop_token>
 #include <string>
 
@@ -22,6 +23,10 @@ struct ComputeOptions {
 /// in any thread. The batch's state becomes Computed, then Review or Done; on an error it stays.
 Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
                                   std::stop_token stop);
+
+/// What computes a batch; computeBatch, but for tests.
+using ComputeWork =
+    std::function<Result<BatchFigures>(const ComputeOptions&, Progress&, std::stop_token)>;
 
 /// Bytes that a batch and its results will take, by those on the disk; of one that is photographed
 /// and not computed yet by its photographs.

@@ -99,8 +99,7 @@ class PlateMasker {
   }
 
   void weighCamera(int camera, const std::vector<std::size_t>& members, Progress& progress) {
-    const ground::PlateGrid grid =
-        ground::gridOver(plate_, ground::millimetresPerPixel(images_[members[0]]));
+    const auto grid = ground::gridOver(plate_, ground::millimetresPerPixel(images_[members[0]]));
     const cv::Mat1b paper = ground::markerPaper(plate_, grid);
     std::vector<ground::PlateLook> looks(members.size());
     parallelFor(members.size(), options_.threads, [&](std::size_t k) {
@@ -109,8 +108,7 @@ class PlateMasker {
                   ground::pixelsOfGrid(image, grid)};
     });
     const auto [empty, empty_look] = emptyPlate(camera, members, looks, paper, progress);
-    const ground::PlatePicture picture =
-        ground::buildPlatePicture(looks, empty, empty_look, grid, paper);
+    const auto picture = ground::buildPlatePicture(looks, empty, empty_look, grid, paper);
     parallelFor(members.size(), options_.threads, [&](std::size_t k) {
       const cv::Mat3f bare = smoothed(ground::predictBare(picture, looks[k], k, grid));
       const cv::Mat3f residual = smoothed(looks[k].log_colours) - bare;
@@ -150,8 +148,7 @@ class PlateMasker {
       if (stop.stop_requested()) return;
       cv::Mat1b known;
       const cv::Mat2f grid_of_pixel = ground::gridOfPixels(images_[i], grid, options_.bend);
-      const cv::Mat3f predicted =
-          ground::predictBareSheet(picture, i, *printed, grid_of_pixel, known);
+      const cv::Mat3f predicted = predictBareSheet(picture, i, *printed, grid_of_pixel, known);
       const cv::Mat3f bare = smoothed(predicted);
       cv::Mat3f residual = smoothed(ground::logColours(photographs_[i])) - bare;
       residual.setTo(cv::Scalar::all(0), ~known);

@@ -226,13 +226,10 @@ class Examination {
           computed.values.at(kind) == change->number)
         continue;
       findings = records::implausible({kind}, measured, computed.values);
+      const auto doubt = deletes ? records::MeasureDoubt::DeletesComputed
+                                 : records::MeasureDoubt::ReplacesComputed;
       if (computed.current.contains(kind))
-        findings.push_back({deletes ? records::MeasureDoubt::DeletesComputed
-                                    : records::MeasureDoubt::ReplacesComputed,
-                            kind,
-                            change->number,
-                            {},
-                            computed.values.at(kind)});
+        findings.push_back({doubt, kind, change->number, {}, computed.values.at(kind)});
       for (const records::MeasureFinding& finding : findings)
         change->shown.question +=
             (change->shown.question.empty() ? "" : " ") + records::sentenceOf(finding);
@@ -308,8 +305,7 @@ class Examination {
 
   // The codes as the catalogue writes them, so that arm1 for ARM1 is no change.
   void canonical(Examined& change) {
-    const records::ContextRecord place =
-        store::valueOrThrow(catalogue::Places(catalogue_).context(change.context));
+    const auto place = store::valueOrThrow(catalogue::Places(catalogue_).context(change.context));
     std::string& value = change.shown.new_value;
     const std::string& field = change.shown.change.field;
     if (field == "site") value = place.site_code;
@@ -476,16 +472,13 @@ Result<std::vector<records::FieldChange>> SherdChanges::apply(
     std::span<const records::FieldChange> wanted, const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     Batch all = examine(catalogue_, wanted);
+    const auto numberOf = [&](const Examined& change) {
+      return all.sherds.at(change.shown.change.sherd.value).number;
+    };
     for (const Examined& change : all.changes)
-      if (!change.shown.refusal.empty()) {
-        const records::SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
-        store::refuse(change.shown.refusal, sherd.number.empty() ? std::string() : sherd.number);
-      }
+      if (!change.shown.refusal.empty()) store::refuse(change.shown.refusal, numberOf(change));
     for (const Examined& change : all.changes)
-      if (change.shown.asks()) {
-        const records::SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
-        store::refuse(change.shown.question, sherd.number);
-      }
+      if (change.shown.asks()) store::refuse(change.shown.question, numberOf(change));
     std::vector<records::FieldChange> undo;
     std::map<std::int64_t, Plain> touched;
     for (const int turn : {0, 1, 2})

@@ -21,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 namespace catalogue = ostraka::catalogue;
+namespace records = ostraka::records;
+namespace upkeep = ostraka::upkeep;
 
 class CatalogueCommand : public testing::Test {
  protected:

@@ -9,7 +9,6 @@
 namespace ostraka::fuzz {
 
 void decisions(std::string_view bytes) {
-  using namespace pipeline;
   const Result<decisions::Decisions> read = decisions::parseDecisions(bytes, "fuzz.json");
   mustNameItself(read);
   if (!read) return;

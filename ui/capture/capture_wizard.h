@@ -1,6 +1,5 @@
 #pragma once
 #include <QImage>
-#include <QObject>
 #include <QPointer>
 #include <QStringList>
 #include <QTimer>

@@ -17,8 +17,6 @@
 #include "catalogue/files.h"
 #include "catalogue/history.h"
 #include "catalogue/places.h"
-#include "records/records.h"
-#include "records/sherd.h"
 #include "sherds/measurements.h"
 #include "sherds/numbers.h"
 #include "sherds/sherd_fields.h"
@@ -60,15 +58,9 @@ void setPicture(QLabel* label, const QString& path, int size) {
 }
 
 QString fileState(records::FileState state) {
-  switch (state) {
-    case records::FileState::Missing:
-      return SherdDetails::tr("missing");
-    case records::FileState::Changed:
-      return SherdDetails::tr("changed");
-    case records::FileState::Present:
-      break;
-  }
-  return SherdDetails::tr("present");
+  return state == records::FileState::Missing   ? SherdDetails::tr("missing")
+         : state == records::FileState::Changed ? SherdDetails::tr("changed")
+                                                : SherdDetails::tr("present");
 }
 
 }  // namespace
@@ -343,10 +335,9 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
   widget()->setEnabled(true);
   refusal_->hide();
   number_->setText(sherdName(*sherd));
-  if (!sherd->number.empty()) {
-    give_number_->hide();
-    why_no_number_->hide();
-  } else {
+  give_number_->hide();
+  why_no_number_->hide();
+  if (sherd->number.empty()) {
     const auto proposed = sherds::Numbers(catalogue).propose(std::span(&row, 1));
     give_number_->setVisible(proposed.has_value());
     why_no_number_->setVisible(!proposed);

@@ -81,9 +81,7 @@ Result<intake::BatchFigures> figuresKept(const Result<intake::BatchFigures>& fig
 
 BatchQueue::BatchQueue(QObject* parent) : QAbstractListModel(parent), work_(intake::computeBatch) {}
 
-void BatchQueue::setWork(std::function<Result<intake::BatchFigures>(const intake::ComputeOptions&,
-                                                                    Progress&, std::stop_token)>
-                             work) {
+void BatchQueue::setWork(intake::ComputeWork work) {
   work_ = std::move(work);
 }
 

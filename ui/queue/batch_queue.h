@@ -57,9 +57,7 @@ class BatchQueue final : public QAbstractListModel {
   /// Null closes: a computation is asked to stop and goes on when the project is opened again.
   void setSession(ProjectSession* session);
   /// Unset: intake::computeBatch. For tests.
-  void setWork(std::function<Result<intake::BatchFigures>(const intake::ComputeOptions&, Progress&,
-                                                          std::stop_token)>
-                   work);
+  void setWork(intake::ComputeWork work);
   void setThreads(int threads) { threads_ = threads; }
   /// Unset: the computer's. For tests.
   void setClock(std::function<QDateTime()> clock) { clock_ = std::move(clock); }
@@ -127,9 +125,7 @@ class BatchQueue final : public QAbstractListModel {
   void log(const QString& line);
 
   QPointer<ProjectSession> session_;
-  std::function<Result<intake::BatchFigures>(const intake::ComputeOptions&, Progress&,
-                                             std::stop_token)>
-      work_;
+  intake::ComputeWork work_;
   std::function<QDateTime()> clock_ = [] { return QDateTime::currentDateTime(); };
   std::vector<QueueRow> rows_;
   QPointer<JobHandle> job_;

@@ -206,10 +206,6 @@ QString PairReviewModel::figuresText() const {
   return text;
 }
 
-bool PairReviewModel::canAccept() const {
-  return whyNotAccept().isEmpty();
-}
-
 QString PairReviewModel::whyNotAccept() const {
   if (!live_ || trial_.front < 0) return tr("No pair is chosen: give this back to a front first.");
   if (trial_.back < 0) return tr("Choose a back first.");

@@ -7,7 +7,6 @@
 #include <memory>
 #include <set>
 
-#include "intake/apply_decision.h"
 #include "ui/jobs/job.h"
 #include "ui/review/card_role.h"
 #include "ui/review/review_rows.h"
@@ -37,7 +36,7 @@ class PairReviewModel final : public QAbstractListModel {
   const LivePairsPtr& live() const { return live_; }
   const review::Review& review() const { return review_; }
 
-  // cards
+  void setApply(ApplyDecision apply) { apply_ = std::move(apply); }  ///< unset: the file alone
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   int rowOf(int front) const;
@@ -45,8 +44,7 @@ class PairReviewModel final : public QAbstractListModel {
   int rowInHand() const;
   void setNumbers(const QHash<int, QString>& numbers);  ///< of the sherds, by front
 
-  // the card in hand
-  int front() const { return trial_.front; }
+  int front() const { return trial_.front; }  ///< of the card in hand
   const review::ReviewCard* card() const;
   const std::vector<review::ReviewCandidate>& candidates() const { return candidates_; }
   int chosen() const;  ///< index among the candidates; -1: none of them
@@ -57,7 +55,7 @@ class PairReviewModel final : public QAbstractListModel {
   const std::vector<double>& settlingRms() const { return settling_rms_; }  ///< so far, mm
   QString reason() const;       ///< why the card is doubtful, or what is tried on it
   QString figuresText() const;  ///< fracture RMS and overlap of the trial, in words
-  bool canAccept() const;
+  bool canAccept() const { return whyNotAccept().isEmpty(); }
   QString whyNotAccept() const;  ///< empty when it can
   int holderOf(int back) const;  ///< the front that holds this back now, -1: none
   int waiting() const { return review_.waiting(); }
@@ -87,11 +85,6 @@ class PairReviewModel final : public QAbstractListModel {
   void split(batch::Side side, const Eigen::Vector2d& a_mm, const Eigen::Vector2d& b_mm);
   void fetchModel();                                ///< of the pair on trial, as last computed
   void fetchScans() { fetchScene(Clouds::Fetch); }  ///< both sides as they are on trial
-
-  /// What takes a decision about the results in `output`; without it the file alone takes it.
-  using Apply = std::function<Result<intake::AppliedDecision>(const std::filesystem::path& output,
-                                                              decisions::PairDecision decision)>;
-  void setApply(Apply apply) { apply_ = std::move(apply); }
 
  signals:
   void cardChanged();  ///< another card is in hand, or its state changed
@@ -151,7 +144,7 @@ class PairReviewModel final : public QAbstractListModel {
   std::vector<double> settling_rms_;
   QPointer<JobHandle> scene_job_, fit_job_, more_job_, thumbnails_job_, model_job_;
   bool scene_wanted_ = false, clouds_wanted_ = false, busy_ = false;
-  Apply apply_;
+  ApplyDecision apply_;
 };
 
 }  // namespace ostraka::ui

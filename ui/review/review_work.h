@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "intake/apply_decision.h"
 #include "review/live_pairs.h"
 #include "review/review.h"
 #include "ui/review/review_rows.h"
@@ -27,6 +28,10 @@ struct OpenedBatch {
 /// asked. Missing while the batch is computed, and where that was stopped.
 Result<OpenedBatch> openBatch(const std::filesystem::path& output,
                               const std::filesystem::path& rows = {});
+
+/// What takes a decision about the results in `output`.
+using ApplyDecision = std::function<Result<intake::AppliedDecision>(
+    const std::filesystem::path& output, decisions::PairDecision decision)>;
 
 /// A pair at a pose with all that is shown of it.
 struct PairScene {

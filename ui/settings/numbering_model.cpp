@@ -190,7 +190,7 @@ void NumberingModel::follow() {
   int next = std::max(wanted_.first, 1);
   if (const auto counter = scheme->counter(shown))
     if (const auto free =
-            records::nextNumber(session_->project().catalogue(), *counter, next, wanted_.last))
+            sherds::Numbers(session_->project().catalogue()).next(*counter, next, wanted_.last))
       next = *free;
   const auto number = scheme->number(shown, next);
   if (number)

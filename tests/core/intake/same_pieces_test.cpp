@@ -78,7 +78,7 @@ TEST(SamePieces, OneThatWasJoinedTwiceLiesBetweenAllThree) {
 class CutPieces : public testing::Test {
  protected:
   static records::ScanRecord piece(const char* name, double x_mm, int points, int row = 0) {
-    records::ScanRecord scan = piece(name, x_mm);
+    records::ScanRecord scan = intake::piece(name, x_mm);
     scan.points = points;
     scan.row = store::ScanRow{row};
     return scan;

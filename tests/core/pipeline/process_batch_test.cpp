@@ -122,8 +122,7 @@ TEST_F(ProcessBatch, StoppedAndStartedAgainWithOtherThreadsLeavesTheSameBytes) {
   for (const char* stage : {"stereo of the back side", "models"}) {
     std::stop_source stop;
     StopsAt stopping(stage, stop);
-    const Result<ProcessSummary> stopped =
-        process(folder_ / "again", 3, stopping, stop.get_token());
+    const auto stopped = process(folder_ / "again", 3, stopping, stop.get_token());
     ASSERT_FALSE(stopped.has_value());
     EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
     EXPECT_FALSE(fs::exists(folder_ / "again" / "report.json"))
@@ -225,8 +224,7 @@ TEST_F(ProcessBatch, DoesWhatAPersonDecidedAndOnlyWhatFollowsFromIt) {
   const Result<nlohmann::json> pairs = readJson(folder_ / "decided" / "pairs.json");
   const bool straight = pairs->at("pairs").at(0).at("back") == table->backs[0].id;
   swapped.scans = {table->fronts[0], table->backs[straight ? 1 : 0]};
-  const Result<decisions::PairDecision> written =
-      decisions::appendDecision(folder_ / "decided", swapped);
+  const auto written = decisions::appendDecision(folder_ / "decided", swapped);
   ASSERT_TRUE(written.has_value()) << written.error().sentence();
 
   const Result<ProcessSummary> summary = process(folder_ / "decided", 1, quiet);

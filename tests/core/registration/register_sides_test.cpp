@@ -61,7 +61,9 @@ TEST(RegisterSides, WhatTheBilateralBoundaryIcpFindsIsMeasuredAsOurs) {
 
   const SimulatedSherd other = simulatedSherd({.seed = 9});
   const auto wrong = run(sherd.front, other.back, {start}, options);
-  if (wrong) EXPECT_TRUE(wrong->check_failed) << "two different sherds";
+  if (wrong) {
+    EXPECT_TRUE(wrong->check_failed) << "two different sherds";
+  }
 }
 
 TEST(RegisterSides, FindsTheKnownPoseInFramesWithoutPlate) {

@@ -42,21 +42,21 @@ class LostModels : public catalogue::SmallProject {
     results.gone.clear();
     write({});
   }
-  void joined(const std::vector<int>& decisions) {
+  void joined(const std::vector<std::string>& decisions) {
     results.places_mm[0] = {55, 0};
     results.pairs() = {{1, 1, false}, {3, 3, false}};
     results.gone = {2};
     write(decisions);
   }
   // Results that follow these decisions of the file.
-  void write(const std::vector<int>& decisions) {
+  void write(const std::vector<std::string>& decisions) {
     results.write();
     nlohmann::json report = catalogue::valueIn(readJson(output / "report.json"));
     report["decisions"] = decisions;
     ASSERT_TRUE(writeFileAtomically(output / "report.json", report.dump()));
   }
   decisions::PairDecision taken(DecisionKind kind, std::vector<decisions::ScanRef> scans,
-                                std::vector<int> replaces = {}) {
+                                std::vector<std::string> replaces = {}) {
     decisions::PairDecision d;
     d.kind = kind;
     d.by = "AP";
@@ -70,11 +70,11 @@ class LostModels : public catalogue::SmallProject {
     }
     return d;
   }
-  int join(batch::Side side) {
+  std::string join(batch::Side side) {
     const std::string c = side == batch::Side::Front ? "f" : "b";
     return taken(DecisionKind::Join,
                  {{side, c + "001", {40, 0}, "first"}, {side, c + "002", {70, 0}, "first"}})
-        .number;
+        .id;
   }
   std::vector<records::SherdRecord> sherds() {
     return catalogue::valueIn(
@@ -100,9 +100,10 @@ class LostModels : public catalogue::SmallProject {
 TEST_F(LostModels, ComeBackWithoutChangingWhatBecomesOfTheBatch) {
   for (const records::BatchState state : {records::BatchState::Queued, records::BatchState::Flipped,
                                           records::BatchState::Failed, records::BatchState::Done}) {
-    const int pair = taken(DecisionKind::Pair, {{batch::Side::Front, "f001", {40, 0}, "first"},
-                                                {batch::Side::Back, "b003", {120, 0}, "first"}})
-                         .number;
+    const std::string pair =
+        taken(DecisionKind::Pair, {{batch::Side::Front, "f001", {40, 0}, "first"},
+                                   {batch::Side::Back, "b003", {120, 0}, "first"}})
+            .id;
     taken(DecisionKind::Withdraw, {}, {pair});
     ASSERT_EQ(first().model_path, "");
     ASSERT_TRUE(catalogue::Batches(catalogue()).setState(batch, state, {}));
@@ -116,7 +117,7 @@ TEST_F(LostModels, ComeBackWithoutChangingWhatBecomesOfTheBatch) {
 TEST_F(LostModels, ComeBackWithADecisionThatIsDoneAgain) {
   const std::vector<decisions::ScanRef> scans = {{batch::Side::Front, "f001", {40, 0}, "first"},
                                                  {batch::Side::Back, "b002", {70, 0}, "first"}};
-  const int pair = taken(DecisionKind::Pair, scans).number;
+  const std::string pair = taken(DecisionKind::Pair, scans).id;
   results.pairs() = {{1, 2, false, "AP"}, {3, 3, false}};
   write({pair});
   enter();
@@ -133,7 +134,7 @@ TEST_F(LostModels, ComeBackWithADecisionThatIsDoneAgain) {
 
 TEST_F(LostModels, AreThoseOfAJoinThatWasTakenBackWhileItWasComputed) {
   ASSERT_TRUE(set(first().row, "number", "A-1"));
-  const int fronts = join(batch::Side::Front), backs = join(batch::Side::Back);
+  const std::string fronts = join(batch::Side::Front), backs = join(batch::Side::Back);
   std::filesystem::remove(output / "report.json");  // it is being computed
   taken(DecisionKind::Withdraw, {}, {fronts});
   taken(DecisionKind::Withdraw, {}, {backs});

@@ -19,31 +19,12 @@
 #include "sherds/sherds.h"
 #include "tables/csv.h"
 #include "tests/core/catalogue/small_project.h"
+#include "tests/core/tables/import_fixture.h"
 
 namespace ostraka::tables {
 namespace {
 
 using namespace catalogue;
-
-class Import : public SmallProject {
- protected:
-  ImportReport import(const std::string& text, ImportMode mode = ImportMode::Enter,
-                      UnknownPlaces places = UnknownPlaces::Refuse,
-                      const std::string& file = "t.csv") {
-    const Result<ImportReport> report =
-        importTable(catalogue(), text, file, {mode, places}, anna, quiet, {});
-    EXPECT_TRUE(report) << (report ? "" : report.error().sentence());
-    return report ? *report : ImportReport{};
-  }
-  std::string why(const std::string& text) {
-    const ImportReport report = import(text);
-    return report.refusals.empty()
-               ? "accepted"
-               : std::to_string(report.refusals[0].line) + " " + report.refusals[0].column + " " +
-                     report.refusals[0].value + ": " + report.refusals[0].reason;
-  }
-  QuietProgress quiet;
-};
 
 constexpr const char* kTwo =
     "number,site,trench,context,bag,part,weight_g,note\r\n"

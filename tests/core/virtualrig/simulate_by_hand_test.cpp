@@ -320,7 +320,7 @@ TEST(Sheet, OfAnySizeHasItsMarkersOnThePaper) {
   }
 }
 
-TEST(rendering::HandHeldOptions, NameTheFieldThatCannotBe) {
+TEST(HandHeldOptions, NameTheFieldThatCannotBe) {
   SimulateOptions options = small("x");
   options.hand_held->photographs = 2;
   EXPECT_NE(options.check().error().what.find("hand_held"), std::string::npos);

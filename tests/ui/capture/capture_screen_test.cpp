@@ -19,6 +19,7 @@
 #include "records/records.h"
 #include "records/sherd.h"
 #include "rig/rig.h"
+#include "sherds/sherds.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_foot.h"
 #include "ui/capture/capture_wizard.h"

@@ -16,6 +16,8 @@
 
 using namespace ostraka;
 using namespace ostraka::ui;
+using intake::BatchFigures, intake::ComputeOptions;
+using Computed = Result<BatchFigures>;
 
 class BatchQueueTest : public QObject {
   Q_OBJECT
@@ -26,8 +28,7 @@ class BatchQueueTest : public QObject {
   void whatNobodyWantsIsSetAsideAndComesBackByComputingIt() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.queue.setWork([](const intake::ComputeOptions&, Progress&,
-                           std::stop_token) -> Result<intake::BatchFigures> {
+    bench.queue.setWork([](const ComputeOptions&, Progress&, std::stop_token) -> Computed {
       return Error{ErrorCode::NotEnough, "No plate is seen.", {}};
     });
     const QString number = addBatch(bench.session, BatchState::Queued);
@@ -123,14 +124,13 @@ class BatchQueueTest : public QObject {
     {
       Bench bench(folder(), jobs);
       number = addBatch(bench.session, BatchState::Queued);
-      bench.queue.setWork([&](const intake::ComputeOptions&, Progress&,
-                              std::stop_token) -> Result<intake::BatchFigures> {
+      bench.queue.setWork([&](const ComputeOptions&, Progress&, std::stop_token) -> Computed {
         catalogue::Catalogue& rows = bench.session.project().catalogue();
         records::BatchRecord record = *catalogue::Batches(rows).byNumber(number.toStdString());
         record.state = BatchState::Review;
         record.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
         (void)catalogue::Batches(rows).save(record, {});
-        intake::BatchFigures figures;
+        BatchFigures figures;
         figures.sherds = figures.sure = 3;
         figures.counted = 4;
         figures.numbers_left = {"A-7"};
@@ -154,15 +154,14 @@ class BatchQueueTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     QVector<bool> drafts;
-    bench.queue.setWork([&](const intake::ComputeOptions& options, Progress&,
-                            std::stop_token) -> Result<intake::BatchFigures> {
+    bench.queue.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
       drafts << options.draft;
       catalogue::Catalogue& rows = bench.session.project().catalogue();
       records::BatchRecord record = *catalogue::Batches(rows).byNumber(options.number);
       record.state = options.draft ? BatchState::Review : BatchState::Done;
       record.scale_doubts = options.draft ? "This is a draft." : "";
       (void)catalogue::Batches(rows).save(record, {});
-      intake::BatchFigures figures;
+      BatchFigures figures;
       figures.sherds = figures.sure = 3;
       figures.draft = options.draft;
       return figures;
@@ -190,8 +189,8 @@ class BatchQueueTest : public QObject {
     Bench bench(folder(), jobs);
     std::mutex guard;
     QStringList begun;
-    bench.queue.setWork([&](const intake::ComputeOptions& options, Progress& progress,
-                            std::stop_token stop) -> Result<intake::BatchFigures> {
+    bench.queue.setWork([&](const ComputeOptions& options, Progress& progress,
+                            std::stop_token stop) -> Computed {
       bool endless = false;
       {
         const std::lock_guard lock(guard);
@@ -206,7 +205,7 @@ class BatchQueueTest : public QObject {
       auto project = upkeep::Project::open(options.project);
       const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.number);
       (void)catalogue::Batches(project->catalogue()).setState(batch->row, BatchState::Review, {});
-      intake::BatchFigures figures;
+      BatchFigures figures;
       figures.sherds = figures.sure = 3;
       figures.draft = options.draft;
       return figures;
@@ -235,12 +234,11 @@ class BatchQueueTest : public QObject {
   void aBumpedCameraIsNamedUntilTheRigIsCalibratedAgain() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.queue.setWork([&](const intake::ComputeOptions& options, Progress&,
-                            std::stop_token) -> Result<intake::BatchFigures> {
+    bench.queue.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
       catalogue::Catalogue& rows = bench.session.project().catalogue();
       (void)catalogue::Batches(rows).setState(
           catalogue::Batches(rows).byNumber(options.number)->row, BatchState::Done, {});
-      intake::BatchFigures figures;
+      BatchFigures figures;
       figures.sherds = figures.sure = 3;
       figures.moved = {{1, 0.83, 2.5, 0.01}};
       return figures;
@@ -291,8 +289,7 @@ class BatchQueueTest : public QObject {
   void aBatchThatWasBeingComputedWhenTheWindowClosedIsComputedAgain() {
     ThreadedJobRunner jobs;
     std::atomic<int> begun = 0;
-    const auto endless = [&begun](const intake::ComputeOptions&, Progress&,
-                                  std::stop_token stop) -> Result<intake::BatchFigures> {
+    const auto endless = [&](const ComputeOptions&, Progress&, std::stop_token stop) -> Computed {
       ++begun;
       while (!stop.stop_requested()) std::this_thread::yield();
       return Error::cancelled();
@@ -317,14 +314,14 @@ class BatchQueueTest : public QObject {
     std::atomic<bool> begun = false, go = false;
     {
       Bench bench(folder(), jobs);
-      bench.queue.setWork([&](const intake::ComputeOptions& options, Progress&,
-                              std::stop_token) -> Result<intake::BatchFigures> {
+      bench.queue.setWork([&](const ComputeOptions& options, Progress&,
+                              std::stop_token) -> Computed {
         begun = true;
         while (!go) std::this_thread::yield();  // too far on to be stopped
         auto project = upkeep::Project::open(options.project);
         const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.number);
         (void)catalogue::Batches(project->catalogue()).setState(batch->row, BatchState::Review, {});
-        return intake::BatchFigures{3, 2, 1, 0.07, 5};
+        return BatchFigures{3, 2, 1, 0.07, 5};
       });
       addBatch(bench.session, BatchState::Queued);
       bench.queue.setSession(&bench.session);
@@ -344,8 +341,7 @@ class BatchQueueTest : public QObject {
     ThreadedJobRunner jobs;
     std::atomic<int> at_once = 0, most = 0, begun = 0;
     Bench bench(folder(), jobs);
-    bench.queue.setWork([&](const intake::ComputeOptions&, Progress&,
-                            std::stop_token stop) -> Result<intake::BatchFigures> {
+    bench.queue.setWork([&](const ComputeOptions&, Progress&, std::stop_token stop) -> Computed {
       most = std::max(most.load(), ++at_once);
       ++begun;
       while (!stop.stop_requested()) std::this_thread::yield();
@@ -366,8 +362,7 @@ class BatchQueueTest : public QObject {
     Bench bench(folder(), jobs);
     const QString bad = addBatch(bench.session, BatchState::Queued);
     const QString good = addBatch(bench.session, BatchState::Queued);
-    bench.queue.setWork([&](const intake::ComputeOptions& options, Progress&,
-                            std::stop_token) -> Result<intake::BatchFigures> {
+    bench.queue.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
       if (QString::fromStdString(options.number) == bad)
         return Error{ErrorCode::UnusableInput, "Only two markers are seen; shoot it again.",
                      "front/cam1_pos03.jpg"};
@@ -376,7 +371,7 @@ class BatchQueueTest : public QObject {
           .setState(
               catalogue::Batches(bench.session.project().catalogue()).byNumber(options.number)->row,
               BatchState::Done, {});
-      return intake::BatchFigures{};
+      return BatchFigures{};
     });
     QSignalSpy failed(&bench.queue, &BatchQueue::batchFailed);
     bench.queue.setSession(&bench.session);
@@ -394,15 +389,14 @@ class BatchQueueTest : public QObject {
     Bench bench(folder(), jobs);
     const QString number = addBatch(bench.session, BatchState::Queued);
     bool full = true;
-    bench.queue.setWork([&](const intake::ComputeOptions& options, Progress&,
-                            std::stop_token) -> Result<intake::BatchFigures> {
+    bench.queue.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
       if (full) return Error{ErrorCode::CannotWrite, "The disk is full.", "OUT"};
       bench.computed << QString::fromStdString(options.number);
       (void)catalogue::Batches(bench.session.project().catalogue())
           .setState(
               catalogue::Batches(bench.session.project().catalogue()).byNumber(options.number)->row,
               BatchState::Done, {});
-      return intake::BatchFigures{};
+      return BatchFigures{};
     });
     bench.queue.setSession(&bench.session);
     QTRY_VERIFY(!bench.queue.trouble().isEmpty());
@@ -419,8 +413,7 @@ class BatchQueueTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     std::atomic<int> begun = 0;
-    bench.queue.setWork([&begun](const intake::ComputeOptions&, Progress&,
-                                 std::stop_token stop) -> Result<intake::BatchFigures> {
+    bench.queue.setWork([&](const ComputeOptions&, Progress&, std::stop_token stop) -> Computed {
       ++begun;
       while (!stop.stop_requested()) std::this_thread::yield();
       return Error{ErrorCode::UnusableInput, "A photograph is gone.", {}};
@@ -451,8 +444,7 @@ class BatchQueueTest : public QObject {
             "SELECT RAISE(ABORT, 'no'); END")
         .run();
     int begun = 0;
-    bench.queue.setWork([&begun](const intake::ComputeOptions&, Progress&,
-                                 std::stop_token) -> Result<intake::BatchFigures> {
+    bench.queue.setWork([&begun](const ComputeOptions&, Progress&, std::stop_token) -> Computed {
       ++begun;
       return Error{ErrorCode::NotEnough, "There are no photographs.", "B0001"};
     });
@@ -470,8 +462,7 @@ class BatchQueueTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     std::atomic<int> begun = 0;
-    bench.queue.setWork([&begun](const intake::ComputeOptions&, Progress&,
-                                 std::stop_token stop) -> Result<intake::BatchFigures> {
+    bench.queue.setWork([&](const ComputeOptions&, Progress&, std::stop_token stop) -> Computed {
       ++begun;
       while (!stop.stop_requested()) std::this_thread::yield();
       return Error::cancelled();

@@ -119,7 +119,8 @@ void PairReviewModelTest::whatIsDoneAgainIsComputedAlready() {
   model_->accept();
   QVERIFY(model_->wantsComputing());
   // As the computation leaves it that followed the decision.
-  QVERIFY(writeFileAtomically(out_.output / "report.json", R"({"decisions": [1]})").has_value());
+  const std::string computed = R"({"decisions": [")" + onDisk()[0].id + R"("]})";
+  QVERIFY(writeFileAtomically(out_.output / "report.json", computed).has_value());
   const auto batch = openBatch(out_.output);
   QVERIFY(batch.has_value());
   model_->open(*batch);

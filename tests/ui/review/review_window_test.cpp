@@ -401,7 +401,8 @@ void ReviewWindowTest::aJoinThatWasComputedAndIsTakenBackWantsComputing() {
   key(Qt::Key_Return);
   QTRY_VERIFY(compute->isVisible());
   // As the computation leaves it that followed the join.
-  QVERIFY(writeFileAtomically(out_.output / "report.json", R"({"decisions": [1]})"));
+  const std::string computed = R"({"decisions": [")" + standingOnDisk().at(0).id + R"("]})";
+  QVERIFY(writeFileAtomically(out_.output / "report.json", computed));
   session_->tellBatchChanged("B0001");
   QTRY_VERIFY(!compute->isVisible());
   QTRY_VERIFY(model()->isOpen());

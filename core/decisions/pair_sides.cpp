@@ -220,7 +220,7 @@ Result<PairTable> assigned(const CandidateTable& candidates,
     const RegisteredCandidate* c = candidates.find(decision.front, decision.back);
     if (c == nullptr) continue;
     if (c->registration.check_failed) decision.reason = c->registration.reason;
-    table.pairs.push_back({decision, c->registration, c->start().contour_rms_mm, 0, {}, {}});
+    table.pairs.push_back({decision, c->registration, c->start().contour_rms_mm, {}, {}, {}});
   }
   return table;
 }

@@ -35,12 +35,12 @@ void findTwice(const catalogue::Catalogue& catalogue, const std::string& batch_n
 
 }  // namespace
 
-Result<AppliedDecision> applyDecision(upkeep::Project& project, const std::string& batch_number,
+Result<AppliedDecision> applyDecision(catalogue::Catalogue& catalogue,
+                                      const std::string& batch_number,
+                                      const std::filesystem::path& output,
                                       decisions::PairDecision decision) {
-  const std::filesystem::path output = project.resultsFolder(batch_number);
   Result<decisions::PairDecision> written = decisions::appendDecision(output, std::move(decision));
   if (!written) return written.error();
-  catalogue::Catalogue& catalogue = project.catalogue();
   AppliedDecision applied;
   applied.decision = std::move(*written);
   readNumbers(catalogue, batch_number, applied);

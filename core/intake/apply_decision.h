@@ -7,7 +7,6 @@
 #include "decisions/decisions.h"
 #include "intake/plate_sherds.h"
 #include "sherds/photographed_again.h"
-#include "upkeep/project.h"
 
 namespace ostraka::intake {
 
@@ -30,12 +29,14 @@ struct AppliedDecision {
 };
 
 /// Takes a person's decision about a batch, from the first file to the last row: it is written to
-/// the batch's decisions.json, entered into the catalogue so that its sherds follow, fragments that
-/// it takes back lose their models, and the batch's figures and state follow. Errors: those of
-/// decisions::appendDecision; nothing is changed then.
-Result<AppliedDecision> applyDecision(upkeep::Project& project, const std::string& batch_number,
+/// decisions.json of its results (`output`), entered into the catalogue so that its sherds follow,
+/// fragments that it takes back lose their models, and the batch's figures and state follow.
+/// Errors: those of decisions::appendDecision; nothing is changed then.
+Result<AppliedDecision> applyDecision(catalogue::Catalogue& catalogue,
+                                      const std::string& batch_number,
+                                      const std::filesystem::path& output,
                                       decisions::PairDecision decision);
-/// The same where there is no project: results in a folder of their own.
+/// The same where there is no catalogue: results in a folder of their own.
 Result<AppliedDecision> applyToFileAlone(const std::filesystem::path& output,
                                          decisions::PairDecision decision);
 

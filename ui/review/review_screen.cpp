@@ -180,8 +180,9 @@ void ReviewScreen::openProject(ProjectSession& session) {
   });
   connect(model_, &PairReviewModel::decided, this, &ReviewScreen::showApplied);
   model_->setApply([this](const fs::path& output, decisions::PairDecision decision) {
-    return intake::applyDecision(session_->project(), output.filename().string(),
-                                 std::move(decision));
+    if (!session_->hasProject()) return intake::applyToFileAlone(output, std::move(decision));
+    return intake::applyDecision(session_->project().catalogue(), output.filename().string(),
+                                 output, std::move(decision));
   });
   listBatches();
   if (batches_->count() > 0) openOutput(batches_->itemText(0));
@@ -299,7 +300,7 @@ void ReviewScreen::showApplied(const fs::path& output, const intake::AppliedDeci
            "catalogue, or set the fragment aside here.")
             .arg(nameOf(twice.scan), QString::fromStdString(twice.again.number),
                  QString::fromStdString(twice.again.batch_number)));
-  if (!applied.wants_computing) restoreModels(batch);
+  if (session_->hasProject() && !applied.wants_computing) restoreModels(batch);
   session_->tellBatchChanged(batch);
 }
 

@@ -42,7 +42,7 @@ class ApplyDecision : public catalogue::SmallProject {
     return d;
   }
   Result<AppliedDecision> apply(const decisions::PairDecision& d) {
-    return applyDecision(*project_, "B0001", d);
+    return applyDecision(catalogue(), "B0001", out_.output, d);
   }
   decisions::Decisions onDisk() const {
     return catalogue::valueIn(decisions::readDecisions(out_.output));
@@ -96,7 +96,8 @@ TEST_F(ApplyDecision, AWithdrawalTakesBackWhatItsDecisionDid) {
 
 TEST_F(ApplyDecision, HoldsThoughTheCatalogueCannotFollow) {
   std::filesystem::rename(out_.output, project_->resultsFolder("B0077"));
-  const AppliedDecision applied = catalogue::valueIn(applyDecision(*project_, "B0077", pair(0, 0)));
+  const AppliedDecision applied = catalogue::valueIn(
+      applyDecision(catalogue(), "B0077", project_->resultsFolder("B0077"), pair(0, 0)));
   ASSERT_THAT(applied.errors, testing::Not(testing::IsEmpty()));
   EXPECT_EQ(decisions::readDecisions(project_->resultsFolder("B0077"))->size(), 1u);
   EXPECT_TRUE(rows().empty());

@@ -331,11 +331,16 @@ class CatalogueScreenTest : public CatalogueWindow {
     auto* apply = child<QPushButton>("bulkApply");
     QTest::keyClicks(value, "white");
     QTRY_VERIFY(child<QLabel>("bulkSummary")->text().startsWith("400 change"));
+    // Another one writes meanwhile, so that it is stopped before it is done however fast it is.
+    auto elsewhere = upkeep::Project::connect(large.session().folder());
+    QVERIFY(elsewhere.has_value());
+    elsewhere->database().sql("BEGIN IMMEDIATE").run();
     QTest::mouseClick(apply, Qt::LeftButton);
     auto* stop = child<QPushButton>("bulkStop");
     QVERIFY(stop->isVisible());
     QVERIFY2(!apply->isVisible(), "one such act at a time");
     QTest::mouseClick(stop, Qt::LeftButton);
+    elsewhere->database().sql("COMMIT").run();
     QTRY_VERIFY(!stop->isVisible());
     QTRY_COMPARE(child<QLabel>("problem")->text(), QString("Cancelled. Nothing was changed."));
     for (const int sherd : {0, 200, 399}) QVERIFY(large.value(sherd, "ware") != "white");

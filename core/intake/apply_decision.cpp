@@ -53,7 +53,7 @@ Result<AppliedDecision> applyDecision(catalogue::Catalogue& catalogue,
   const Result<bool> wants_computing =
       settleByResults(catalogue, batch_number, output, applied.decision.by);
   if (!wants_computing) applied.errors.push_back(wants_computing.error());
-  applied.wants_computing = wants_computing && *wants_computing;
+  applied.wants_computing = !wants_computing || *wants_computing;
   findTwice(catalogue, batch_number, applied);
   return applied;
 }

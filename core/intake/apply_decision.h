@@ -22,7 +22,8 @@ struct AppliedDecision {
     sherds::PhotographedAgain again;
   };
   std::vector<Twice> twice;
-  bool wants_computing = false;  ///< the results do not follow it yet
+  /// The results do not follow it yet, or it cannot be told whether they do.
+  bool wants_computing = false;
   /// Why the catalogue could not follow. The decision holds all the same: it stands in the file,
   /// and is entered when the batch is opened or computed.
   std::vector<Error> errors;

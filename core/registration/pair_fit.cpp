@@ -154,7 +154,7 @@ double PairFit::fineRound(FittedPose& pose, double radius, const SilhouetteConst
   return solve(pose, at);
 }
 
-void PairFit::judge(FittedPose& pose) const {
+void PairFit::score(FittedPose& pose) const {
   const FractureFit whole = fracture(pose, true, 1.0, 0.5, std::max(0.03, pose.sigma_mm));
   pose.score = whole.spread;
   pose.fracture.rms_mm = whole.rms_mm;
@@ -169,7 +169,7 @@ void PairFit::fine(FittedPose& pose) const {
     if (radius <= last_radius_mm_ && moved < 1e-3) break;  // 1/30 of what scans can tell
     radius = std::max(last_radius_mm_, radius * 0.75);
   }
-  judge(pose);
+  score(pose);
 }
 
 void PairFit::weighed(FittedPose& pose) const {
@@ -179,7 +179,7 @@ void PairFit::weighed(FittedPose& pose) const {
     pose.settled = round >= 3;
     if (fineRound(pose, last_radius_mm_, nullptr, 0) < 1e-3 && pose.settled) break;
   }
-  judge(pose);
+  score(pose);
 }
 
 void PairFit::measure(FittedPose& pose) const {
@@ -188,13 +188,13 @@ void PairFit::measure(FittedPose& pose) const {
     pose.settled = settled;
     askConstraints(pose, last_radius_mm_, nullptr, 0);
   }
-  judge(pose);
+  score(pose);
 }
 
 void PairFit::withSilhouettes(FittedPose& pose, const SilhouetteConstraint& silhouettes) const {
   for (const double reach_px : {6.0, 4.5, 3.5, 3.0, 3.0, 3.0})
     if (fineRound(pose, last_radius_mm_, &silhouettes, reach_px) < 1e-3) break;
-  judge(pose);
+  score(pose);
 }
 
 // How fast the strip's gradient really grows. Closest pairs slide along with the pose, so it grows

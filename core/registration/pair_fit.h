@@ -62,7 +62,7 @@ class PairFit {
                       double reach_px) const;
   double fineRound(FittedPose& pose, double radius, const SilhouetteConstraint* silhouettes,
                    double reach_px) const;
-  void judge(FittedPose& pose) const;
+  void score(FittedPose& pose) const;
   Matrix6 stripStiffness(const FittedPose& pose) const;
 
   const Strip &front_, &back_;

@@ -103,7 +103,7 @@ Registration checked(Registration found, const Strip& front, const Strip& back) 
   const BreakMisfit misfit = breakMisfit(front, back, found.front_from_back);
   found.misfit_mm = misfit.rms_mm;
   found.misfit_places = misfit.places;
-  judgeRegistration(front, back, found);
+  checkRegistration(front, back, found);
   return found;
 }
 

@@ -77,7 +77,7 @@ double fractureLogLikelihood(double fracture_rms_mm, double noise_mm, int pairs)
                     8.0);
 }
 
-void judgeRegistration(const Strip& front, const Strip& back, Registration& found) {
+void checkRegistration(const Strip& front, const Strip& back, Registration& found) {
   const Thickness wall = thicknessOf(front, back, found.front_from_back);
   found.crossing_share = wall.crossing_share;
   found.thickness_mm = wall.median_mm;

@@ -28,6 +28,6 @@ Thickness thicknessOf(const Strip& front, const Strip& back,
 double fractureLogLikelihood(double fracture_rms_mm, double noise_mm, int pairs);
 
 /// Sets check_failed and reason from the figures already in `found`. A sentence for a person.
-void judgeRegistration(const Strip& front, const Strip& back, Registration& found);
+void checkRegistration(const Strip& front, const Strip& back, Registration& found);
 
 }  // namespace ostraka::registration

@@ -292,7 +292,7 @@ void ReviewScreen::showApplied(const fs::path& output, const intake::AppliedDeci
   if (model_->shows(output))
     compute_->setVisible(model_->wantsComputing());
   else
-    openOutput(batch);  // so that one sees what was done there
+    openOutput(batch);  // where the change is visible
   say(appliedWords(applied));
   for (const Error& error : applied.errors) say(sentenceOf(error));
   for (const intake::AppliedDecision::Twice& twice : applied.twice)

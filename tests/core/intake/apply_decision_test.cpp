@@ -103,6 +103,14 @@ TEST_F(ApplyDecision, HoldsThoughTheCatalogueCannotFollow) {
   EXPECT_TRUE(rows().empty());
 }
 
+TEST_F(ApplyDecision, TakesResultsThatCannotBeReadForOnesThatDoNotFollowIt) {
+  std::filesystem::remove(out_.output / "work/pairs/candidates.json");
+  const AppliedDecision applied = catalogue::valueIn(apply(pair(0, 0)));
+  EXPECT_THAT(applied.errors, testing::Not(testing::IsEmpty()));
+  EXPECT_TRUE(applied.wants_computing);
+  EXPECT_EQ(onDisk().size(), 1u) << "the decision holds";
+}
+
 TEST_F(ApplyDecision, ChangesNothingWhenItsFileRefusesIt) {
   decisions::PairDecision nobodys = pair(0, 0);
   nobodys.by.clear();

@@ -23,7 +23,7 @@ class SelfCheck : public testing::Test {
     good.runner_up_gap = 1e9;
   }
   Registration judged(Registration r) const {
-    judgeRegistration(front, back, r);
+    checkRegistration(front, back, r);
     return r;
   }
   Strip front, back;

@@ -3227,31 +3227,11 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::PairReviewModel</name>
-    <message>
-      <source>Small pictures of the sherds</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kleine Bilder der Scherben</translation>
-    </message>
-    <message>
-      <source>%1, %2. %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, %2. %3</translation>
-    </message>
+    <name>ostraka::ui::CardInHand</name>
     <message>
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine Rückseite ist gewählt.</translation>
-    </message>
-    <message>
-      <source>Choose a back first.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Wählen Sie zuerst eine Rückseite.</translation>
-    </message>
-    <message>
-      <source>Enter your initials first: each decision keeps its name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Geben Sie zuerst Ihr Kürzel ein: Jede Entscheidung behält ihren Namen.</translation>
     </message>
     <message>
       <source>choice of %1</source>
@@ -3262,16 +3242,6 @@
       <source>Comparing two sides</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zwei Seiten werden verglichen</translation>
-    </message>
-    <message>
-      <source>pair %1 – %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Paar %1 – %2</translation>
-    </message>
-    <message>
-      <source>setting aside %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Beiseitelegen von %1</translation>
     </message>
     <message>
       <source>start point</source>
@@ -3294,16 +3264,6 @@
       <translation>Bild eines Paars</translation>
     </message>
     <message>
-      <source>More candidates</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Weitere Kandidaten</translation>
-    </message>
-    <message>
-      <source>No pair is chosen: give this back to a front first.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Paar ist gewählt: Geben Sie diese Rückseite erst einer Vorderseite.</translation>
-    </message>
-    <message>
       <source>A back alone has no closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Rückseite allein hat kein geschlossenes Modell.</translation>
@@ -3317,21 +3277,6 @@
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Was nur ausprobiert wurde, gibt es nicht mehr: Seine Paare wurden seither geschlossen.</translation>
-    </message>
-    <message>
-        <source>reshooting %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Neuaufnahme von %1</translation>
-    </message>
-    <message>
-        <source>merging %1 and %2</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Zusammenführen von %1 und %2</translation>
-    </message>
-    <message>
-        <source>splitting %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Teilen von %1</translation>
     </message>
     <message>
       <source>The fractures do not touch here.</source>
@@ -3354,11 +3299,6 @@
       <translation>Anfangspunkt %1; B verfeinert die Lage.</translation>
     </message>
     <message>
-      <source>One of the two has no back to merge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine der beiden hat keine Rückseite, die sich zusammenführen ließe.</translation>
-    </message>
-    <message>
       <source>refining the fit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Verfeinern der Lage</translation>
@@ -3372,6 +3312,72 @@
       <source>This back has no partner.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Rückseite hat keinen Partner.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::CardListModel</name>
+    <message>
+      <source>%1, %2. %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PairReview</name>
+    <message>
+      <source>Small pictures of the sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kleine Bilder der Scherben</translation>
+    </message>
+    <message>
+      <source>Choose a back first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wählen Sie zuerst eine Rückseite.</translation>
+    </message>
+    <message>
+      <source>Enter your initials first: each decision keeps its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geben Sie zuerst Ihr Kürzel ein: Jede Entscheidung behält ihren Namen.</translation>
+    </message>
+    <message>
+      <source>pair %1 – %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Paar %1 – %2</translation>
+    </message>
+    <message>
+      <source>setting aside %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beiseitelegen von %1</translation>
+    </message>
+    <message>
+      <source>More candidates</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Weitere Kandidaten</translation>
+    </message>
+    <message>
+      <source>No pair is chosen: give this back to a front first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Paar ist gewählt: Geben Sie diese Rückseite erst einer Vorderseite.</translation>
+    </message>
+    <message>
+        <source>reshooting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Neuaufnahme von %1</translation>
+    </message>
+    <message>
+        <source>merging %1 and %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Zusammenführen von %1 und %2</translation>
+    </message>
+    <message>
+        <source>splitting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Teilen von %1</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine der beiden hat keine Rückseite, die sich zusammenführen ließe.</translation>
     </message>
     <message>
       <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>

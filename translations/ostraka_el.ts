@@ -3222,31 +3222,11 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::PairReviewModel</name>
-    <message>
-      <source>Small pictures of the sherds</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μικρές εικόνες των οστράκων</translation>
-    </message>
-    <message>
-      <source>%1, %2. %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, %2. %3</translation>
-    </message>
+    <name>ostraka::ui::CardInHand</name>
     <message>
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν επιλέχθηκε πίσω όψη.</translation>
-    </message>
-    <message>
-      <source>Choose a back first.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Επιλέξτε πρώτα πίσω όψη.</translation>
-    </message>
-    <message>
-      <source>Enter your initials first: each decision keeps its name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Γράψτε πρώτα τα αρχικά σας: κάθε απόφαση κρατά το όνομά της.</translation>
     </message>
     <message>
       <source>choice of %1</source>
@@ -3257,16 +3237,6 @@
       <source>Comparing two sides</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σύγκριση δύο όψεων</translation>
-    </message>
-    <message>
-      <source>pair %1 – %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ζεύγος %1 – %2</translation>
-    </message>
-    <message>
-      <source>setting aside %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>το %1 στην άκρη</translation>
     </message>
     <message>
       <source>start point</source>
@@ -3289,16 +3259,6 @@
       <translation>Εικόνα ενός ζεύγους</translation>
     </message>
     <message>
-      <source>More candidates</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Περισσότερα υποψήφια</translation>
-    </message>
-    <message>
-      <source>No pair is chosen: give this back to a front first.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν επιλέχθηκε ζεύγος: δώστε πρώτα αυτή την πίσω όψη σε μια μπροστινή.</translation>
-    </message>
-    <message>
       <source>A back alone has no closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια πίσω όψη μόνη δεν έχει κλειστό μοντέλο.</translation>
@@ -3312,21 +3272,6 @@
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ό,τι ήταν μόνο δοκιμή δεν υπάρχει πια· τα ζεύγη του έκλεισαν στο μεταξύ.</translation>
-    </message>
-    <message>
-        <source>reshooting %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>νέα λήψη: %1</translation>
-    </message>
-    <message>
-        <source>merging %1 and %2</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>συγχώνευση %1 και %2</translation>
-    </message>
-    <message>
-        <source>splitting %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>διαίρεση: %1</translation>
     </message>
     <message>
       <source>The fractures do not touch here.</source>
@@ -3349,11 +3294,6 @@
       <translation>Αρχικό σημείο %1· το B βελτιώνει την προσαρμογή.</translation>
     </message>
     <message>
-      <source>One of the two has no back to merge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το ένα από τα δύο δεν έχει πίσω όψη για συγχώνευση.</translation>
-    </message>
-    <message>
       <source>refining the fit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>βελτίωση της προσαρμογής</translation>
@@ -3367,6 +3307,72 @@
       <source>This back has no partner.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η πίσω όψη είναι μόνη.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::CardListModel</name>
+    <message>
+      <source>%1, %2. %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PairReview</name>
+    <message>
+      <source>Small pictures of the sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μικρές εικόνες των οστράκων</translation>
+    </message>
+    <message>
+      <source>Choose a back first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλέξτε πρώτα πίσω όψη.</translation>
+    </message>
+    <message>
+      <source>Enter your initials first: each decision keeps its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Γράψτε πρώτα τα αρχικά σας: κάθε απόφαση κρατά το όνομά της.</translation>
+    </message>
+    <message>
+      <source>pair %1 – %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ζεύγος %1 – %2</translation>
+    </message>
+    <message>
+      <source>setting aside %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το %1 στην άκρη</translation>
+    </message>
+    <message>
+      <source>More candidates</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Περισσότερα υποψήφια</translation>
+    </message>
+    <message>
+      <source>No pair is chosen: give this back to a front first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν επιλέχθηκε ζεύγος: δώστε πρώτα αυτή την πίσω όψη σε μια μπροστινή.</translation>
+    </message>
+    <message>
+        <source>reshooting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>νέα λήψη: %1</translation>
+    </message>
+    <message>
+        <source>merging %1 and %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>συγχώνευση %1 και %2</translation>
+    </message>
+    <message>
+        <source>splitting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>διαίρεση: %1</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το ένα από τα δύο δεν έχει πίσω όψη για συγχώνευση.</translation>
     </message>
     <message>
       <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>

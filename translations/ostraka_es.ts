@@ -3222,31 +3222,11 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::PairReviewModel</name>
-    <message>
-      <source>Small pictures of the sherds</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imágenes pequeñas de los fragmentos</translation>
-    </message>
-    <message>
-      <source>%1, %2. %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, %2. %3</translation>
-    </message>
+    <name>ostraka::ui::CardInHand</name>
     <message>
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay reverso elegido.</translation>
-    </message>
-    <message>
-      <source>Choose a back first.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Elija primero un reverso.</translation>
-    </message>
-    <message>
-      <source>Enter your initials first: each decision keeps its name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Escriba primero sus iniciales: cada decisión guarda su nombre.</translation>
     </message>
     <message>
       <source>choice of %1</source>
@@ -3257,16 +3237,6 @@
       <source>Comparing two sides</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comparando dos lados</translation>
-    </message>
-    <message>
-      <source>pair %1 – %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>pareja %1 – %2</translation>
-    </message>
-    <message>
-      <source>setting aside %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>apartar %1</translation>
     </message>
     <message>
       <source>start point</source>
@@ -3289,16 +3259,6 @@
       <translation>Imagen de una pareja</translation>
     </message>
     <message>
-      <source>More candidates</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Más candidatos</translation>
-    </message>
-    <message>
-      <source>No pair is chosen: give this back to a front first.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No hay pareja elegida: dé primero este reverso a un anverso.</translation>
-    </message>
-    <message>
       <source>A back alone has no closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un reverso solo no tiene modelo cerrado.</translation>
@@ -3312,21 +3272,6 @@
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lo que solo se probó ya no existe: sus parejas se cerraron desde entonces.</translation>
-    </message>
-    <message>
-        <source>reshooting %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>nueva fotografía de %1</translation>
-    </message>
-    <message>
-        <source>merging %1 and %2</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>unión de %1 y %2</translation>
-    </message>
-    <message>
-        <source>splitting %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>división de %1</translation>
     </message>
     <message>
       <source>The fractures do not touch here.</source>
@@ -3349,11 +3294,6 @@
       <translation>Punto inicial %1; B afina el ajuste.</translation>
     </message>
     <message>
-      <source>One of the two has no back to merge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Uno de los dos no tiene reverso que unir.</translation>
-    </message>
-    <message>
       <source>refining the fit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ajuste por las fracturas</translation>
@@ -3367,6 +3307,72 @@
       <source>This back has no partner.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este reverso no tiene pareja.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::CardListModel</name>
+    <message>
+      <source>%1, %2. %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PairReview</name>
+    <message>
+      <source>Small pictures of the sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Imágenes pequeñas de los fragmentos</translation>
+    </message>
+    <message>
+      <source>Choose a back first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elija primero un reverso.</translation>
+    </message>
+    <message>
+      <source>Enter your initials first: each decision keeps its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escriba primero sus iniciales: cada decisión guarda su nombre.</translation>
+    </message>
+    <message>
+      <source>pair %1 – %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pareja %1 – %2</translation>
+    </message>
+    <message>
+      <source>setting aside %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>apartar %1</translation>
+    </message>
+    <message>
+      <source>More candidates</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Más candidatos</translation>
+    </message>
+    <message>
+      <source>No pair is chosen: give this back to a front first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No hay pareja elegida: dé primero este reverso a un anverso.</translation>
+    </message>
+    <message>
+        <source>reshooting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>nueva fotografía de %1</translation>
+    </message>
+    <message>
+        <source>merging %1 and %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>unión de %1 y %2</translation>
+    </message>
+    <message>
+        <source>splitting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>división de %1</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Uno de los dos no tiene reverso que unir.</translation>
     </message>
     <message>
       <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>

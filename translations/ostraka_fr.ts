@@ -3222,31 +3222,11 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::PairReviewModel</name>
-    <message>
-      <source>Small pictures of the sherds</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Petites images des tessons</translation>
-    </message>
-    <message>
-      <source>%1, %2. %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, %2. %3</translation>
-    </message>
+    <name>ostraka::ui::CardInHand</name>
     <message>
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune face arrière n’est choisie.</translation>
-    </message>
-    <message>
-      <source>Choose a back first.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Choisissez d’abord une face arrière.</translation>
-    </message>
-    <message>
-      <source>Enter your initials first: each decision keeps its name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Entrez d’abord vos initiales : chaque décision garde son nom.</translation>
     </message>
     <message>
       <source>choice of %1</source>
@@ -3257,16 +3237,6 @@
       <source>Comparing two sides</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comparaison de deux faces</translation>
-    </message>
-    <message>
-      <source>pair %1 – %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>paire %1 – %2</translation>
-    </message>
-    <message>
-      <source>setting aside %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>mise de côté de %1</translation>
     </message>
     <message>
       <source>start point</source>
@@ -3289,16 +3259,6 @@
       <translation>Image d’une paire</translation>
     </message>
     <message>
-      <source>More candidates</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Autres candidats</translation>
-    </message>
-    <message>
-      <source>No pair is chosen: give this back to a front first.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune paire n’est choisie : donnez d’abord cette face arrière à une face avant.</translation>
-    </message>
-    <message>
       <source>A back alone has no closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une face arrière seule n’a pas de modèle fermé.</translation>
@@ -3312,21 +3272,6 @@
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce qui n’était qu’un essai n’existe plus : ses paires ont été fermées depuis.</translation>
-    </message>
-    <message>
-        <source>reshooting %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>nouvelle prise de %1</translation>
-    </message>
-    <message>
-        <source>merging %1 and %2</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>fusion de %1 et %2</translation>
-    </message>
-    <message>
-        <source>splitting %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>scission de %1</translation>
     </message>
     <message>
       <source>The fractures do not touch here.</source>
@@ -3349,11 +3294,6 @@
       <translation>Point de départ %1 ; B affine l’ajustement.</translation>
     </message>
     <message>
-      <source>One of the two has no back to merge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’un des deux n’a pas de face arrière à fusionner.</translation>
-    </message>
-    <message>
       <source>refining the fit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ajustement par les cassures</translation>
@@ -3367,6 +3307,72 @@
       <source>This back has no partner.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette face arrière n’a pas de partenaire.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::CardListModel</name>
+    <message>
+      <source>%1, %2. %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PairReview</name>
+    <message>
+      <source>Small pictures of the sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Petites images des tessons</translation>
+    </message>
+    <message>
+      <source>Choose a back first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisissez d’abord une face arrière.</translation>
+    </message>
+    <message>
+      <source>Enter your initials first: each decision keeps its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entrez d’abord vos initiales : chaque décision garde son nom.</translation>
+    </message>
+    <message>
+      <source>pair %1 – %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>paire %1 – %2</translation>
+    </message>
+    <message>
+      <source>setting aside %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mise de côté de %1</translation>
+    </message>
+    <message>
+      <source>More candidates</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Autres candidats</translation>
+    </message>
+    <message>
+      <source>No pair is chosen: give this back to a front first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune paire n’est choisie : donnez d’abord cette face arrière à une face avant.</translation>
+    </message>
+    <message>
+        <source>reshooting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>nouvelle prise de %1</translation>
+    </message>
+    <message>
+        <source>merging %1 and %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>fusion de %1 et %2</translation>
+    </message>
+    <message>
+        <source>splitting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>scission de %1</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’un des deux n’a pas de face arrière à fusionner.</translation>
     </message>
     <message>
       <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>

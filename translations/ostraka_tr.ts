@@ -3182,31 +3182,11 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::PairReviewModel</name>
-    <message>
-      <source>Small pictures of the sherds</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parçaların küçük resimleri</translation>
-    </message>
-    <message>
-      <source>%1, %2. %3</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, %2. %3</translation>
-    </message>
+    <name>ostraka::ui::CardInHand</name>
     <message>
       <source>No back is chosen.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüz seçilmedi.</translation>
-    </message>
-    <message>
-      <source>Choose a back first.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Önce bir arka yüz seçin.</translation>
-    </message>
-    <message>
-      <source>Enter your initials first: each decision keeps its name.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Önce baş harflerinizi girin: her karar adını taşır.</translation>
     </message>
     <message>
       <source>choice of %1</source>
@@ -3217,16 +3197,6 @@
       <source>Comparing two sides</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İki yüz karşılaştırılıyor</translation>
-    </message>
-    <message>
-      <source>pair %1 – %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>eş %1 – %2</translation>
-    </message>
-    <message>
-      <source>setting aside %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 kenara ayırma</translation>
     </message>
     <message>
       <source>start point</source>
@@ -3249,16 +3219,6 @@
       <translation>Bir eşin resmi</translation>
     </message>
     <message>
-      <source>More candidates</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka adaylar</translation>
-    </message>
-    <message>
-      <source>No pair is chosen: give this back to a front first.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eş seçilmedi: önce bu arka yüzü bir ön yüze verin.</translation>
-    </message>
-    <message>
       <source>A back alone has no closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tek başına bir arka yüzün kapalı modeli olmaz.</translation>
@@ -3272,21 +3232,6 @@
       <source>What was only tried is gone: its pairs were closed since.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnızca denenen artık yok: eşleri o zamandan beri kapatıldı.</translation>
-    </message>
-    <message>
-        <source>reshooting %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 yeniden çekimi</translation>
-    </message>
-    <message>
-        <source>merging %1 and %2</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 ve %2 birleştirme</translation>
-    </message>
-    <message>
-        <source>splitting %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 bölme</translation>
     </message>
     <message>
       <source>The fractures do not touch here.</source>
@@ -3309,11 +3254,6 @@
       <translation>Başlangıç noktası %1; B oturtmayı iyileştirir.</translation>
     </message>
     <message>
-      <source>One of the two has no back to merge.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İkisinden birinin birleştirilecek arka yüzü yok.</translation>
-    </message>
-    <message>
       <source>refining the fit</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>oturtmayı iyileştirme</translation>
@@ -3327,6 +3267,72 @@
       <source>This back has no partner.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu arka yüz tek başına.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::CardListModel</name>
+    <message>
+      <source>%1, %2. %3</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2. %3</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PairReview</name>
+    <message>
+      <source>Small pictures of the sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçaların küçük resimleri</translation>
+    </message>
+    <message>
+      <source>Choose a back first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önce bir arka yüz seçin.</translation>
+    </message>
+    <message>
+      <source>Enter your initials first: each decision keeps its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önce baş harflerinizi girin: her karar adını taşır.</translation>
+    </message>
+    <message>
+      <source>pair %1 – %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>eş %1 – %2</translation>
+    </message>
+    <message>
+      <source>setting aside %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 kenara ayırma</translation>
+    </message>
+    <message>
+      <source>More candidates</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka adaylar</translation>
+    </message>
+    <message>
+      <source>No pair is chosen: give this back to a front first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eş seçilmedi: önce bu arka yüzü bir ön yüze verin.</translation>
+    </message>
+    <message>
+        <source>reshooting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 yeniden çekimi</translation>
+    </message>
+    <message>
+        <source>merging %1 and %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 ve %2 birleştirme</translation>
+    </message>
+    <message>
+        <source>splitting %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 bölme</translation>
+    </message>
+    <message>
+      <source>One of the two has no back to merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İkisinden birinin birleştirilecek arka yüzü yok.</translation>
     </message>
     <message>
       <source>Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.</source>

@@ -4,9 +4,11 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "ui/capture/batch_description.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/count_edit.h"
 #include "ui/capture/place_edit.h"
+#include "ui/capture/side_progress.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
 #include "ui/frame/tool_row.h"
@@ -14,13 +16,13 @@
 namespace ostraka::ui {
 
 CaptureFoot::CaptureFoot(CaptureWizard* wizard, const Acts& acts, QWidget* parent)
-    : SideBySide(parent), wizard_(wizard) {
+    : SideBySide(parent), wizard_(wizard), text_(*wizard) {
   button_ = new BigButton(this);
   button_->setObjectName(QStringLiteral("captureButton"));
   button_->setKeyHint(tr("Space"));
   connect(button_, &QPushButton::clicked, acts.next, &QAction::trigger);
-  connect(wizard_, &CaptureWizard::shotsChanged, this,
-          [this] { button_->setText(wizard_->buttonText()); });
+  connect(wizard_->side(), &SideProgress::changed, this,
+          [this] { button_->setText(text_.button()); });
   add(buildFields(), 1);
   add(buildTools(acts), 0);
   add(button_, 2);
@@ -34,7 +36,7 @@ QWidget* CaptureFoot::buildFields() {
   count_ = new CountEdit(fields);
   connect(place_, &PlaceEdit::entered, this, &CaptureFoot::entered);
   connect(count_, &CountEdit::entered, this, &CaptureFoot::entered);
-  connect(count_, &CountEdit::counted, wizard_, &CaptureWizard::setCounted);
+  connect(count_, &CountEdit::counted, wizard_->description(), &BatchDescription::setCounted);
   auto* row = new QHBoxLayout(fields);
   row->setContentsMargins(0, 0, 0, 0);
   row->addWidget(place_, 1);
@@ -67,8 +69,8 @@ void CaptureFoot::setCompact(bool compact) {
 void CaptureFoot::follow() {
   place_->setEnabled(wizard_->canDescribe());
   count_->setEnabled(wizard_->canDescribe());
-  count_->setCount(wizard_->counted());
-  button_->setText(wizard_->buttonText());
+  count_->setCount(wizard_->batch().counted());
+  button_->setText(text_.button());
   button_->setEnabled(wizard_->canGoOn());
   button_->setVisible(!wizard_->fault());
 }

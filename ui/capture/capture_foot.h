@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "ui/capture/capture_text.h"
 #include "ui/frame/side_by_side.h"
 
 class QAbstractButton;
@@ -39,6 +40,7 @@ class CaptureFoot final : public SideBySide {
   QWidget* buildTools(const Acts& acts);
 
   CaptureWizard* wizard_;
+  CaptureText text_;
   PlaceEdit* place_;
   CountEdit* count_;
   BigButton* button_;

@@ -6,6 +6,7 @@
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/capture/rig_connection.h"
 #include "ui/capture/rig_page.h"
 #include "ui/capture/rig_renewal.h"
 #include "ui/frame/message_panel.h"
@@ -53,7 +54,7 @@ void CaptureScreen::buildTwice() {
 
 QString CaptureScreen::rigWords() const {
   if (wizard_->phase() == CapturePhase::NoRig) return {};
-  return isRigReady() ? wizard_->rigWords() : tr("does not answer");
+  return isRigReady() ? wizard_->rig()->source().words : tr("does not answer");
 }
 bool CaptureScreen::isRigReady() const {
   return wizard_->phase() != CapturePhase::NoRig &&
@@ -62,9 +63,9 @@ bool CaptureScreen::isRigReady() const {
 void CaptureScreen::chooseRig(const RigChoice& choice) {
   if (session_ == nullptr) return;
   tried_rig_ = choice;
-  if (!wizard_->canKeepRig()) keepChoice(choice);
-  wizard_->setRig(choice.kind == RigChoice::Kind::Virtual ? virtualRigSource(choice)
-                                                          : fileRigSource(choice.file));
+  if (!wizard_->rig()->canRestore()) keepChoice(choice);
+  wizard_->rig()->choose(choice.kind == RigChoice::Kind::Virtual ? virtualRigSource(choice)
+                                                                 : fileRigSource(choice.file));
   setFocus();
 }
 

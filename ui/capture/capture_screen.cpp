@@ -9,6 +9,7 @@
 
 #include "batch/batch.h"
 #include "catalogue/settings.h"
+#include "ui/capture/batch_description.h"
 #include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_foot.h"
 #include "ui/capture/capture_wizard.h"
@@ -19,10 +20,13 @@
 #include "ui/capture/import_line.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/place_edit.h"
+#include "ui/capture/plate_pictures.h"
 #include "ui/capture/plate_view.h"
+#include "ui/capture/rig_connection.h"
 #include "ui/capture/rig_page.h"
 #include "ui/capture/rig_renewal.h"
 #include "ui/capture/sherd_numbers.h"
+#include "ui/capture/side_progress.h"
 #include "ui/capture/sides_view.h"
 #include "ui/capture/stop_board.h"
 #include "ui/frame/look.h"
@@ -46,6 +50,7 @@ constexpr double kFromAfar = 3;  // of the body's letters
 CaptureScreen::CaptureScreen(CaptureWizard* wizard, QWidget* parent)
     : Screen(parent),
       wizard_(wizard),
+      text_(*wizard),
       importer_(new BatchImporter(this)),
       renewal_(new RigRenewal(this)),
       rig_page_(new RigPage(this)) {
@@ -73,15 +78,17 @@ CaptureScreen::CaptureScreen(CaptureWizard* wizard, QWidget* parent)
   all->addWidget(failure_);
 
   connect(wizard_, &CaptureWizard::changed, this, &CaptureScreen::follow);
-  connect(wizard_, &CaptureWizard::liveChanged, this, &CaptureScreen::followLive);
-  connect(wizard_, &CaptureWizard::shotsChanged, board_, &StopBoard::follow);
-  connect(wizard_, &CaptureWizard::shotsChanged, this, &CaptureScreen::tellWork);
+  connect(wizard_->pictures(), &PlatePictures::changed, this, &CaptureScreen::followLive);
+  connect(wizard_->side(), &SideProgress::changed, board_, &StopBoard::follow);
+  connect(wizard_->side(), &SideProgress::changed, this, &CaptureScreen::tellWork);
+  connect(wizard_->side(), &SideProgress::said, this, &Screen::said);
+  connect(wizard_->description(), &BatchDescription::said, this, &Screen::said);
   connect(wizard_, &CaptureWizard::said, this, &Screen::said);
   connect(wizard_, &CaptureWizard::batchQueued, this,
           [this](const QString& number) { emit said(tr("%1 is in the queue.").arg(number)); });
   connect(wizard_, &CaptureWizard::batchSetAside, this, &CaptureScreen::batchSetAside);
-  connect(wizard_, &CaptureWizard::rigTried, this, &CaptureScreen::followRig);
-  connect(rig_page_, &RigPage::kept, wizard_, &CaptureWizard::keepRig);
+  connect(wizard_->rig(), &RigConnection::tried, this, &CaptureScreen::followRig);
+  connect(rig_page_, &RigPage::kept, wizard_->rig(), &RigConnection::restore);
   connect(rig_page_, &RigPage::chosen, this, &CaptureScreen::chooseRig);
   connect(rig_page_, &RigPage::importPhotographs, import_photographs_, &QAction::trigger);
   connect(rig_page_, &RigPage::importScans, import_scans_, &QAction::trigger);
@@ -158,7 +165,8 @@ void CaptureScreen::buildActions() {
                tr("Camera %1").arg(letter), QKeySequence(static_cast<Qt::Key>(Qt::Key_A + camera)));
     action->setIconText(letter);
     action->setCheckable(true);
-    connect(action, &QAction::triggered, this, [this, camera] { wizard_->setCamera(camera); });
+    connect(action, &QAction::triggered, this,
+            [this, camera] { wizard_->pictures()->setCamera(camera); });
     cameras_.push_back(action);
   }
   connect(next_, &QAction::triggered, this, &CaptureScreen::goOn);
@@ -166,7 +174,7 @@ void CaptureScreen::buildActions() {
   connect(again_, &QAction::triggered, this, [this] {
     if (namesABag()) wizard_->again();
   });
-  connect(change_rig_, &QAction::triggered, wizard_, &CaptureWizard::clearRig);
+  connect(change_rig_, &QAction::triggered, wizard_->rig(), &RigConnection::clear);
   connect(set_aside_, &QAction::triggered, wizard_, &CaptureWizard::setAside);
 }
 
@@ -195,7 +203,7 @@ QWidget* CaptureScreen::buildWorkPage() {
   instruction_->setWordWrap(true);
   middle_ = new QStackedWidget(page);
   plate_ = new PlateView(middle_);
-  board_ = new StopBoard(wizard_, middle_);
+  board_ = new StopBoard(wizard_->rig(), wizard_->side(), middle_);
   middle_->addWidget(plate_);
   middle_->addWidget(board_);
   facts_ = new FactList(page);
@@ -227,7 +235,8 @@ QWidget* CaptureScreen::buildWorkPage() {
   other_numbers_ = new MessagePanel(page);
   other_numbers_->setObjectName(QStringLiteral("numbersOfAnotherBag"));
   other_numbers_->hide();
-  connect(other_numbers_, &MessagePanel::acted, wizard_, &CaptureWizard::takeNumbersAsRight);
+  connect(other_numbers_, &MessagePanel::acted, wizard_->description(),
+          &BatchDescription::takeNumbersAsRight);
   for (MessagePanel* panel : {doubts_, other_numbers_}) panel->setBesidePrimary();
   connect(numbers_, &SherdNumbers::changed, this, &CaptureScreen::followBag);
   QWidget* foot = buildFoot();
@@ -266,8 +275,8 @@ QWidget* CaptureScreen::buildFoot() {
   connect(foot_, &CaptureFoot::entered, this, qOverload<>(&QWidget::setFocus));
   connect(place_, &PlaceEdit::edited, this, &CaptureScreen::placeTyped);
   connect(place_, &PlaceEdit::settled, wizard_, &CaptureWizard::keepDescribed);
-  connect(wizard_, &CaptureWizard::placeRead, this, [this] {
-    place_->setText(wizard_->place().typed());
+  connect(wizard_->description(), &BatchDescription::placeRead, this, [this] {
+    place_->setText(wizard_->description()->place().typed());
     placeTyped();
   });
   connect(count_sherds_, &QAction::triggered, foot_->count(), &CountEdit::takeKeys);
@@ -284,7 +293,7 @@ QString CaptureScreen::manualPage() const {
   return QStringLiteral("capture");
 }
 QString CaptureScreen::whereWords() const {
-  return wizard_->place().words();
+  return wizard_->description()->place().words();
 }
 
 void CaptureScreen::openProject(ProjectSession& session) {
@@ -314,7 +323,7 @@ void CaptureScreen::openProject(ProjectSession& session) {
 
 void CaptureScreen::closeProject() {
   if (session_ != nullptr && !number_edit_->isHidden()) number_edit_->keepTyped();
-  wizard_->setLive(false);
+  wizard_->pictures()->setLive(false);
   wizard_->setSession(nullptr);
   importer_->setSession(nullptr);
   chooser_->setSession(nullptr);
@@ -334,7 +343,7 @@ void CaptureScreen::closeProject() {
 }
 
 void CaptureScreen::setInFront(bool in_front) {
-  wizard_->setLive(in_front);
+  wizard_->pictures()->setLive(in_front);
   if (in_front) setFocus();
 }
 
@@ -366,7 +375,7 @@ void CaptureScreen::showImported(const QString& number, int files, const QString
 }
 
 void CaptureScreen::placeTyped() {
-  wizard_->setPlace(place_->place());
+  wizard_->description()->setPlace(place_->place());
   if (session_ != nullptr && place_->isUsable())
     (void)catalogue::Settings(session_->project().catalogue())
         .setValue(kPlaceKey, place_->text().toStdString());
@@ -377,15 +386,15 @@ void CaptureScreen::follow() {
   const CapturePhase phase = wizard_->phase();
   const bool no_rig = phase == CapturePhase::NoRig && !wizard_->fault();
   rig_page_->setVisible(no_rig);
-  rig_page_->setCanKeep(wizard_->canKeepRig());
+  rig_page_->setCanKeep(wizard_->rig()->canRestore());
   work_page_->setVisible(!no_rig);
   const bool shooting = phase == CapturePhase::ShootFront || phase == CapturePhase::ShootBack;
   // What was photographed stays in sight when it is done.
-  const bool board = shooting || (phase == CapturePhase::Done && !wizard_->shots().empty());
+  const bool board = shooting || (phase == CapturePhase::Done && !wizard_->side()->shots().empty());
   middle_->setCurrentWidget(board ? static_cast<QWidget*>(board_) : plate_);
-  headline_->setText(wizard_->headline());
+  headline_->setText(text_.headline());
   headline_->setFont(scaledFont(*this, headlineSize(), true));
-  instruction_->setText(wizard_->instruction());
+  instruction_->setText(text_.instruction());
   instruction_->setVisible(!compact_ && !instruction_->text().isEmpty());
   foot_->follow();
   place_->follow();
@@ -393,12 +402,12 @@ void CaptureScreen::follow() {
   stop_->setEnabled(wizard_->isShooting());
   change_rig_->setEnabled(!wizard_->isShooting());
   set_aside_->setEnabled(wizard_->canSetAside());
-  again_->setEnabled(!wizard_->isBusy() &&
+  again_->setEnabled(!wizard_->rig()->isBusy() &&
                      (phase == CapturePhase::Flip || phase == CapturePhase::Done));
   count_sherds_->setEnabled(wizard_->canDescribe());
   for (std::size_t i = 0; i < cameras_.size(); ++i) {
-    cameras_[i]->setEnabled(static_cast<int>(i) < wizard_->cameras());
-    cameras_[i]->setChecked(static_cast<int>(i) == wizard_->camera());
+    cameras_[i]->setEnabled(static_cast<int>(i) < wizard_->rig()->cameras());
+    cameras_[i]->setChecked(static_cast<int>(i) == wizard_->pictures()->camera());
   }
   showTrouble();
   followBag();
@@ -413,8 +422,9 @@ void CaptureScreen::tellWork() {
   if (!shooting && !working_) return;
   working_ = shooting;
   if (!shooting) return emit working({}, -1);
-  emit working(QStringLiteral("%1: %2").arg(wizard_->headline(), wizard_->buttonText()),
-               static_cast<double>(wizard_->stopsDone()) / std::max(1, wizard_->stops()));
+  emit working(QStringLiteral("%1: %2").arg(text_.headline(), text_.button()),
+               static_cast<double>(wizard_->side()->stopsDone()) /
+                   std::max(1, wizard_->rig()->source().stops));
 }
 
 // That the plate may be cleared is read from three metres.
@@ -425,15 +435,15 @@ double CaptureScreen::headlineSize() const {
 
 void CaptureScreen::followLive() {
   const CapturePhase phase = wizard_->phase();
-  const bool front = phase == CapturePhase::Flip && wizard_->frontPicture();
-  plate_->setPicture(front ? wizard_->frontPicture()
+  const bool front = phase == CapturePhase::Flip && wizard_->pictures()->front();
+  plate_->setPicture(front ? wizard_->pictures()->front()
                      : (phase == CapturePhase::Place || phase == CapturePhase::Flip)
-                         ? wizard_->live()
+                         ? wizard_->pictures()->live()
                          : std::nullopt,
                      phase == CapturePhase::Done ? QString() : tr("Loading picture…"));
-  facts_->setFacts(wizard_->facts());
-  numbers_->follow(session_, wizard_->batchNumber(),
-                   front ? &wizard_->frontPicture()->inspection : nullptr);
+  facts_->setFacts(text_.facts());
+  numbers_->follow(session_, wizard_->batch().number(),
+                   front ? &wizard_->pictures()->front()->inspection : nullptr);
   const bool typing = front && numbers_->count() > 0;
   number_edit_->setVisible(typing);
   number_->setEnabled(typing);
@@ -449,7 +459,7 @@ void CaptureScreen::followNumbers() {
 
 // Their labels would carry one context, and the catalogue another.
 void CaptureScreen::followBag() {
-  QStringList numbers = wizard_->numbersOfAnotherBag();
+  QStringList numbers = wizard_->batch().numbersOfAnotherBag();
   other_numbers_->setVisible(!numbers.isEmpty());
   if (numbers.isEmpty()) return;
   if (numbers.size() > kNumbersNamed)
@@ -465,11 +475,12 @@ void CaptureScreen::followBag() {
 void CaptureScreen::showTrouble() {
   if (wizard_->fault()) {
     Error shown = *wizard_->fault();
-    if (!wizard_->holders().isEmpty())
-      shown.what = tr("%1 The desktop holds a camera, by its program %2.")
-                       .arg(wordsOf(shown.what), wizard_->holders().join(QStringLiteral(", ")))
-                       .toStdString();
-    fault_->showError(shown, wizard_->buttonText(), tr("Space"));
+    if (!wizard_->rig()->holders().isEmpty())
+      shown.what =
+          tr("%1 The desktop holds a camera, by its program %2.")
+              .arg(wordsOf(shown.what), wizard_->rig()->holders().join(QStringLiteral(", ")))
+              .toStdString();
+    fault_->showError(shown, text_.button(), tr("Space"));
     fault_->setSecondAct(wizard_->phase() == CapturePhase::Opening ? change_rig_->text()
                                                                    : QString());
   } else {

@@ -1,6 +1,7 @@
 #pragma once
 #include <QPointer>
 
+#include "ui/capture/capture_text.h"
 #include "ui/capture/import_batch.h"
 #include "ui/capture/rig_source.h"
 #include "ui/frame/screen.h"
@@ -85,6 +86,7 @@ class CaptureScreen final : public Screen {
   void keepChoice(const RigChoice& choice);
 
   CaptureWizard* wizard_;
+  CaptureText text_;
   BatchImporter* importer_;
   RigRenewal* renewal_;
   QPointer<ProjectSession> session_;

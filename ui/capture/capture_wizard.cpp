@@ -5,8 +5,11 @@
 
 #include "batch/batch.h"
 #include "capture/batch_store.h"
-#include "records/records.h"
+#include "ui/capture/batch_description.h"
 #include "ui/capture/doubt_words.h"
+#include "ui/capture/plate_pictures.h"
+#include "ui/capture/rig_connection.h"
+#include "ui/capture/side_progress.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -23,130 +26,82 @@ struct SideTaken {
 
 }  // namespace
 
-CaptureWizard::CaptureWizard(QObject* parent) : QObject(parent) {
-  live_timer_.setSingleShot(true);
-  connect(&live_timer_, &QTimer::timeout, this, &CaptureWizard::lookLive);
-  connect(&question_, &Question::asked, this, &CaptureWizard::changed);
-  connect(&question_, &Question::settled, this, &CaptureWizard::changed);
+CaptureWizard::CaptureWizard(QObject* parent)
+    : QObject(parent),
+      rig_(new RigConnection(this)),
+      pictures_(new PlatePictures(rig_, &batch_, this)),
+      side_(new SideProgress(this)),
+      description_(new BatchDescription(&batch_, this)) {
+  connect(rig_, &RigConnection::changed, this, &CaptureWizard::changed);
+  connect(rig_, &RigConnection::waited, this, [this] {
+    if (!isShooting()) stop();  // only what opens the devices is asked to end
+  });
+  connect(rig_, &RigConnection::taken, this, &CaptureWizard::followRig);
+  connect(rig_, &RigConnection::opened, this, &CaptureWizard::resumeBatch);
+  connect(rig_, &RigConnection::released, this, &CaptureWizard::next);  // what failed once more
+  connect(rig_, &RigConnection::failed, this, [this](const Error& error) { fail(error, {}); });
+  connect(pictures_, &PlatePictures::cameraChanged, this, &CaptureWizard::changed);
+  connect(pictures_, &PlatePictures::liveTurnedOn, this,
+          [this] { to_reshoot_ = batch_.toPhotographAgain(); });
+  connect(pictures_, &PlatePictures::codesSeen, description_, &BatchDescription::readLabels);
+  connect(pictures_, &PlatePictures::frontCounted, this, &CaptureWizard::takeFrontCount);
+  connect(side_, &SideProgress::preparing, this, &CaptureWizard::changed);
+  connect(description_, &BatchDescription::changed, this, &CaptureWizard::changed);
+  connect(description_, &BatchDescription::countChanged, this, &CaptureWizard::followCount);
 }
 
 CaptureWizard::~CaptureWizard() = default;
 
 void CaptureWizard::setSession(ProjectSession* session) {
   stop();
-  for (JobHandle* job : {work_.data(), live_job_.data(), front_job_.data()})
-    if (job != nullptr) job->drop();
-  work_ = live_job_ = front_job_ = nullptr;
-  after_live_ = {};
-  waiting_.reset();
-  labels_.clear();
   if (session_ != nullptr) session_->disconnect(this);
   session_ = session;
+  rig_->setSession(session);
+  pictures_->setSession(session);
+  description_->setSession(session);
   batch_.setSession(session);
   if (session_ != nullptr)
-    connect(session_, &ProjectSession::batchChanged, this, [this](const QString& number) {
-      if (phase_ == CapturePhase::Done && number == batch_.number()) emit changed();
-      if (phase_ != CapturePhase::Place || batch_.isThere() || isBusy()) return;
-      batch_.resume(number);  // one that was set aside is wanted again
-      if (!batch_.isThere() && devicesAreForThis()) return;
-      takePlace();
-      devices_.reset();
-      openRig();
-    });
-  live_.reset();
+    connect(session_, &ProjectSession::batchChanged, this, &CaptureWizard::followBatch);
   forgetPlate();
-  devices_.reset();
-  clearRig();
-  before_.reset();
+  rig_->clear();
+}
+
+void CaptureWizard::followBatch(const QString& number) {
+  if (phase_ == CapturePhase::Done && number == batch_.number()) emit changed();
+  if (phase_ != CapturePhase::Place || batch_.isThere() || rig_->isBusy()) return;
+  batch_.resume(number);  // one that was set aside is wanted again
+  if (!batch_.isThere() && rig_->isFor(batch_.index())) return;
+  description_->takePlaceOfBatch();
+  rig_->close();
+  openRig();
 }
 
 bool CaptureWizard::isShooting() const {
-  return isBusy() && (phase_ == CapturePhase::ShootFront || phase_ == CapturePhase::ShootBack);
+  return rig_->isBusy() &&
+         (phase_ == CapturePhase::ShootFront || phase_ == CapturePhase::ShootBack);
 }
 
-void CaptureWizard::clearRig() {
-  changeRig({});
-}
-
-void CaptureWizard::setRig(RigSource source) {
-  changeRig(std::move(source));
-}
-
-// Whatever runs now goes on with the devices that it has; only what opens them is asked to end.
-void CaptureWizard::changeRig(RigSource source) {
-  if (isBusy()) {
-    waiting_ = std::move(source);
-    if (!isShooting()) stop();
-    return;
-  }
-  if (devices_ != nullptr && source_.open) before_ = source_;
-  source_ = std::move(source);
-  devices_.reset();
-  if (source_.open) {
+void CaptureWizard::followRig() {
+  if (rig_->source().open) {
     const QString before = batch_.number();
     batch_.resume();
     if (batch_.number() != before) forgetPlate();  // what was seen is another batch's
-    takePlace();
+    description_->takePlaceOfBatch();
     return openRig();
   }
   batch_.forget();
   enter(CapturePhase::NoRig);
 }
 
-void CaptureWizard::keepRig() {
-  if (before_ && !isBusy()) changeRig(*std::exchange(before_, std::nullopt));
-}
-
-// Batches that were imported since took the number that the next one was going to have.
-bool CaptureWizard::devicesAreForThis() const {
-  return !source_.anew_for_each_batch || opened_for_ == batch_.index();
-}
-
-// What was typed last may be the bag of another batch.
-void CaptureWizard::takePlace() {
-  if (!batch_.isThere() || batch_.place() == place_) return;
-  setPlace(batch_.place());
-  emit placeRead();
-}
-
-bool CaptureWizard::takeWaitingRig() {
-  if (!waiting_ || isBusy()) return false;
-  changeRig(*std::exchange(waiting_, std::nullopt));
-  return true;
-}
-
-JobHandle* CaptureWizard::start(Job job) {
-  JobHandle* handle = session_->jobs().start(std::move(job), this);
-  connect(handle, &JobHandle::finished, handle, &QObject::deleteLater);
-  return handle;
-}
-
 void CaptureWizard::openRig() {
-  if (session_ == nullptr || !source_.open) return;
-  if (devices_ != nullptr && !source_.anew_for_each_batch) return enter(CapturePhase::Place);
+  if (session_ == nullptr || !rig_->source().open) return;
+  if (rig_->devices() != nullptr && !rig_->source().anew_for_each_batch)
+    return enter(CapturePhase::Place);
   enter(CapturePhase::Opening);
-  opened_for_ = batch_.index();
-  whenCameraIsFree([this] {
-    work_ = start(makeJob(tr("Opening the rig"),
-                          [open = source_.open, ask = question_.asker(), batch = opened_for_](
-                              Progress&, std::stop_token stop) { return open(batch, ask, stop); }));
-    connect(work_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-      work_ = nullptr;
-      if (!takeWaitingRig()) takeDevices(outcomeAs<std::shared_ptr<capture::RigDevices>>(outcome));
-    });
-  });
+  rig_->open(batch_.index());
 }
 
-void CaptureWizard::takeDevices(const Result<std::shared_ptr<capture::RigDevices>>& opened) {
-  if (!opened && before_) {
-    emit rigTried(opened.error());
-    return changeRig(*std::exchange(before_, std::nullopt));
-  }
-  if (!opened) return fail(opened.error(), {});
-  devices_ = *opened;
-  before_.reset();
-  emit rigTried({});
-  camera_ = std::clamp(camera_ < 0 ? cameras() - 1 : camera_, 0, cameras() - 1);
+void CaptureWizard::resumeBatch() {
   if (!batch_.isThere()) return enter(CapturePhase::Place);
   const BatchState state = batch_.state();
   // Whole, and only a person says that it is right where there were doubts.
@@ -163,92 +118,70 @@ void CaptureWizard::takeDevices(const Result<std::shared_ptr<capture::RigDevices
   emit said(tr("%1 resumes where it stopped.").arg(batch_.number()));
 }
 
-void CaptureWizard::setLive(bool on) {
-  live_on_ = on;
-  if (on) wanted_again_ = batch_.toPhotographAgain();
-  if (on)
-    lookLive();
-  else
-    live_timer_.stop();
+bool CaptureWizard::canDescribe() const {
+  return phase_ == CapturePhase::Place || phase_ == CapturePhase::Opening ||
+         phase_ == CapturePhase::Flip || (phase_ == CapturePhase::Done && !queued_) ||
+         (fault_ && !rig_->isBusy() && phase_ != CapturePhase::NoRig);  // stopped in a side
 }
 
-int CaptureWizard::cameras() const {
-  return devices_ == nullptr ? 0 : static_cast<int>(devices_->cameras.size());
+const std::optional<capture::SideSummary>& CaptureWizard::summary(batch::Side side) const {
+  return summary_[side == batch::Side::Back ? 1 : 0];
 }
 
-void CaptureWizard::setCamera(int camera) {
-  if (camera < 0 || camera >= cameras() || camera == camera_) return;
-  camera_ = camera;
-  live_missing_ = false;
-  emit changed();
-  lookLive();
-}
-
-void CaptureWizard::setPlace(const PlaceText& place) {
-  if (place == place_) return;
-  place_ = place;
-  emit changed();
-}
-
-void CaptureWizard::setCounted(int sherds) {
-  if (sherds == batch_.counted() || sherds < 0) return;
+void CaptureWizard::followCount(int before) {
   // A slip in the count is mended while the plate still lies there.
   const auto& seen = summary_[phase_ == CapturePhase::Done ? 1 : 0];
   const bool told = seen && (phase_ == CapturePhase::Flip || phase_ == CapturePhase::Done);
-  if (told) doubts_.removeAll(countDoubt(seen->check));
-  batch_.setCounted(sherds);
+  if (told) doubts_.removeAll(countDoubt(seen->check, before));
   // Its own bag: a person may be typing another.
   if (batch_.isThere() && canDescribe()) keep(batch_.place());
   if (told) doubtCount(seen->check);
   emit changed();
 }
 
-bool CaptureWizard::canDescribe() const {
-  return phase_ == CapturePhase::Place || phase_ == CapturePhase::Opening ||
-         phase_ == CapturePhase::Flip || (phase_ == CapturePhase::Done && !queued_) ||
-         (fault_ && !isBusy() && phase_ != CapturePhase::NoRig);  // stopped in a side
-}
-
 void CaptureWizard::forgetPlate() {
   doubts_.clear();
-  shots_.clear();
-  summary_[0].reset();
-  summary_[1].reset();
-  front_picture_.reset();
-  live_.reset();  // of the plate before
-  retaking_.clear();
+  summary_ = {};
   queued_ = false;
-  stop_ = -1;
-  stops_done_ = 0;
-  wanted_again_ = batch_.toPhotographAgain();
-  emit shotsChanged();
-  emit liveChanged();
+  to_reshoot_ = batch_.toPhotographAgain();
+  side_->forget();
+  pictures_->forget();
+}
+
+void CaptureWizard::setPhase(CapturePhase phase) {
+  phase_ = phase;
+  pictures_->setPhase(phase);
+  fault_.reset();
+  rig_->forgetHolders();
 }
 
 void CaptureWizard::enter(CapturePhase phase) {
-  phase_ = phase;
-  fault_.reset();
-  holders_.clear();
+  setPhase(phase);
   if (phase == CapturePhase::Place) forgetPlate();
-  live_missing_ = false;
-  if (phase == CapturePhase::Flip) lookAtFront();
+  if (phase == CapturePhase::Flip) pictures_->readFront(uncountedFronts());
+  pictures_->preview();
   emit changed();
-  lookLive();
+}
+
+// What the back is compared with, when the program was closed since.
+std::vector<std::vector<std::filesystem::path>> CaptureWizard::uncountedFronts() const {
+  if (summary_[0]) return {};
+  return batch_.files(batch::Side::Front, rig_->cameras());
 }
 
 bool CaptureWizard::canGoOn() const {
-  if (!question().isEmpty()) return true;
-  if (session_ == nullptr || isBusy()) return false;
+  if (!rig_->question().isEmpty()) return true;
+  if (session_ == nullptr || rig_->isBusy()) return false;
   return fault_.has_value() || phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip ||
          phase_ == CapturePhase::Done;
 }
 
 void CaptureWizard::next() {
   if (!canGoOn()) return;
-  if (!question().isEmpty()) return question_.answer(true);
-  if (fault_ && !holders_.isEmpty()) return releaseCameras();
+  if (!rig_->question().isEmpty()) return rig_->answer();
+  if (fault_ && !rig_->holders().isEmpty()) return rig_->release();
   if (fault_ && (phase_ == CapturePhase::Opening || phase_ == CapturePhase::NoRig)) {
-    devices_.reset();
+    rig_->close();
     return openRig();
   }
   switch (phase_) {
@@ -270,12 +203,9 @@ void CaptureWizard::next() {
 }
 
 void CaptureWizard::stop() {
-  if (!isBusy()) return;
-  if (devices_ != nullptr && isShooting()) devices_->turntable->stopNow();
-  question_.answer(false);
-  if (work_ != nullptr) return work_->cancel();
-  after_live_ = {};  // it has not begun
-  if (!takeWaitingRig()) fail(Error::cancelled(), {});
+  if (!rig_->isBusy()) return;
+  if (rig_->devices() != nullptr && isShooting()) rig_->devices()->turntable->stopNow();
+  rig_->cancel();
 }
 
 QString CaptureWizard::repeatQuestion() {
@@ -286,7 +216,7 @@ QString CaptureWizard::repeatQuestion() {
 
 void CaptureWizard::again() {
   const bool back = phase_ == CapturePhase::Done;
-  if ((!back && phase_ != CapturePhase::Flip) || isBusy()) return;
+  if ((!back && phase_ != CapturePhase::Flip) || rig_->isBusy()) return;
   const auto& summary = summary_[back ? 1 : 0];
   std::vector<capture::ShotName> retake;
   // Light, focus and settings are of single photographs; what is moved lies elsewhere at all stops.
@@ -298,13 +228,13 @@ void CaptureWizard::again() {
     return emit changed();
   }
   if (retake.empty())  // the whole side: something was moved or lost
-    for (int stop = 0; stop < stops(); ++stop)
-      for (int camera = 0; camera < cameras(); ++camera) retake.push_back({stop, camera});
+    for (int stop = 0; stop < rig_->source().stops; ++stop)
+      for (int camera = 0; camera < rig_->cameras(); ++camera) retake.push_back({stop, camera});
   shoot(back ? batch::Side::Back : batch::Side::Front, std::move(retake));
 }
 
 bool CaptureWizard::canSetAside() const {
-  return batch_.isThere() && !isBusy() && canDescribe();
+  return batch_.isThere() && !rig_->isBusy() && canDescribe();
 }
 
 void CaptureWizard::setAside() {
@@ -312,7 +242,7 @@ void CaptureWizard::setAside() {
   const QString number = batch_.number();
   batch_.forget();
   forgetPlate();
-  devices_.reset();
+  rig_->close();
   openRig();
   emit batchSetAside(number);
 }
@@ -320,12 +250,7 @@ void CaptureWizard::setAside() {
 // Numbers that are typed are of the bag's context.
 void CaptureWizard::keepDescribed() {
   if (session_ == nullptr || !batch_.isThere() || !canDescribe()) return;
-  keep(place_);
-  emit changed();
-}
-
-void CaptureWizard::takeNumbersAsRight() {
-  batch_.takeNumbersAsRight();
+  keep(description_->place());
   emit changed();
 }
 
@@ -339,47 +264,37 @@ void CaptureWizard::setState(records::BatchState state) {
 
 void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retake) {
   if (!session_->isThere()) return fail(session_->goneError(), {});  // or a ghost of it is made
-  if (const Result<void> begun = batch_.begin(place_); !begun) return fail(begun.error(), {});
-  if (!devicesAreForThis()) return openRig();
+  if (const Result<void> begun = batch_.begin(description_->place()); !begun)
+    return fail(begun.error(), {});
+  if (!rig_->isFor(batch_.index())) return openRig();
   const CapturePhase phase =
       side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack;
   const bool goes_on = phase_ == phase && retake.empty();
-  if (goes_on)
-    retake = retaking_;  // some of them may not be put aside yet
-  else
-    retaking_ = retake;
-  phase_ = phase;
-  fault_.reset();
-  holders_.clear();
+  setPhase(phase);
   doubts_.clear();
   queued_ = false;  // what was queued are other photographs
-  stop_ = -1;
-  if (goes_on) {
-    std::erase_if(shots_, [](const TakenShot& shot) { return shot.refused; });
-  } else {
-    shots_.clear();
-    stops_done_ = 0;
-  }
+  if (goes_on)
+    side_->goOn();
+  else
+    side_->begin(std::move(retake));
   // Whoever opens the project next knows that this side is not whole.
   const BatchState begun_state =
       side == batch::Side::Back ? BatchState::Flipped : BatchState::Placed;
   if (batch_.state() != begun_state) setState(begun_state);
   emit changed();
-  emit shotsChanged();
-  whenCameraIsFree([this, side, retake = std::move(retake)] { startShooting(side, retake); });
+  rig_->whenFree([this, side] { startShooting(side); });
 }
 
-void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotName> retake) {
+void CaptureWizard::startShooting(batch::Side side) {
   capture::SideOptions options;
   options.batch = batch_.folder();
   options.side = side;
-  options.stops = source_.stops;
-  options.retake = std::move(retake);
-  // What the back is compared with, when the program was closed since.
+  options.stops = rig_->source().stops;
+  options.retake = side_->retaking();
   std::vector<std::vector<std::filesystem::path>> uncounted;
-  if (side == batch::Side::Back && !summary_[0])
-    uncounted = batch_.files(batch::Side::Front, cameras());
-  const auto work = [devices = devices_, source = source_, batch = batch_.index(), options,
+  if (side == batch::Side::Back) uncounted = uncountedFronts();
+  const auto work = [devices = rig_->devices(), source = rig_->source(), batch = batch_.index(),
+                     options,
                      uncounted](Progress& progress, std::stop_token stop) -> Result<SideTaken> {
     if (const Result<void> same = capture::checkPlate(options.batch, devices->plate); !same)
       return same.error();
@@ -395,69 +310,29 @@ void CaptureWizard::startShooting(batch::Side side, std::vector<capture::ShotNam
     if (!uncounted.empty()) taken.front = source.check(uncounted, devices->plate, {}, stop);
     return taken;
   };
-  prepared_ = {};
-  work_ = start(makeJob(tr("Photographs of %1").arg(batch_.number()), work));
-  connect(work_, &JobHandle::told, this, [this](const std::any& event) {
-    if (const auto* photographs = std::any_cast<PreparedPhotographs>(&event)) {
-      prepared_ = *photographs;
-      return emit changed();
-    }
-    if (std::exchange(prepared_, {}).total > 0) emit changed();  // the headline, too
-    hear(std::any_cast<const capture::CaptureEvent&>(event));
-  });
-  connect(work_, &JobHandle::finished, this, [this, side](const JobOutcome& outcome) {
-    work_ = nullptr;
-    const Result<SideTaken> taken = outcomeAs<SideTaken>(outcome);
-    if (taken && taken->front) takeFrontCount(*taken->front);
-    finishSide(side, taken ? Result<capture::SideSummary>(taken->summary) : taken.error());
-    takeWaitingRig();
-  });
+  JobHandle* job = rig_->work(
+      makeJob(tr("Photographs of %1").arg(batch_.number()), work),
+      [this, side](const JobOutcome& outcome) {
+        const Result<SideTaken> taken = outcomeAs<SideTaken>(outcome);
+        if (taken && taken->front) takeFrontCount(*taken->front);
+        finishSide(side, taken ? Result<capture::SideSummary>(taken->summary) : taken.error());
+      });
+  connect(job, &JobHandle::told, side_, &SideProgress::hear);
   emit changed();
-}
-
-void CaptureWizard::hear(const capture::CaptureEvent& event) {
-  using Kind = capture::CaptureEventKind;
-  if (event.stop >= 0) stop_ = event.stop;
-  if (event.kind == Kind::StopDone) stops_done_ = std::max(stops_done_, event.stop + 1);
-  if (event.kind == Kind::ShotKept || event.kind == Kind::ShotRefused) {
-    TakenShot shot{event.stop,
-                   event.camera,
-                   event.take,
-                   QString::fromStdString(event.file.string()),
-                   doubtsOf(event.check),
-                   event.kind == Kind::ShotRefused};
-    if (shot.refused && !event.trouble.empty()) shot.problems << wordsOf(event.trouble);
-    std::erase_if(shots_, [&](const TakenShot& old) {
-      return old.stop == shot.stop && old.camera == shot.camera;
-    });
-    shots_.push_back(std::move(shot));
-    if (event.kind == Kind::ShotKept)
-      std::erase(retaking_, capture::ShotName{event.stop, event.camera});
-  }
-  if (event.kind == Kind::Trouble) emit said(wordsOf(event.trouble));
-  if (event.kind == Kind::PressShutter)
-    emit said(tr("Press the shutter of camera %1.")
-                  .arg(QString::fromStdString(batch::cameraLetter(event.camera))));
-  emit shotsChanged();
 }
 
 void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSummary>& summary) {
   const bool back = side == batch::Side::Back;
   if (!summary) return fail(summary.error(), safeWords());
   summary_[back ? 1 : 0] = *summary;
-  retaking_.clear();
+  side_->end();
   setState(back ? BatchState::Back : BatchState::Front);
   enter(back ? CapturePhase::Done : CapturePhase::Flip);
-  for (const capture::ShotName& shot : summary->flagged) {
-    const auto at = std::find_if(shots_.begin(), shots_.end(), [&](const TakenShot& taken) {
-      return taken.stop == shot.stop && taken.camera == shot.camera;
-    });
-    const QString why = at == shots_.end() ? QString() : at->problems.join(QStringLiteral(", "));
+  for (const capture::ShotName& shot : summary->flagged)
     doubts_ << tr("Camera %1 at position %2: %3")
                    .arg(QString::fromStdString(batch::cameraLetter(shot.camera)))
                    .arg(shot.stop + 1)
-                   .arg(why);
-  }
+                   .arg(side_->problemsOf(shot).join(QStringLiteral(", ")));
   doubts_ << doubtsOf(summary->check);
   doubtCount(summary->check);
   if (back && summary_[0]) doubts_ << doubtsBetween(summary_[0]->check, summary_[1]->check);
@@ -465,31 +340,54 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
   emit changed();
 }
 
-// Hidden, touching another, in the hand still, broken, or a pebble: only a person knows.
-QString CaptureWizard::countDoubt(const capture::SideCheck& check) const {
-  const int counted = batch_.counted();
-  if (counted == 0 || !check.counted || check.sherds == counted) return {};
-  const QString words =
-      check.sherds < counted
-          ? tr("You counted %1 sherds, the photographs show %2: look for one that hides, touches "
-               "another or was never laid down.")
-          : tr("You counted %1 sherds, the photographs show %2: look whether one lies there in "
-               "parts, or a thing that is no sherd, or mend the count.");
-  return words.arg(counted).arg(check.sherds);
-}
-
 void CaptureWizard::doubtCount(const capture::SideCheck& check) {
-  if (const QString doubt = countDoubt(check); !doubt.isEmpty()) doubts_ << doubt;
+  if (const QString doubt = countDoubt(check, batch_.counted()); !doubt.isEmpty()) doubts_ << doubt;
 }
 
 void CaptureWizard::queueBatch() {
-  if (const Result<void> kept = batch_.begin(place_); !kept) return fail(kept.error(), {});
+  if (const Result<void> kept = batch_.begin(description_->place()); !kept)
+    return fail(kept.error(), {});
   const int seen = summary_[0] ? summary_[0]->check.sherds : 0;
   if (const Result<void> queued = batch_.queue(seen); !queued) return fail(queued.error(), {});
   queued_ = true;
   doubts_.clear();
   enter(CapturePhase::Done);
   emit batchQueued(batch_.number());
+}
+
+void CaptureWizard::takeFrontCount(const capture::SideCheck& check) {
+  if (summary_[0]) return;
+  summary_[0].emplace().check = check;
+  summary_[0]->kept = static_cast<int>(batch_.photographs(batch::Side::Front).size());
+  if (phase_ != CapturePhase::Flip) return;
+  doubts_ << doubtsOf(check);
+  doubtCount(check);
+  emit changed();
+}
+
+void CaptureWizard::fail(const Error& error, const QString& safe) {
+  Error shown = error;
+  if (!safe.isEmpty()) shown.what = tr("%1 %2").arg(wordsOf(shown.what), safe).toStdString();
+  fault_ = shown;
+  rig_->forgetHolders();
+  side_->standStill();
+  emit changed();
+  if (error.code == ErrorCode::Missing) rig_->findHolders();
+}
+
+// The window was closed in the middle of this side: it looks as if Esc had just stopped it.
+void CaptureWizard::goOnWithin(batch::Side side) {
+  if (!side_->resume(batch_.photographs(side), rig_->source().stops, rig_->cameras())) return;
+  setPhase(side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack);
+  fail(
+      Error{ErrorCode::Cancelled,
+            tr("%1 was interrupted in the middle of this side.").arg(batch_.number()).toStdString(),
+            {}},
+      safeWords());
+}
+
+QString CaptureWizard::safeWords() const {
+  return tr("The %n photograph(s) of this side so far are saved.", nullptr, side_->saved());
 }
 
 }  // namespace ostraka::ui

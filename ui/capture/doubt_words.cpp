@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include "ui/capture/capture_wizard.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -45,6 +46,20 @@ QStringList doubtsOf(const capture::SideCheck& check) {
                "sherds: check it; if so, move them apart and reshoot.")
                .arg(Doubts::places(check.doubtful_mm));
   return all;
+}
+
+// Hidden, touching another, in the hand still, broken, or a pebble: only a person knows.
+QString countDoubt(const capture::SideCheck& check, int counted) {
+  if (counted == 0 || !check.counted || check.sherds == counted) return {};
+  const QString words =
+      check.sherds < counted
+          ? CaptureWizard::tr(
+                "You counted %1 sherds, the photographs show %2: look for one that hides, touches "
+                "another or was never laid down.")
+          : CaptureWizard::tr(
+                "You counted %1 sherds, the photographs show %2: look whether one lies there in "
+                "parts, or a thing that is no sherd, or mend the count.");
+  return words.arg(counted).arg(check.sherds);
 }
 
 QStringList doubtsBetween(const capture::SideCheck& front, const capture::SideCheck& back) {

@@ -1,5 +1,6 @@
 #include "ui/capture/fact_list.h"
 
+#include <QApplication>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <memory>

@@ -5,13 +5,13 @@
 
 #include "ui/capture/import_batch.h"
 #include "ui/capture/import_sides.h"
+#include "ui/jobs/job.h"
 
 class QWidget;
 
 namespace ostraka::ui {
 
 class ImportAsk;
-class JobHandle;
 class ProjectSession;
 
 /// The ways to name what is imported: a dialog, or folders and photographs dropped onto a screen.

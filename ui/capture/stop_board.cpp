@@ -4,15 +4,16 @@
 #include <algorithm>
 
 #include "batch/batch.h"
-#include "ui/capture/capture_wizard.h"
+#include "ui/capture/rig_connection.h"
+#include "ui/capture/side_progress.h"
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
 #include "ui/frame/thumbnails.h"
 
 namespace ostraka::ui {
 
-StopBoard::StopBoard(const CaptureWizard* wizard, QWidget* parent)
-    : QWidget(parent), wizard_(wizard) {
+StopBoard::StopBoard(const RigConnection* rig, const SideProgress* side, QWidget* parent)
+    : QWidget(parent), rig_(rig), side_(side) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Photographs of this side"));
   setPalette(mattePalette());
@@ -30,7 +31,7 @@ void StopBoard::setThumbnails(Thumbnails* thumbnails) {
 
 void StopBoard::follow() {
   setAccessibleDescription(
-      tr("%1 of %2 positions done").arg(wizard_->stopsDone()).arg(wizard_->stops()));
+      tr("%1 of %2 positions done").arg(side_->stopsDone()).arg(rig_->source().stops));
   update();
 }
 
@@ -47,12 +48,12 @@ void StopBoard::paintEvent(QPaintEvent*) {
 
 void StopBoard::drawRing(QPainter& painter, const QRectF& ring) const {
   const StateColours colours(palette());
-  const int stops = std::max(1, wizard_->stops());
+  const int stops = std::max(1, rig_->source().stops);
   const double thick = ring.width() * 0.13;
   const QRectF arc = ring.adjusted(thick, thick, -thick, -thick);
   const double step = 360.0 / stops, gap = std::min(6.0, step / 4);
   for (int stop = 0; stop < stops; ++stop) {
-    const bool done = stop < wizard_->stopsDone(), now = stop == wizard_->currentStop();
+    const bool done = stop < side_->stopsDone(), now = stop == side_->currentStop();
     const QColor colour = done  ? colours.of(State::Sure)
                           : now ? colours.of(State::Busy)
                                 : palette().color(QPalette::Dark);
@@ -63,11 +64,11 @@ void StopBoard::drawRing(QPainter& painter, const QRectF& ring) const {
   painter.setPen(palette().color(QPalette::Text));
   painter.setFont(scaledFont(*this, 2.2));
   painter.drawText(ring, Qt::AlignCenter,
-                   QStringLiteral("%1 / %2").arg(wizard_->stopsDone()).arg(stops));
+                   QStringLiteral("%1 / %2").arg(side_->stopsDone()).arg(stops));
 }
 
 void StopBoard::drawShots(QPainter& painter, const QRectF& board) const {
-  const int cameras = wizard_->cameras(), stops = wizard_->stops();
+  const int cameras = rig_->cameras(), stops = rig_->source().stops;
   if (cameras == 0 || board.width() < 20) return;
   const StateColours colours(palette());
   const double letter = fontMetrics().height() * 1.5;
@@ -86,7 +87,7 @@ void StopBoard::drawShots(QPainter& painter, const QRectF& board) const {
                               .adjusted(line, line, -line, -line);
       painter.setPen(QPen(palette().color(QPalette::Dark), 1));
       painter.drawRect(cell);
-      const auto& shots = wizard_->shots();
+      const auto& shots = side_->shots();
       const auto shot = std::find_if(shots.begin(), shots.end(), [&](const TakenShot& taken) {
         return taken.camera == camera && taken.stop == stop;
       });

@@ -4,7 +4,8 @@
 
 namespace ostraka::ui {
 
-class CaptureWizard;
+class RigConnection;
+class SideProgress;
 class Thumbnails;
 
 /// While a side is shot: a ring of stops filling up, and the photographs as they arrive, a row a
@@ -13,9 +14,9 @@ class StopBoard final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit StopBoard(const CaptureWizard* wizard, QWidget* parent = nullptr);
+  StopBoard(const RigConnection* rig, const SideProgress* side, QWidget* parent = nullptr);
   void setThumbnails(Thumbnails* thumbnails);
-  void follow();  ///< the wizard's shots changed
+  void follow();  ///< the side changed
   QSize sizeHint() const override;
 
  protected:
@@ -25,7 +26,8 @@ class StopBoard final : public QWidget {
   void drawRing(QPainter& painter, const QRectF& ring) const;
   void drawShots(QPainter& painter, const QRectF& board) const;
 
-  const CaptureWizard* wizard_;
+  const RigConnection* rig_;
+  const SideProgress* side_;
   QPointer<Thumbnails> thumbnails_;
 };
 

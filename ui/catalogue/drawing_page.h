@@ -8,6 +8,7 @@
 #include "catalogue/catalogue.h"
 #include "exchange/drawn_sherds.h"
 #include "records/sherd.h"
+#include "ui/jobs/job.h"
 
 class QComboBox;
 class QLabel;
@@ -18,7 +19,6 @@ class QToolButton;
 
 namespace ostraka::ui {
 
-class JobHandle;
 class ProjectSession;
 class SheetView;
 

@@ -3,13 +3,14 @@
 #include <QPointer>
 #include <QWidget>
 
+#include "ui/jobs/job.h"
+
 class QLabel;
 class QStackedWidget;
 class QToolButton;
 
 namespace ostraka::ui {
 
-class JobHandle;
 class JobRunner;
 class SherdView;
 

@@ -3,23 +3,21 @@
 #include <QPointer>
 #include <QString>
 #include <optional>
-#include <vector>
 
 #include "exchange/export_folder.h"
-#include "store/row.h"
 #include "ui/jobs/job.h"
 
 namespace ostraka::ui {
 
+class ExportChoices;
 class ProjectSession;
 
-/// What is exported, in which forms, where to, and how far it is. Each project remembers its forms
-/// and the folder that its exports lie in. Runs without a display.
+/// An export: how large what is chosen will be, how far it is, and how it ended. Runs without a
+/// display.
 class ExportModel final : public QObject {
   Q_OBJECT
 
  public:
-  enum class What { All, Filtered, Chosen };
   enum class State { Choosing, Running, Done, Failed };
 
   explicit ExportModel(QObject* parent = nullptr);
@@ -28,23 +26,8 @@ class ExportModel final : public QObject {
   /// Whether anybody looks. The size is asked of each sherd and file, so only then.
   void setWatched(bool watched);
 
-  What what() const { return what_; }
-  const QString& filter() const { return filter_; }
-  const std::vector<store::SherdRow>& chosen() const { return chosen_; }
-  const std::set<exchange::Form>& forms() const { return forms_; }
-  const QString& target() const { return target_; }
-  std::optional<double> drawingScale() const { return drawing_scale_; }
-  double deviation_mm() const { return deviation_mm_; }
-  void setAll();
-  void setFilter(const QString& line);
-  void setChosen(std::vector<store::SherdRow> sherds);
-  /// What could be chosen; what is exported stays.
-  void offerChosen(std::vector<store::SherdRow> sherds);
-  void setForm(exchange::Form form, bool wanted);
-  void setDrawingScale(std::optional<double> scale);  ///< nothing: what fits the sheet
-  /// Models with fewer triangles, this far off at most, mm; 0: as computed.
-  void setDeviation(double deviation_mm);
-  void setTarget(const QString& folder);
+  /// What is exported, in which forms and where to.
+  ExportChoices* choices() const { return choices_; }
 
   State state() const { return state_; }
   bool canStart() const;
@@ -64,21 +47,14 @@ class ExportModel final : public QObject {
 
  private:
   void chooseAnew();
+  void followTarget();
   void forgetDone();
   void measureSize();
-  void readChoices();
-  void keepChoices() const;
-  QString proposedTarget() const;
   void ended(const Result<exchange::Exported>& done);
-  exchange::ExportOptions options() const;
 
   ProjectSession* session_ = nullptr;
-  What what_ = What::All;
-  QString filter_, target_, problem_, parent_;
-  std::vector<store::SherdRow> chosen_;
-  std::set<exchange::Form> forms_ = exchange::ExportOptions().forms;
-  std::optional<double> drawing_scale_ = 1;
-  double deviation_mm_ = 0;
+  ExportChoices* choices_;
+  QString problem_;
   State state_ = State::Choosing;
   bool watched_ = false;
   std::optional<exchange::ExportSize> size_;

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/export/export_choices.h"
 #include "ui/frame/big_button.h"
 #include "ui/frame/look.h"
 #include "ui/frame/page_area.h"
@@ -57,11 +58,13 @@ QWidget* ExportScreen::buildWhat() {
   for (QWidget* widget : {static_cast<QWidget*>(all_), static_cast<QWidget*>(filtered_),
                           static_cast<QWidget*>(filter_), static_cast<QWidget*>(chosen_)})
     column->addWidget(widget);
-  connect(all_, &QRadioButton::clicked, &model_, &ExportModel::setAll);
-  connect(filtered_, &QRadioButton::clicked, this, [this] { model_.setFilter(filter_->text()); });
-  connect(chosen_, &QRadioButton::clicked, this, [this] { model_.setChosen(model_.chosen()); });
+  connect(all_, &QRadioButton::clicked, choices_, &ExportChoices::setAll);
+  connect(filtered_, &QRadioButton::clicked, this,
+          [this] { choices_->setFilter(filter_->text()); });
+  connect(chosen_, &QRadioButton::clicked, this,
+          [this] { choices_->setChosen(choices_->selection().chosen); });
   connect(filter_, &QLineEdit::editingFinished, this, [this] {
-    if (filter_->text() != model_.filter()) model_.setFilter(filter_->text());
+    if (filter_->text() != choices_->selection().filter) choices_->setFilter(filter_->text());
   });
   column->addStretch();
   return box;
@@ -87,7 +90,7 @@ QWidget* ExportScreen::buildForms() {
     check->setMinimumHeight(controlHeight(*this));  // the row between them counts, too
     check->setObjectName("form" + QString::number(static_cast<int>(form)));
     connect(check, &QCheckBox::clicked, this,
-            [this, kind = form](bool wanted) { model_.setForm(kind, wanted); });
+            [this, kind = form](bool wanted) { choices_->setForm(kind, wanted); });
     forms_.emplace_back(check, form);
     if (form != exchange::Form::Drawings && form != exchange::Form::Ply) {
       column->addWidget(check);
@@ -110,9 +113,9 @@ QWidget* ExportScreen::buildScale(QWidget* box) {
   scale->addItem(tr("1 : 1"), 1.0);
   scale->addItem(tr("1 : 2"), 0.5);
   scale->addItem(tr("fit to A4"), QVariant());
-  connect(scale, &QComboBox::activated, &model_, [this, scale](int at) {
+  connect(scale, &QComboBox::activated, choices_, [this, scale](int at) {
     const QVariant chosen = scale->itemData(at);
-    model_.setDrawingScale(chosen.isValid() ? std::optional(chosen.toDouble()) : std::nullopt);
+    choices_->setDrawingScale(chosen.isValid() ? std::optional(chosen.toDouble()) : std::nullopt);
   });
   return scale_ = scale;
 }
@@ -128,8 +131,8 @@ QWidget* ExportScreen::buildDetail(QWidget* box) {
   detail->addItem(tr("Full detail"), 0.0);
   for (const double off_mm : {0.1, 0.2, 0.4})
     detail->addItem(tr("simplified, within %1 mm").arg(locale().toString(off_mm)), off_mm);
-  connect(detail, &QComboBox::activated, &model_,
-          [this, detail](int at) { model_.setDeviation(detail->itemData(at).toDouble()); });
+  connect(detail, &QComboBox::activated, choices_,
+          [this, detail](int at) { choices_->setDeviation(detail->itemData(at).toDouble()); });
   return detail_ = detail;
 }
 
@@ -145,7 +148,7 @@ QWidget* ExportScreen::buildWhere() {
   auto* row = new QHBoxLayout(box);
   row->addWidget(target_, 1);
   row->addWidget(choose);
-  connect(target_, &QLineEdit::textEdited, &model_, &ExportModel::setTarget);
+  connect(target_, &QLineEdit::textEdited, choices_, &ExportChoices::setTarget);
   connect(choose, &QPushButton::clicked, this, &ExportScreen::browse);
   return box;
 }
@@ -184,7 +187,7 @@ void ExportScreen::buildLayout() {
   connect(stop_, &QAction::triggered, &model_, &ExportModel::cancel);
   addAction(stop_);
   connect(open_, &QPushButton::clicked, this,
-          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(model_.target())); });
+          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(choices_->target())); });
   auto* choices = new QWidget(this);
   auto* upper = new SideBySide(choices);
   upper->add(buildWhat(), 1);
@@ -245,11 +248,11 @@ void ExportScreen::showItem(const QString& what) {
     std::vector<store::SherdRow> rows;
     for (const QString& row : what.mid(5).split(',', Qt::SkipEmptyParts))
       rows.push_back({row.toLongLong()});
-    model_.setChosen(std::move(rows));
+    choices_->setChosen(std::move(rows));
   } else if (what.startsWith("filter:") && what.size() > 7) {
-    model_.setFilter(what.mid(7));
+    choices_->setFilter(what.mid(7));
   } else {
-    model_.setAll();
+    choices_->setAll();
   }
 }
 
@@ -257,7 +260,7 @@ void ExportScreen::takeChosen(const QString& what) {
   if (what.isEmpty() || model_.state() == ExportModel::State::Running) return;
   if (what.startsWith(kPlate)) return;  // what one looks at is not what one gives away
   if (what.startsWith("row:"))
-    model_.offerChosen({{what.mid(4).toLongLong()}});
+    choices_->offerChosen({{what.mid(4).toLongLong()}});
   else
     showItem(what);
 }
@@ -265,26 +268,27 @@ void ExportScreen::takeChosen(const QString& what) {
 void ExportScreen::browse() {
   const QString parent = QFileDialog::getExistingDirectory(this, tr("Folder for the export"));
   if (parent.isEmpty()) return;
-  const QString name = model_.target().section('/', -1);
-  model_.setTarget(parent + "/" + (name.isEmpty() ? "export" : name));
+  const QString name = choices_->target().section('/', -1);
+  choices_->setTarget(parent + "/" + (name.isEmpty() ? "export" : name));
 }
 
 void ExportScreen::refresh() {
   const bool running = model_.state() == ExportModel::State::Running;
   const QSignalBlocker quiet(filter_);
-  all_->setChecked(model_.what() == ExportModel::What::All);
-  filtered_->setChecked(model_.what() == ExportModel::What::Filtered);
-  chosen_->setChecked(model_.what() == ExportModel::What::Chosen);
-  chosen_->setText(model_.chosen().empty() ? tr("Selected sherds")
-                                           : tr("The %n chosen in the catalogue", nullptr,
-                                                static_cast<int>(model_.chosen().size())));
-  chosen_->setEnabled(!model_.chosen().empty());
-  if (!filter_->hasFocus()) filter_->setText(model_.filter());
-  for (const auto& [check, form] : forms_) check->setChecked(model_.forms().contains(form));
-  const auto drawing_scale = model_.drawingScale();
+  all_->setChecked(choices_->selection().what == ExportSelection::What::All);
+  filtered_->setChecked(choices_->selection().what == ExportSelection::What::Filtered);
+  chosen_->setChecked(choices_->selection().what == ExportSelection::What::Chosen);
+  chosen_->setText(choices_->selection().chosen.empty()
+                       ? tr("Selected sherds")
+                       : tr("The %n chosen in the catalogue", nullptr,
+                            static_cast<int>(choices_->selection().chosen.size())));
+  chosen_->setEnabled(!choices_->selection().chosen.empty());
+  if (!filter_->hasFocus()) filter_->setText(choices_->selection().filter);
+  for (const auto& [check, form] : forms_) check->setChecked(choices_->forms().contains(form));
+  const auto drawing_scale = choices_->drawingScale();
   scale_->setCurrentIndex(drawing_scale ? scale_->findData(*drawing_scale) : scale_->count() - 1);
-  detail_->setCurrentIndex(std::max(0, detail_->findData(model_.deviation_mm())));
-  if (!target_->hasFocus()) target_->setText(model_.target());
+  detail_->setCurrentIndex(std::max(0, detail_->findData(choices_->deviation_mm())));
+  if (!target_->hasFocus()) target_->setText(choices_->target());
   size_->setText(model_.sizeText());
   const bool done = model_.state() == ExportModel::State::Done;
   size_->setVisible(!running && !done);

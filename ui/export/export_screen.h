@@ -48,6 +48,7 @@ class ExportScreen final : public Screen {
   void browse();
 
   ExportModel model_;
+  ExportChoices* choices_ = model_.choices();
   QRadioButton* all_ = nullptr;
   QRadioButton* filtered_ = nullptr;
   QRadioButton* chosen_ = nullptr;

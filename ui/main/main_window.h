@@ -19,23 +19,22 @@ class BatchQueue;
 class CaptureScreen;
 class CaptureWizard;
 class FileWatch;
-class FooterLine;
-class HeaderLine;
 class HelpPage;
 class JobRunner;
+class OpenProject;
 class ProjectCare;
-class ProjectLock;
 class ProjectSession;
 class QueueScreen;
 class PageArea;
-class Sidebar;
 class SettingsPage;
 class StartScreen;
 class Screen;
 class Thumbnails;
+class WorkPage;
 
-/// Sidebar, line at the head, screens, line at the foot. It puts the screens together and passes on
-/// what they tell each other; what happens stands in them and in their view-models.
+/// The start screen, the page of an open project, the settings and the manual. It puts the screens
+/// together and passes on what they tell each other; what happens stands in them and in their
+/// view-models.
 class MainWindow final : public QMainWindow {
   Q_OBJECT
 
@@ -48,10 +47,10 @@ class MainWindow final : public QMainWindow {
   void closeProject();
   /// Closes it, but says first what would be lost: who closes once more means it.
   void leaveProject();
-  ProjectSession* session() const { return session_.get(); }
+  ProjectSession* session() const;
   BatchQueue* queue() const { return queue_; }
   CaptureWizard* wizard() const { return wizard_; }
-  const std::vector<Screen*>& screens() const { return screens_; }
+  const std::vector<Screen*>& screens() const;
 
  public slots:
   void showScreen(int index);
@@ -66,48 +65,31 @@ class MainWindow final : public QMainWindow {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  bool saysWhatIsLost();
-  void fitToSize();
-  void buildScreens();
   void buildLayout();
-  bool lockProject(const QString& folder);
+  void connectParts();
   void takeProject(std::shared_ptr<upkeep::Project> project);
-  void showProject(std::shared_ptr<upkeep::Project> project);
-  int screenNamed(const QString& icon_name) const;
+  void showProject();
   void tryVirtualRig();
   void applySettings(const WindowSettings& settings);
-  void followLines();
   void findProject(const QString& lost, const QString& found);
 
   JobRunner& runner_;
   WindowSettings settings_;
-  std::unique_ptr<ProjectSession> session_;
-  std::unique_ptr<ProjectLock> lock_;
-  std::unique_ptr<ProjectLock> leaving_lock_;  ///< of a project whose computation is ending
   QUndoGroup* undo_;
   BatchQueue* queue_;
   CaptureWizard* wizard_;
+  OpenProject* project_;
   QueueScreen* queue_screen_ = nullptr;
   CaptureScreen* capture_screen_ = nullptr;
-  std::vector<Screen*> screens_;
   Thumbnails* thumbnails_;
-  QStackedWidget *all_ = nullptr, *pages_ = nullptr;
+  QStackedWidget* all_ = nullptr;
+  WorkPage* work_ = nullptr;
   PageArea *start_area_ = nullptr, *settings_area_ = nullptr;
   StartScreen* start_ = nullptr;
-  QString other_work_;  ///< than the queue's
-  double other_fraction_ = -1;
-  QString title_;        ///< of the project
-  bool warned_ = false;  ///< of what closing would lose
   SettingsPage* settings_page_ = nullptr;
   HelpPage* help_ = nullptr;
-  Sidebar* sidebar_ = nullptr;
-  HeaderLine* header_ = nullptr;
-  FooterLine* footer_ = nullptr;
   ProjectCare* care_;
   FileWatch* file_watch_;
 };
-
-/// All screens of the sidebar in their order, made with their view-models.
-std::vector<Screen*> makeScreens(CaptureScreen* capture, QueueScreen* queue, QWidget* parent);
 
 }  // namespace ostraka::ui

@@ -1,7 +1,7 @@
 #include "ui/capture/capture_screen.h"
 #include "ui/catalogue/catalogue_screen.h"
 #include "ui/export/export_screen.h"
-#include "ui/main/main_window.h"
+#include "ui/main/work_page.h"
 #include "ui/map/map_screen.h"
 #include "ui/queue/queue_screen.h"
 #include "ui/review/review_screen.h"

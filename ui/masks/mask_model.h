@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "decisions/mask_strokes.h"
+#include "ui/jobs/job.h"
 
 namespace ostraka::ui {
 
-class JobHandle;
 class ProjectSession;
 
 /// The masks of a batch: one photograph after the other with what is sherd on it, and a brush. Each

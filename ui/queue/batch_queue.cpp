@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "catalogue/batches.h"
-#include "catalogue/settings.h"
 #include "decisions/mask_strokes.h"
 #include "intake/batch_figures.h"
 #include "intake/computed_again.h"
@@ -15,7 +14,9 @@
 #include "ui/frame/lines.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
+#include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_failure.h"
+#include "ui/queue/queue_switches.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -25,8 +26,6 @@ namespace {
 using records::BatchState;
 
 constexpr int kKeptLogLines = 2000;
-constexpr const char* kPausedKey = "queue.paused";
-constexpr const char* kDraftsKey = "queue.drafts";
 
 QueueState stateOf(BatchState state) {
   switch (state) {
@@ -68,55 +67,34 @@ void readDetails(const upkeep::Project& project, QueueRow& row) {
   row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
 }
 
-// Kept by the job itself: a window that closes in its last seconds does not hear of its end.
-Result<intake::BatchFigures> figuresKept(const Result<intake::BatchFigures>& figures,
-                                         const intake::ComputeOptions& options) {
-  if (!figures) return figures;
-  if (Result<catalogue::Catalogue> rows = upkeep::Project::connect(options.project))
-    (void)intake::keepFigures(*rows, options.number, *figures);
-  return figures;
-}
-
 }  // namespace
 
-BatchQueue::BatchQueue(QObject* parent) : QAbstractListModel(parent), work_(intake::computeBatch) {}
-
-void BatchQueue::setWork(intake::ComputeWork work) {
-  work_ = std::move(work);
+BatchQueue::BatchQueue(QObject* parent)
+    : QAbstractListModel(parent),
+      computation_(new BatchComputation(this)),
+      switches_(new QueueSwitches(this)) {
+  connect(computation_, &BatchComputation::progressed, this, &BatchQueue::followProgress);
+  connect(computation_, &BatchComputation::noted, this,
+          [this](NoteLevel level, const QString& text) {
+            log(level == NoteLevel::Warning ? tr("Warning: %1").arg(wordsOf(text.toStdString()))
+                                            : text);
+          });
+  connect(computation_, &BatchComputation::finished, this, &BatchQueue::finish);
+  connect(computation_, &BatchComputation::left, this, &BatchQueue::startNext);
+  connect(switches_, &QueueSwitches::pausedChanged, this, &BatchQueue::followPause);
 }
 
 void BatchQueue::setSession(ProjectSession* session) {
-  if (job_ != nullptr) {
-    // Two computations must not write into the same folder when the project opens again at once.
-    job_->disconnect(this);
-    job_->cancel();
-    leaving_ = job_;
-    connect(leaving_, &JobHandle::finished, this, [this] {
-      leaving_->deleteLater();
-      leaving_ = nullptr;
-      emit left();
-      startNext();
-    });
-    job_ = nullptr;
-  }
+  computation_->leave();
   if (session_ != nullptr) session_->disconnect(this);
   beginResetModel();
   rows_.clear();
   endResetModel();
-  busy_number_.clear();
   log_.clear();
-  trouble_.clear();
   session_ = session;
-  paused_ = false;
-  if (session_ != nullptr) {
-    const Result<std::string> paused =
-        catalogue::Settings(session_->project().catalogue()).value(kPausedKey);
-    paused_ = paused && *paused == "yes";
-    const Result<std::string> drafts =
-        catalogue::Settings(session_->project().catalogue()).value(kDraftsKey);
-    drafts_ = drafts && *drafts == "yes";
+  switches_->setSession(session);
+  if (session_ != nullptr)
     connect(session_, &ProjectSession::batchChanged, this, &BatchQueue::refreshBatch);
-  }
   refresh();
   emit workChanged();
 }
@@ -129,9 +107,9 @@ QueueRow BatchQueue::rowFrom(const records::BatchRecord& batch, const QueueRow* 
   row.state = stateOf(batch.state);
   row.scale_doubts = wordsOf(batch.scale_doubts);
   row.about = aboutBatch(project.catalogue(), batch);
-  if (row.number == busy_number_) {
-    row.state = paused_ ? QueueState::Paused : QueueState::Busy;
-    if (job_ != nullptr) row.progress = job_->progress();
+  if (row.number == computation_->number()) {
+    row.state = switches_->isPaused() ? QueueState::Paused : QueueState::Busy;
+    row.progress = computation_->progress();
   }
   if (before != nullptr && before->state == row.state) {
     row.failure = before->failure;
@@ -181,8 +159,8 @@ void BatchQueue::refreshBatch(const QString& number) {
       catalogue::Batches(session_->project().catalogue()).byNumber(number.toStdString());
   if (!batch) return refresh();
   // One of its sides is photographed again: what is computed is of photographs that are put aside.
-  if (number == busy_number_ && job_ != nullptr && stateOf(batch->state) == QueueState::Shooting)
-    job_->cancel();
+  if (number == computation_->number() && stateOf(batch->state) == QueueState::Shooting)
+    computation_->stop();
   *row = rowFrom(*batch, row);
   touch(number);
   startNext();
@@ -241,7 +219,7 @@ void BatchQueue::touch(const QString& number) {
 QueueRow* BatchQueue::nextToCompute() {
   const auto waits = [](const QueueRow& row) { return row.state == QueueState::Waiting; };
   const auto draft = std::find_if(rows_.rbegin(), rows_.rend(), [&](const QueueRow& row) {
-    return drafts_ && waits(row) && !row.figures;
+    return switches_->makesDrafts() && waits(row) && !row.figures;
   });
   if (draft != rows_.rend()) return &*draft;
   const auto next = std::find_if(rows_.rbegin(), rows_.rend(), waits);
@@ -249,56 +227,35 @@ QueueRow* BatchQueue::nextToCompute() {
 }
 
 void BatchQueue::makeWayForADraft() {
-  if (!drafts_ || job_ == nullptr || busy_with_draft_ || cancel_asked_) return;
+  if (!switches_->makesDrafts() || computation_->isDraft() || computation_->isCancelled()) return;
   const QueueRow* next = nextToCompute();
   if (next == nullptr || next->figures) return;
-  log(tr("%1 waits for the draft of %2.").arg(busy_number_, next->number));
-  job_->cancel();  // it stays in the queue, and whole stages stay on the disk
+  log(tr("%1 waits for the draft of %2.").arg(computation_->number(), next->number));
+  computation_->stop();  // it stays in the queue, and whole stages stay on the disk
 }
 
 void BatchQueue::startNext() {
-  if (session_ == nullptr || paused_ || leaving_ != nullptr) return;
-  if (isBusy()) return makeWayForADraft();
+  if (session_ == nullptr || switches_->isPaused() || computation_->isLeaving()) return;
+  if (computation_->isBusy()) return makeWayForADraft();
   QueueRow* next = nextToCompute();
   if (next == nullptr) return;
-  intake::ComputeOptions options;
-  options.project = session_->folder();
-  options.number = next->number.toStdString();
-  options.threads = threads_;
-  // What has figures was computed before; now it is meant to become final.
-  options.draft = busy_with_draft_ = drafts_ && !next->figures;
-  busy_number_ = next->number;
-  busy_since_ = clock_();
-  cancel_asked_ = false;
   next->state = QueueState::Busy;
   next->progress = {};
   log_.clear();
-  job_ =
-      session_->jobs().start(makeJob(
-                                 tr("Batch %1").arg(busy_number_),
-                                 [work = work_, options](Progress& progress, std::stop_token stop) {
-                                   return figuresKept(work(options, progress, stop), options);
-                                 },
-                                 JobPriority::Background),
-                             this);
-  connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
-    if (QueueRow* row = find(busy_number_)) row->progress = progress;
-    touch(busy_number_);
-    emit workChanged();
-  });
-  connect(job_, &JobHandle::noted, this, [this](NoteLevel level, const QString& text) {
-    log(level == NoteLevel::Warning ? tr("Warning: %1").arg(wordsOf(text.toStdString())) : text);
-  });
-  connect(job_, &JobHandle::finished, this,
-          [this](const JobOutcome& outcome) { finish(busy_number_, outcome); });
-  touch(busy_number_);
+  // What has figures was computed before; now it is meant to become final.
+  computation_->begin(*session_, next->number, switches_->makesDrafts() && !next->figures);
+  touch(computation_->number());
   emit workChanged();
 }
 
-void BatchQueue::finish(QString number, const JobOutcome& outcome) {
-  job_->deleteLater();
-  job_ = nullptr;
-  busy_number_.clear();
+void BatchQueue::followProgress(const JobProgress& progress) {
+  const QString& number = computation_->number();
+  if (QueueRow* row = find(number)) row->progress = progress;
+  touch(number);
+  emit workChanged();
+}
+
+void BatchQueue::finish(const QString& number, const JobOutcome& outcome) {
   const Result<intake::BatchFigures> figures = outcomeAs<intake::BatchFigures>(outcome);
   if (figures) {
     log(tr("%1 is ready: %n sherd(s).", nullptr, figures->sherds).arg(number));
@@ -308,7 +265,7 @@ void BatchQueue::finish(QString number, const JobOutcome& outcome) {
     emit batchFailed(number, sentenceOf(figures.error()));
   } else if (isPhotographed(number)) {
     log(sentenceOf(Error::cancelled()));
-  } else if (figures.error().code != ErrorCode::Cancelled || cancel_asked_) {
+  } else if (figures.error().code != ErrorCode::Cancelled || computation_->isCancelled()) {
     const BatchFailure failure{.error = figures.error(),
                                .cancelled = figures.error().code == ErrorCode::Cancelled};
     fail(number, failure);
@@ -345,44 +302,24 @@ void BatchQueue::fail(const QString& number, const BatchFailure& failure) {
 }
 
 void BatchQueue::stopFor(const Error& error) {
-  paused_ = true;
-  trouble_ = sentenceOf(error);
-  log(trouble_);
+  switches_->stopFor(sentenceOf(error));
+  log(switches_->trouble());
   emit workChanged();
 }
 
-void BatchQueue::setPaused(bool paused) {
-  if (session_ == nullptr || paused == paused_) return;
-  paused_ = paused;
-  trouble_.clear();
-  (void)catalogue::Settings(session_->project().catalogue())
-      .setValue(kPausedKey, paused ? "yes" : "");
-  if (job_ != nullptr) {
-    if (paused)
-      job_->pause();
-    else
-      job_->resume();
-    if (QueueRow* row = find(busy_number_))
+void BatchQueue::followPause(bool paused) {
+  computation_->setPaused(paused);
+  if (computation_->isBusy()) {
+    if (QueueRow* row = find(computation_->number()))
       row->state = paused ? QueueState::Paused : QueueState::Busy;
-    touch(busy_number_);
+    touch(computation_->number());
   }
   emit workChanged();
   startNext();
 }
 
-void BatchQueue::setMakesDrafts(bool drafts) {
-  if (session_ == nullptr || drafts == drafts_) return;
-  drafts_ = drafts;
-  (void)catalogue::Settings(session_->project().catalogue())
-      .setValue(kDraftsKey, drafts ? "yes" : "");
-}
-
 void BatchQueue::cancel(const QString& number) {
-  if (number == busy_number_ && job_ != nullptr) {
-    cancel_asked_ = true;
-    job_->cancel();
-    return;
-  }
+  if (computation_->isBusy() && number == computation_->number()) return computation_->cancel();
   const QueueRow* row = find(number);
   if (row == nullptr || row->state != QueueState::Waiting) return;
   const BatchFailure removed{.cancelled = true, .removed = true};
@@ -449,10 +386,6 @@ void BatchQueue::forgetMoved(const QString& number) {
   touch(number);
 }
 
-double BatchQueue::secondsOf(const QString& number) const {
-  return number == busy_number_ ? static_cast<double>(busy_since_.secsTo(clock_())) : 0;
-}
-
 int BatchQueue::waitingToCompute() const {
   return static_cast<int>(std::count_if(rows_.begin(), rows_.end(), [](const QueueRow& row) {
     return row.state == QueueState::Waiting || row.state == QueueState::Busy ||
@@ -467,23 +400,25 @@ int BatchQueue::failed() const {
 }
 
 QString BatchQueue::workWords() const {
-  if (!isBusy()) {
+  if (!computation_->isBusy()) {
     const int waiting = waitingToCompute();
-    if (paused_ && waiting > 0) return tr("Paused; %n batch(es) queued.", nullptr, waiting);
+    if (switches_->isPaused() && waiting > 0)
+      return tr("Paused; %n batch(es) queued.", nullptr, waiting);
     return {};
   }
-  const int at = rowOf(busy_number_);
+  const QString& number = computation_->number();
+  const int at = rowOf(number);
   const JobProgress progress = at < 0 ? JobProgress() : row(at).progress;
-  if (paused_) return tr("%1: paused").arg(busy_number_);
+  if (switches_->isPaused()) return tr("%1: paused").arg(number);
   QString words = tr("%1: %2, %3 %")
-                      .arg(busy_number_, stageWords(progress.stage))
+                      .arg(number, stageWords(progress.stage))
                       .arg(static_cast<int>(100 * progress.fraction));
   const QString left = timeLeftWords(progress.seconds_left);
   return left.isEmpty() ? words : words + QStringLiteral(", ") + left;
 }
 
 double BatchQueue::workFraction() const {
-  const int at = isBusy() ? rowOf(busy_number_) : -1;
+  const int at = computation_->isBusy() ? rowOf(computation_->number()) : -1;
   return at < 0 ? -1 : row(at).progress.fraction;
 }
 

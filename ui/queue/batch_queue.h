@@ -1,12 +1,11 @@
 #pragma once
 #include <QAbstractListModel>
-#include <QDateTime>
 #include <QPointer>
 #include <QStringList>
 #include <optional>
 #include <vector>
 
-#include "intake/compute_batch.h"
+#include "intake/batch_figures.h"
 #include "ui/jobs/job.h"
 
 namespace ostraka::records {
@@ -15,7 +14,9 @@ struct BatchRecord;
 
 namespace ostraka::ui {
 
+class BatchComputation;
 class ProjectSession;
+class QueueSwitches;
 struct BatchFailure;
 
 enum class QueueState {
@@ -56,27 +57,16 @@ class BatchQueue final : public QAbstractListModel {
 
   /// Null closes: a computation is asked to stop and goes on when the project is opened again.
   void setSession(ProjectSession* session);
-  /// Unset: intake::computeBatch. For tests.
-  void setWork(intake::ComputeWork work);
-  void setThreads(int threads) { threads_ = threads; }
-  /// Unset: the computer's. For tests.
-  void setClock(std::function<QDateTime()> clock) { clock_ = std::move(clock); }
+  /// What computes its batches.
+  BatchComputation* computation() const { return computation_; }
+  /// What a person switches in it.
+  QueueSwitches* switches() const { return switches_; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
   const QueueRow& row(int row) const { return rows_.at(static_cast<std::size_t>(row)); }
   int rowOf(const QString& number) const;  ///< -1: none
 
-  bool isPaused() const { return paused_; }
-  /// Each batch is computed as a draft first, and finally when it is computed again. A draft is
-  /// for the eye of who still has the sherds in hand: what is being made final waits for it, and
-  /// goes on from its last whole stage.
-  bool makesDrafts() const { return drafts_; }
-  bool isBusy() const { return !busy_number_.isEmpty(); }
-  /// The computation of a session that was closed has not ended yet; `left` follows.
-  bool isLeaving() const { return leaving_ != nullptr; }
-  /// Why the queue stopped by itself (the disk is full, a write was refused); empty otherwise.
-  const QString& trouble() const { return trouble_; }
   /// What the computer does now, for the line at the foot.
   QString workWords() const;
   double workFraction() const;  ///< below 0: nothing is computed
@@ -85,13 +75,7 @@ class BatchQueue final : public QAbstractListModel {
   /// The log of the batch that is computed or was computed last, newest line last.
   const QStringList& log() const { return log_; }
 
-  /// Asks only if much work would be lost: how long the batch has been computed, in seconds.
-  double secondsOf(const QString& number) const;
-
  public slots:
-  void setPaused(bool paused);
-  void togglePaused() { setPaused(!paused_); }
-  void setMakesDrafts(bool drafts);
   void cancel(const QString& number);
   /// Nobody wants this batch, failed or not photographed to its end: it asks for nobody any more,
   /// and what there is of it stays. retry() brings it back, also to be photographed on.
@@ -99,23 +83,24 @@ class BatchQueue final : public QAbstractListModel {
   void retry(const QString& number);
   /// The rig was calibrated again by this batch: its cameras stand where the rig has them.
   void forgetMoved(const QString& number);
-  /// The catalogue's batches changed.
-  void refresh();
-  void refreshBatch(const QString& number);
 
  signals:
   void workChanged();  ///< what is computed, how far, or whether it is paused
   void logged(const QString& line);
   void batchComputed(const QString& number);
   void batchFailed(const QString& number, const QString& sentence);
-  void left();
 
  private:
+  /// The catalogue's batches changed.
+  void refresh();
+  void refreshBatch(const QString& number);
   QueueRow rowFrom(const records::BatchRecord& batch, const QueueRow* before) const;
   void startNext();
   void makeWayForADraft();
   QueueRow* nextToCompute();
-  void finish(QString number, const JobOutcome& outcome);
+  void followProgress(const JobProgress& progress);
+  void followPause(bool paused);
+  void finish(const QString& number, const JobOutcome& outcome);
   void fail(const QString& number, const BatchFailure& failure);
   void settle(const QString& number);
   void stopFor(const Error& error);
@@ -125,17 +110,9 @@ class BatchQueue final : public QAbstractListModel {
   void log(const QString& line);
 
   QPointer<ProjectSession> session_;
-  intake::ComputeWork work_;
-  std::function<QDateTime()> clock_ = [] { return QDateTime::currentDateTime(); };
+  BatchComputation* computation_;
+  QueueSwitches* switches_;
   std::vector<QueueRow> rows_;
-  QPointer<JobHandle> job_;
-  QPointer<JobHandle> leaving_;  ///< of a session that closed: nothing starts before it ended
-  QString busy_number_;
-  QDateTime busy_since_;
-  bool cancel_asked_ = false;
-  bool paused_ = false, drafts_ = false, busy_with_draft_ = false;
-  int threads_ = 0;
-  QString trouble_;
   QStringList log_;
 };
 

@@ -20,8 +20,10 @@
 #include "ui/frame/thumbnails.h"
 #include "ui/frame/tool_row.h"
 #include "ui/masks/mask_page.h"
+#include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_delegate.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/queue/queue_switches.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
@@ -76,7 +78,7 @@ QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
   connect(calibrate_, &QAction::triggered, this, [this] {
     emit wantsScreen(QStringLiteral("capture"), QStringLiteral("calibrate:") + selected());
   });
-  connect(pause_, &QAction::triggered, queue_, &BatchQueue::togglePaused);
+  connect(pause_, &QAction::triggered, queue_->switches(), &QueueSwitches::togglePaused);
   connect(again_, &QAction::triggered, this, [this] { queue_->retry(selected()); });
   connect(cancel_, &QAction::triggered, this, &QueueScreen::askOrCancel);
   connect(report_, &QAction::triggered, this, &QueueScreen::openReport);
@@ -94,7 +96,7 @@ QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
     log_action_->setChecked(true);
     emit wantsScreen(QStringLiteral("queue"), {});
   });
-  connect(drafts_, &QAction::toggled, queue_, &BatchQueue::setMakesDrafts);
+  connect(drafts_, &QAction::toggled, queue_->switches(), &QueueSwitches::setMakesDrafts);
   connect(queue_, &BatchQueue::logged, log_, &QPlainTextEdit::appendPlainText);
   connect(queue_, &BatchQueue::workChanged, this, &QueueScreen::follow);
   connect(queue_, &QAbstractItemModel::modelReset, this, &QueueScreen::follow);
@@ -150,7 +152,8 @@ void QueueScreen::buildLayout() {
   all->addWidget(pages_);
   connect(message_, &MessagePanel::acted, this, [this] {
     message_->hide();
-    queue_->trouble().isEmpty() ? queue_->cancel(asked_about_) : queue_->setPaused(false);
+    queue_->switches()->trouble().isEmpty() ? queue_->cancel(asked_about_)
+                                            : queue_->switches()->setPaused(false);
   });
   connect(message_, &MessagePanel::actedSecond, message_, &QWidget::hide);
 }
@@ -218,7 +221,7 @@ void QueueScreen::openProject(ProjectSession& session) {
   connect(thumbnails_, &Thumbnails::ready, list_->viewport(),
           [this] { list_->viewport()->update(); });
   queue_->setSession(&session);
-  drafts_->setChecked(queue_->makesDrafts());
+  drafts_->setChecked(queue_->switches()->makesDrafts());
   log_->setPlainText(queue_->log().join(QLatin1Char('\n')));
   if (queue_->rowCount() > 0) list_->setCurrentIndex(queue_->index(0));
   follow();
@@ -240,12 +243,13 @@ void QueueScreen::setInFront(bool in_front) {
 }
 
 int QueueScreen::waiting() const {
-  return queue_->failed() + (queue_->trouble().isEmpty() ? 0 : 1);
+  return queue_->failed() + (queue_->switches()->trouble().isEmpty() ? 0 : 1);
 }
 
 QString QueueScreen::waitingText() const {
-  return queue_->trouble().isEmpty() ? tr("%n batch(es) stopped and need you", nullptr, waiting())
-                                     : queue_->trouble();
+  return queue_->switches()->trouble().isEmpty()
+             ? tr("%n batch(es) stopped and need you", nullptr, waiting())
+             : queue_->switches()->trouble();
 }
 
 void QueueScreen::showItem(const QString& batch) {
@@ -282,12 +286,12 @@ void QueueScreen::follow() {
   if (mending)
     for (QAction* action : {cancel_, again_, report_, review_, masks_, calibrate_})
       action->setEnabled(false);
-  if (!queue_->trouble().isEmpty())
-    message_->showError({ErrorCode::CannotWrite, queue_->trouble().toStdString(), {}},
+  if (!queue_->switches()->trouble().isEmpty())
+    message_->showError({ErrorCode::CannotWrite, queue_->switches()->trouble().toStdString(), {}},
                         tr("Resume"));
   else if (trouble_shown_)
     message_->hide();
-  trouble_shown_ = !queue_->trouble().isEmpty();
+  trouble_shown_ = !queue_->switches()->trouble().isEmpty();
   if (waiting() == waiting_said_) return;
   waiting_said_ = waiting();
   emit waitingChanged();
@@ -323,12 +327,13 @@ void QueueScreen::followCancel(QueueState state, bool aside) {
 }
 
 void QueueScreen::followPause() {
-  const QString words = queue_->isPaused() ? tr("Resume") : tr("Pause");
+  const QString words = queue_->switches()->isPaused() ? tr("Resume") : tr("Pause");
   if (pause_->text() != words) {
     pause_->setText(words);
-    pause_->setIcon(icon(queue_->isPaused() ? QStringLiteral("play") : QStringLiteral("pause")));
+    pause_->setIcon(
+        icon(queue_->switches()->isPaused() ? QStringLiteral("play") : QStringLiteral("pause")));
   }
-  pause_->setEnabled(queue_->isPaused() || queue_->waitingToCompute() > 0);
+  pause_->setEnabled(queue_->switches()->isPaused() || queue_->waitingToCompute() > 0);
 }
 
 void QueueScreen::showMasks() {
@@ -367,7 +372,7 @@ void QueueScreen::askOrCancel() {
   if (const int at = queue_->rowOf(selected());
       at >= 0 && queue_->row(at).state == QueueState::Failed)
     return queue_->setAside(selected());
-  if (queue_->secondsOf(selected()) < kAskBeforeLosing_s) {
+  if (queue_->computation()->secondsOf(selected()) < kAskBeforeLosing_s) {
     queue_->cancel(selected());
     return;
   }

@@ -7,9 +7,9 @@
 #include "ui/frame/flow_row.h"
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
-#include "ui/review/free_words.h"
-#include "ui/review/pair_review_model.h"
-#include "ui/review/review_words.h"
+#include "ui/pairs/free_words.h"
+#include "ui/pairs/pair_review.h"
+#include "ui/pairs/review_words.h"
 
 namespace ostraka::ui {
 namespace {
@@ -18,8 +18,8 @@ constexpr int kMost = 5, kMostCompact = 2;  // the others are in the menu
 
 }  // namespace
 
-CandidateBar::CandidateBar(PairReviewModel& model, QWidget* parent)
-    : QWidget(parent), model_(model), most_(kMost) {
+CandidateBar::CandidateBar(PairReview& review, QWidget* parent)
+    : QWidget(parent), review_(review), hand_(review.hand()), most_(kMost) {
   row_ = new FlowRow(this);
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
@@ -32,10 +32,10 @@ CandidateBar::CandidateBar(PairReviewModel& model, QWidget* parent)
   others_->setFocusPolicy(Qt::TabFocus);
   others_->setMenu(new QMenu(others_));
   connect(others_->menu(), &QMenu::aboutToShow, this, &CandidateBar::fillOthers);
-  connect(&model_, &PairReviewModel::candidatesChanged, this, &CandidateBar::rebuild);
-  connect(&model_, &PairReviewModel::trialChanged, this, &CandidateBar::mark);
-  connect(&model_, &PairReviewModel::sceneChanged, this, &CandidateBar::mark);
-  connect(&model_, &PairReviewModel::waitingChanged, this, &CandidateBar::rebuild);
+  connect(&hand_, &CardInHand::candidatesChanged, this, &CandidateBar::rebuild);
+  connect(&hand_, &CardInHand::trialChanged, this, &CandidateBar::mark);
+  connect(&hand_, &CardInHand::sceneChanged, this, &CandidateBar::mark);
+  connect(&review_, &PairReview::waitingChanged, this, &CandidateBar::rebuild);
   rebuild();
 }
 
@@ -48,7 +48,7 @@ void CandidateBar::setCompact(bool compact) {
 void CandidateBar::rebuild() {
   for (QToolButton* button : buttons_) button->deleteLater();
   buttons_.clear();
-  const auto& candidates = model_.candidates();
+  const auto& candidates = hand_.candidates();
   // Nine keys; the rest is in the menu.
   const int shown = std::min(most_, static_cast<int>(candidates.size()));
   for (int i = 0; i < shown; ++i) {
@@ -58,27 +58,27 @@ void CandidateBar::rebuild() {
     button->setMinimumHeight(targetSize(*this));
     button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    connect(button, &QToolButton::clicked, &model_, [this, i] { model_.choose(i); });
+    connect(button, &QToolButton::clicked, &review_, [this, i] { hand_.choose(i); });
     row_->insertWidget(i, button);
     buttons_.append(button);
   }
-  others_->setEnabled(model_.isOpen() && model_.front() >= 0);
+  others_->setEnabled(review_.batch().isOpen() && hand_.front() >= 0);
   mark();
 }
 
 // Of the one in hand what is shown, of the others what the program found.
 void CandidateBar::write(int i) {
-  const review::ReviewCandidate& c = model_.candidates()[static_cast<std::size_t>(i)];
-  const decisions::CandidateTable& table = model_.live()->table();
-  const bool tried = i == model_.chosen() && model_.trial().made != Made::Program;
-  const double fracture = !tried                ? c.fracture_rms_mm
-                          : model_.isMeasured() ? model_.fit().fracture_rms_mm
-                                                : 0;
+  const review::ReviewCandidate& c = hand_.candidates()[static_cast<std::size_t>(i)];
+  const decisions::CandidateTable& table = review_.batch().table();
+  const bool tried = i == hand_.chosen() && hand_.trial().made != Made::Program;
+  const double fracture = !tried               ? c.fracture_rms_mm
+                          : hand_.isMeasured() ? hand_.fit().fracture_rms_mm
+                                               : 0;
   const QString back = nameOf(table.backs, c.back);
-  const QString score = tried ? madeWord(model_.trial().made) : scoreWords(c.score);
+  const QString score = tried ? madeWord(hand_.trial().made) : scoreWords(c.score);
   QString second = fracture > 0 ? tr("gap %1").arg(mm(fracture)) : tr("no contact");
-  const int holder = model_.holderOf(c.back);
-  if (holder >= 0 && holder != model_.front())
+  const int holder = review_.batch().holderOf(c.back);
+  if (holder >= 0 && holder != hand_.front())
     second = tr("%1, with %2").arg(second, nameOf(table.fronts, holder));
   QToolButton* button = buttons_[i];
   button->setText(tr("%1   %2   %3\n%4").arg(QString::number(i + 1), back, score, second));
@@ -89,7 +89,7 @@ void CandidateBar::write(int i) {
 void CandidateBar::mark() {
   const StateColours colours(palette());
   for (int i = 0; i < buttons_.size(); ++i) {
-    const bool chosen = i == model_.chosen();
+    const bool chosen = i == hand_.chosen();
     write(i);
     QFont font = this->font();
     font.setBold(chosen);
@@ -109,15 +109,15 @@ void CandidateBar::changeEvent(QEvent* event) {
 void CandidateBar::fillOthers() {
   QMenu* menu = others_->menu();
   menu->clear();
-  if (!model_.isOpen()) return;
-  const decisions::CandidateTable& table = model_.live()->table();
+  if (!review_.batch().isOpen()) return;
+  const decisions::CandidateTable& table = review_.batch().table();
   for (int b = 0; b < static_cast<int>(table.backs.size()); ++b) {
-    const int holder = model_.holderOf(b);
+    const int holder = review_.batch().holderOf(b);
     const QString name = nameOf(table.backs, b);
     const QString words = holder < 0 ? tr("%1, nobody's").arg(name)
                                      : tr("%1, with %2").arg(name, nameOf(table.fronts, holder));
-    connect(menu->addAction(words), &QAction::triggered, &model_,
-            [this, b] { model_.chooseBack(b); });
+    connect(menu->addAction(words), &QAction::triggered, &review_,
+            [this, b] { hand_.chooseBack(b); });
   }
 }
 

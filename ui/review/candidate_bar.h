@@ -6,14 +6,15 @@ class QToolButton;
 namespace ostraka::ui {
 
 class FlowRow;
-class PairReviewModel;
+class CardInHand;
+class PairReview;
 
 /// One large button for each candidate, numbered as the keys, and any other back in a menu.
 class CandidateBar final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit CandidateBar(PairReviewModel& model, QWidget* parent = nullptr);
+  explicit CandidateBar(PairReview& review, QWidget* parent = nullptr);
   void setCompact(bool compact);  ///< fewer, so that they stand in one row
   /// The menu of all other backs, to be put where there is room.
   QToolButton* others() const { return others_; }
@@ -27,7 +28,8 @@ class CandidateBar final : public QWidget {
   void write(int i);
   void fillOthers();
 
-  PairReviewModel& model_;
+  PairReview& review_;
+  CardInHand& hand_;
   FlowRow* row_ = nullptr;
   QList<QToolButton*> buttons_;
   QToolButton* others_ = nullptr;

@@ -6,8 +6,8 @@
 
 #include "ui/frame/look.h"
 #include "ui/frame/state_colours.h"
-#include "ui/review/card_role.h"
-#include "ui/review/review_words.h"
+#include "ui/pairs/card_role.h"
+#include "ui/pairs/review_words.h"
 
 namespace ostraka::ui {
 namespace {

@@ -6,7 +6,7 @@
 #include <QPixmap>
 
 #include "ui/review/card_delegate.h"
-#include "ui/review/card_role.h"
+#include "ui/pairs/card_role.h"
 
 namespace ostraka::ui {
 

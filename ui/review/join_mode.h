@@ -8,7 +8,7 @@ class QAction;
 namespace ostraka::ui {
 
 class CardList;
-class PairReviewModel;
+class PairReview;
 
 /// Joining two pieces of one sherd: J (fronts) or Shift+J (backs), then the other card by a click
 /// or by the arrows and Enter. A click on a card's back picture means the backs. Esc leaves.
@@ -16,8 +16,7 @@ class JoinMode final : public QObject {
   Q_OBJECT
 
  public:
-  JoinMode(PairReviewModel& model, CardList& cards, QAction* fronts, QAction* backs,
-           QObject* parent);
+  JoinMode(PairReview& review, CardList& cards, QAction* fronts, QAction* backs, QObject* parent);
 
   bool isOn() const;
   QString words() const;  ///< what to do next
@@ -34,7 +33,7 @@ class JoinMode final : public QObject {
  private:
   void enter(QAction* chosen, QAction* other);
 
-  PairReviewModel& model_;
+  PairReview& review_;
   CardList& cards_;
   QAction *fronts_, *backs_;
 };

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QSplitter>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -15,12 +16,12 @@
 #include "ui/frame/tool_row.h"
 #include "ui/review/candidate_bar.h"
 #include "ui/review/card_list.h"
-#include "ui/review/free_words.h"
+#include "ui/pairs/free_words.h"
 #include "ui/review/join_mode.h"
 #include "ui/review/outline_plot.h"
-#include "ui/review/pair_review_model.h"
+#include "ui/pairs/pair_review.h"
 #include "ui/review/picture_pair.h"
-#include "ui/review/review_words.h"
+#include "ui/pairs/review_words.h"
 #include "ui/viewport/sherd_view.h"
 
 namespace ostraka::ui {
@@ -34,13 +35,14 @@ ShownScan shownScan(const review::ScanCloud& cloud) {
 
 }  // namespace
 
-ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+ReviewPane::ReviewPane(PairReview& review, QWidget* parent)
+    : QWidget(parent), review_(review), hand_(review.hand()) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Pairs of the batch"));
   cards_ = new CardList(this);
   cards_->setObjectName("cards");
   cards_->setAccessibleName(tr("Pairs, most doubtful first"));
-  cards_->setModel(&model_);
+  cards_->setModel(&review_.cards());
   pictures_ = new PicturePair(this);
   pictures_->setObjectName("pictures");
   plot_ = new OutlinePlot(this);
@@ -48,40 +50,41 @@ ReviewPane::ReviewPane(PairReviewModel& model, QWidget* parent) : QWidget(parent
   view_ = new SherdView(this);
   view_->setObjectName("sherd");
   view_->setPalette(mattePalette());
-  candidates_ = new CandidateBar(model_, this);
+  candidates_ = new CandidateBar(review_, this);
   buildActions();
   buildLayout();
   connect(cards_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& now) {
-            if (!now.isValid() || now.row() == model_.rowInHand()) return;
-            joining_->isOn() ? joining_->take(now.row()) : model_.selectRow(now.row());
+            if (!now.isValid() || now.row() == hand_.row()) return;
+            joining_->isOn() ? joining_->take(now.row()) : review_.selectRow(now.row());
           });
-  connect(cards_, &CardList::backDropped, &model_, &PairReviewModel::giveBack);
-  connect(&model_, &PairReviewModel::cardChanged, this, &ReviewPane::showCard);
-  connect(&model_, &PairReviewModel::waitingChanged, this, &ReviewPane::showCard);
-  connect(&model_, &PairReviewModel::trialChanged, this, &ReviewPane::showFigures);
-  connect(&model_, &PairReviewModel::busyChanged, this, &ReviewPane::showFigures);
-  connect(&model_, &PairReviewModel::settlingAt, this, &ReviewPane::showSettling);
-  connect(&model_, &PairReviewModel::sceneChanged, this,
+  connect(cards_, &CardList::backDropped, &review_, &PairReview::giveBack);
+  connect(&hand_, &CardInHand::cardChanged, this, &ReviewPane::showCard);
+  connect(&review_, &PairReview::waitingChanged, this, &ReviewPane::showCard);
+  connect(&review_, &PairReview::personChanged, this, &ReviewPane::showFigures);
+  connect(&hand_, &CardInHand::trialChanged, this, &ReviewPane::showFigures);
+  connect(&hand_, &CardInHand::busyChanged, this, &ReviewPane::showFigures);
+  connect(&hand_, &CardInHand::settlingAt, this, &ReviewPane::showSettling);
+  connect(&hand_, &CardInHand::sceneChanged, this,
           [this](const std::shared_ptr<const PairScene>& scene) {
             scene_ = scene;
             showScene(*scene);
           });
-  connect(&model_, &PairReviewModel::modelFetched, this, [this](const MeshPtr& mesh) {
+  connect(&hand_, &CardInHand::modelFetched, this, [this](const MeshPtr& mesh) {
     mesh ? view_->showModel(*mesh) : closed_->setChecked(false);
     forgetMeasured();
   });
   connect(view_, &SherdView::backMoved, this, [this](const auto& turn_rad, const auto& move_mm) {
-    if (!closed_->isChecked()) model_.moveByHand(turn_rad, move_mm);  // a model hides the back
+    if (!closed_->isChecked()) hand_.moveByHand(turn_rad, move_mm);  // a model hides the back
   });
   connect(view_, &SherdView::pointPicked, this, &ReviewPane::measure);
   showCard();
 }
 
 QAction* ReviewPane::act(const char* name, const QString& text, const QList<QKeySequence>& keys,
-                         void (PairReviewModel::*slot)()) {
+                         void (PairReview::*slot)()) {
   QAction* action = keyed(name, text, keys);
-  connect(action, &QAction::triggered, &model_, slot);
+  connect(action, &QAction::triggered, &review_, slot);
   return action;
 }
 
@@ -96,11 +99,11 @@ QAction* ReviewPane::keyed(const char* name, const QString& text, const QList<QK
 }
 
 QAction* ReviewPane::step(const char* name, const QString& text, const QKeySequence& key, int by,
-                          void (PairReviewModel::*slot)(int), void (PicturePair::*line)(int)) {
+                          void (CardInHand::*slot)(int), void (PicturePair::*line)(int)) {
   QAction* action = keyed(name, text, {key});
   action->setAutoRepeat(true);
   connect(action, &QAction::triggered, this, [this, slot, line, by] {
-    pictures_->isCutting() && line ? (pictures_->*line)(by) : (model_.*slot)(by);
+    pictures_->isCutting() && line ? (pictures_->*line)(by) : (hand_.*slot)(by);
   });
   return action;
 }
@@ -126,22 +129,23 @@ void ReviewPane::buildActions() {
   add("leaveJoin", tr("Leave merging and splitting"), {Qt::Key_Escape}, &ReviewPane::leave);
   for (int i = 0; i < 9; ++i)
     step("choose", tr("Candidate %1").arg(i + 1), QKeySequence(Qt::Key_1 + i), i,
-         &PairReviewModel::choose, nullptr);
-  step("startBefore", tr("Start point before"), Qt::Key_Left, -1, &PairReviewModel::stepStart,
+         &CardInHand::choose, nullptr);
+  step("startBefore", tr("Start point before"), Qt::Key_Left, -1, &CardInHand::stepStart,
        &PicturePair::moveLine);
-  step("startAfter", tr("Next start point"), Qt::Key_Right, 1, &PairReviewModel::stepStart,
+  step("startAfter", tr("Next start point"), Qt::Key_Right, 1, &CardInHand::stepStart,
        &PicturePair::moveLine);
-  step("sampleBefore", tr("One sample back"), Qt::SHIFT | Qt::Key_Left, -1,
-       &PairReviewModel::stepSample, &PicturePair::turnLine);
-  step("sampleAfter", tr("One sample on"), Qt::SHIFT | Qt::Key_Right, 1,
-       &PairReviewModel::stepSample, &PicturePair::turnLine);
+  step("sampleBefore", tr("One sample back"), Qt::SHIFT | Qt::Key_Left, -1, &CardInHand::stepSample,
+       &PicturePair::turnLine);
+  step("sampleAfter", tr("One sample on"), Qt::SHIFT | Qt::Key_Right, 1, &CardInHand::stepSample,
+       &PicturePair::turnLine);
   buildViewActions();
-  QAction* settle = act("settle", tr("Refine fit"), {Qt::Key_B}, &PairReviewModel::settle);
+  QAction* settle = keyed("settle", tr("Refine fit"), {Qt::Key_B});
+  connect(settle, &QAction::triggered, &hand_, &CardInHand::settle);
   settle->setIcon(icon(QStringLiteral("settle")));
   settle->setToolTip(tr("Refine the position by the fracture surfaces (B)"));
-  QAction* aside = act("aside", tr("Set aside"), {Qt::Key_S}, &PairReviewModel::setAside);
+  QAction* aside = act("aside", tr("Set aside"), {Qt::Key_S}, &PairReview::setAside);
   aside->setIcon(icon(QStringLiteral("aside")));
-  QAction* reshoot = act("reshoot", tr("Reshoot"), {Qt::Key_N}, &PairReviewModel::reshoot);
+  QAction* reshoot = act("reshoot", tr("Reshoot"), {Qt::Key_N}, &PairReview::reshoot);
   reshoot->setIcon(icon(QStringLiteral("camera")));
   buildPieceActions();
   tools_ = new ToolRow(this);
@@ -174,9 +178,9 @@ void ReviewPane::buildViewActions() {
   closed_ = toggle("closed", "model", tr("Model"), Qt::Key_V);
   connect(closed_, &QAction::triggered, this, [this](bool on) {
     if (on)
-      model_.fetchModel();
+      hand_.fetchModel();
     else
-      model_.fetchScans();
+      hand_.fetchScans();
   });
 }
 
@@ -191,13 +195,13 @@ void ReviewPane::buildPieceActions() {
   connect(pictures_, &PicturePair::cut, this,
           [this](bool front, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
             cut_->setChecked(false);
-            model_.split(front ? batch::Side::Front : batch::Side::Back, a, b);
+            review_.split(front ? batch::Side::Front : batch::Side::Back, a, b);
           });
   join_ = toggle("join", "join", tr("Merge"), Qt::Key_J);
   join_->setToolTip(
       tr("Merge two fragments of one sherd: then choose the other card (J fronts, Shift+J backs)"));
   joining_ =
-      new JoinMode(model_, *cards_, join_,
+      new JoinMode(review_, *cards_, join_,
                    toggle("joinBacks", "join", tr("Merge backs"), Qt::SHIFT | Qt::Key_J), this);
   connect(joining_, &JoinMode::changed, this, &ReviewPane::showCard);
   connect(cut_, &QAction::toggled, joining_, [this](bool on) {
@@ -288,16 +292,18 @@ void ReviewPane::buildLayout() {
 
 // A press that decided something ends by marking the card that was pressed; keys act on the other.
 void ReviewPane::markCard() {
-  const int row = model_.rowInHand();
+  const int row = hand_.row();
   if (row < 0 || joining_->isOn()) return;
-  cards_->selectionModel()->setCurrentIndex(model_.index(row), QItemSelectionModel::ClearAndSelect);
+  cards_->selectionModel()->setCurrentIndex(review_.cards().index(row),
+                                            QItemSelectionModel::ClearAndSelect);
 }
 
 void ReviewPane::showCard() {
-  const int row = model_.rowInHand();
-  if (row >= 0 && cards_->currentIndex().row() != row) cards_->setCurrentIndex(model_.index(row));
+  const int row = hand_.row();
+  if (row >= 0 && cards_->currentIndex().row() != row)
+    cards_->setCurrentIndex(review_.cards().index(row));
   QMetaObject::invokeMethod(this, &ReviewPane::markCard, Qt::QueuedConnection);
-  if (!model_.isOpen()) {
+  if (!review_.batch().isOpen()) {
     cut_->setChecked(false);  // what is opened next is asked anew
     joining_->leave();
     view_->clear();
@@ -309,21 +315,21 @@ void ReviewPane::showCard() {
 
 void ReviewPane::acceptMarked() {
   if (pictures_->isCutting()) return pictures_->cutHere();
-  joining_->isOn() ? joining_->takeMarked() : model_.accept();
+  joining_->isOn() ? joining_->takeMarked() : review_.accept();
 }
 
 void ReviewPane::next() {
   if (pictures_->isCutting()) return pictures_->takeOtherSide();
-  joining_->isOn() ? joining_->move(1) : model_.next();
+  joining_->isOn() ? joining_->move(1) : review_.next();
 }
 
 void ReviewPane::previous() {
   if (pictures_->isCutting()) return pictures_->takeOtherSide();
-  joining_->isOn() ? joining_->move(-1) : model_.previous();
+  joining_->isOn() ? joining_->move(-1) : review_.previous();
 }
 
 void ReviewPane::leave() {
-  if (model_.isSettling()) return model_.stopSettling();
+  if (hand_.isSettling()) return hand_.stopSettling();
   cut_->setChecked(false);
   joining_->leave();
 }
@@ -331,7 +337,7 @@ void ReviewPane::leave() {
 // The back moves under the eye, and its fracture's figures with it.
 void ReviewPane::showSettling(const Eigen::Isometry3d& front_from_back) {
   QStringList fractures;
-  for (const double fracture : model_.settlingRms()) fractures << mm(fracture, 2);
+  for (const double fracture : hand_.settlingRms()) fractures << mm(fracture, 2);
   figures_->setText(tr("Refining the fit, fracture gap %1. Esc stops.")
                         .arg(fractures.join(QStringLiteral(" → "))));
   if (!closed_->isChecked()) view_->setPose(front_from_back);
@@ -343,7 +349,7 @@ QString ReviewPane::words() const {
   if (pictures_->isCutting()) return pictures_->cutWords();
   if (view_->isMeasuring())
     return tr("Click on one end of the length on the sherd, then on the other. D ends.");
-  return model_.reason();
+  return hand_.reason();
 }
 
 // A length between sides that moved since is none.
@@ -354,18 +360,19 @@ void ReviewPane::forgetMeasured() {
 }
 
 void ReviewPane::showFigures() {
-  if (model_.trial().front_from_back.matrix() != measured_at_.matrix()) forgetMeasured();
+  if (hand_.trial().front_from_back.matrix() != measured_at_.matrix()) forgetMeasured();
   reason_->setText(words());
-  figures_->setText(model_.isSettling() ? tr("Comparing the fractures… Esc stops.")
-                                        : model_.figuresText());
+  figures_->setText(hand_.isSettling() ? tr("Comparing the fractures… Esc stops.")
+                                       : hand_.figuresText());
   // A missing name is said by the click, not by a dead button.
-  accept_->setEnabled(model_.isOpen() && model_.front() >= 0 && model_.trial().back >= 0);
-  accept_->setToolTip(model_.whyNotAccept());
-  if (model_.isOpen() && !closed_->isChecked()) view_->setPose(model_.trial().front_from_back);
+  accept_->setEnabled(review_.batch().isOpen() && hand_.front() >= 0 && hand_.trial().back >= 0);
+  accept_->setToolTip(review_.whyNotAccept());
+  if (review_.batch().isOpen() && !closed_->isChecked())
+    view_->setPose(hand_.trial().front_from_back);
 }
 
 void ReviewPane::showScene(const PairScene& scene) {
-  const auto& table = model_.live()->table();
+  const auto& table = review_.batch().table();
   view_->setUnitKnown(table.has_scale);
   const auto name = [](const std::vector<decisions::ScanRef>& scans, int i) {
     return plainNumber(scans, i);
@@ -397,12 +404,12 @@ void ReviewPane::colourFracture() {
 void ReviewPane::measure(const Eigen::Vector3d& point) {
   if (measured_.size() >= 2) measured_.clear();
   measured_.push_back(point);
-  measured_at_ = model_.trial().front_from_back;
+  measured_at_ = hand_.trial().front_from_back;
   if (measured_.size() < 2) return view_->setMeasure(point, point, tr("… and the other end"));
   const double length = review::length_mm(measured_[0], measured_[1]);
   view_->setMeasure(
       measured_[0], measured_[1],
-      model_.live()->table().has_scale ? mm(length, 1) : QLocale().toString(length, 'f', 1));
+      review_.batch().table().has_scale ? mm(length, 1) : QLocale().toString(length, 'f', 1));
 }
 
 }  // namespace ostraka::ui

@@ -12,10 +12,11 @@ namespace ostraka::ui {
 
 class BigButton;
 class CandidateBar;
+class CardInHand;
 class CardList;
 class JoinMode;
 class OutlinePlot;
-class PairReviewModel;
+class PairReview;
 class PicturePair;
 class SherdView;
 class ToolRow;
@@ -26,7 +27,7 @@ class ReviewPane final : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ReviewPane(PairReviewModel& model, QWidget* parent = nullptr);
+  explicit ReviewPane(PairReview& review, QWidget* parent = nullptr);
 
   SherdView& view() { return *view_; }
   BigButton* accept() const { return accept_; }
@@ -44,9 +45,9 @@ class ReviewPane final : public QWidget {
   void buildPieceActions();
   QAction* keyed(const char* name, const QString& text, const QList<QKeySequence>& keys);
   QAction* act(const char* name, const QString& text, const QList<QKeySequence>& keys,
-               void (PairReviewModel::*slot)());
+               void (PairReview::*slot)());
   QAction* step(const char* name, const QString& text, const QKeySequence& key, int by,
-                void (PairReviewModel::*slot)(int), void (PicturePair::*line)(int));
+                void (CardInHand::*slot)(int), void (PicturePair::*line)(int));
   QAction* toggle(const char* name, const QString& picture, const QString& text,
                   const QKeySequence& key);
   void showCard();
@@ -63,7 +64,8 @@ class ReviewPane final : public QWidget {
   void measure(const Eigen::Vector3d& point);
   void forgetMeasured();
 
-  PairReviewModel& model_;
+  PairReview& review_;
+  CardInHand& hand_;
   CardList* cards_ = nullptr;
   PicturePair* pictures_ = nullptr;
   OutlinePlot* plot_ = nullptr;

@@ -25,8 +25,8 @@
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/state_colours.h"
-#include "ui/review/free_words.h"
-#include "ui/review/pair_review_model.h"
+#include "ui/pairs/free_words.h"
+#include "ui/pairs/pair_review.h"
 #include "ui/review/review_pane.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -144,7 +144,7 @@ void ReviewScreen::showScale() {
             catalogue::Batches(session_->project().catalogue()).byNumber(batch_.toStdString()))
       doubts = wordsOf(batch->scale_doubts);
   doubts.replace(QLatin1Char('\n'), QLatin1Char(' '));
-  const bool none = model_->isOpen() && !model_->live()->table().has_scale;
+  const bool none = review_->batch().isOpen() && !review_->batch().table().has_scale;
   scale_words_->setText(
       none ? tr("%1 has no scale: no length shown here is in millimetres.").arg(batch_)
            : tr("No measurement of %1 is certain. %2").arg(batch_, doubts));
@@ -157,29 +157,29 @@ void ReviewScreen::showScale() {
 void ReviewScreen::openProject(ProjectSession& session) {
   closeProject();
   session_ = &session;
-  model_ = new PairReviewModel(session.jobs(), session.undo(), this);
-  pane_ = new ReviewPane(*model_, this);
+  review_ = new PairReview(session.jobs(), session.undo(), this);
+  pane_ = new ReviewPane(*review_, this);
   pane_->setCompact(compact_);
   layout()->addWidget(pane_);
   static_cast<QVBoxLayout*>(layout())->setStretchFactor(pane_, 1);
   setFocusProxy(pane_);
   person_->setText(session.initials());
-  model_->setPerson(session.initials());
-  connect(&session, &ProjectSession::initialsChanged, model_, &PairReviewModel::setPerson);
+  review_->setPerson(session.initials());
+  connect(&session, &ProjectSession::initialsChanged, review_, &PairReview::setPerson);
   connect(&session, &ProjectSession::initialsChanged, person_, &QLineEdit::setText);
   connect(&session, &ProjectSession::batchChanged, this, &ReviewScreen::follow);
   connect(&session, &ProjectSession::sherdsChanged, this, &ReviewScreen::nameSherds);
-  connect(model_, &PairReviewModel::waitingChanged, this, &Screen::waitingChanged);
-  connect(model_, &PairReviewModel::failed, this, &ReviewScreen::say);
-  connect(model_, &PairReviewModel::personWanted, this, [this] {
+  connect(review_, &PairReview::waitingChanged, this, &Screen::waitingChanged);
+  connect(review_, &PairReview::failed, this, &ReviewScreen::say);
+  connect(review_, &PairReview::personWanted, this, [this] {
     asked_ = message_->text();
     person_->setFocus();
   });
   connect(&session, &ProjectSession::initialsChanged, this, [this](const QString& initials) {
     if (!initials.isEmpty() && !asked_.isEmpty() && message_->text() == asked_) say({});
   });
-  connect(model_, &PairReviewModel::decided, this, &ReviewScreen::showApplied);
-  model_->setApply([this](const fs::path& output, decisions::PairDecision decision) {
+  connect(review_, &PairReview::decided, this, &ReviewScreen::showApplied);
+  review_->setApply([this](const fs::path& output, decisions::PairDecision decision) {
     if (!session_->hasProject()) return intake::applyToFileAlone(output, std::move(decision));
     return intake::applyDecision(session_->project().catalogue(), output.filename().string(),
                                  output, std::move(decision));
@@ -191,12 +191,12 @@ void ReviewScreen::openProject(ProjectSession& session) {
 void ReviewScreen::closeProject() {
   if (opening_) opening_->drop();
   if (pane_) pane_->deleteLater();
-  if (model_ != nullptr) {
-    model_->close();
-    model_->deleteLater();
+  if (review_ != nullptr) {
+    review_->close();
+    review_->deleteLater();
   }
   if (session_) disconnect(session_, nullptr, this, nullptr);
-  model_ = nullptr;
+  review_ = nullptr;
   session_.clear();
   elsewhere_ = 0;
   batch_.clear();
@@ -233,7 +233,7 @@ void ReviewScreen::showItem(const QString& batch) {
 
 void ReviewScreen::openOutput(const QString& batch) {
   if (!session_ || batch.isEmpty()) return;
-  model_->close();  // nothing is to be decided on what is no longer meant
+  review_->close();  // nothing is to be decided on what is no longer meant
   batch_ = batch;
   stamp_ = stampOf(batch);
   emit whereChanged();
@@ -258,12 +258,12 @@ void ReviewScreen::openOutput(const QString& batch) {
 }
 
 void ReviewScreen::showOpened(const OpenedBatch& opened) {
-  model_->open(opened);
+  review_->open(opened);
   showScale();
   nameSherds();
-  compute_->setVisible(model_->wantsComputing());
+  compute_->setVisible(review_->batch().wantsComputing());
   if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
-  for (const std::string& warning : model_->review().warnings) say(wordsOf(warning));
+  for (const std::string& warning : review_->batch().review().warnings) say(wordsOf(warning));
   if (!opened.caught_up) say(sentenceOf(opened.caught_up.error()));
   if (!opened.caught_up || *opened.caught_up == 0) return;
   const Result<bool> settled =
@@ -289,8 +289,8 @@ void ReviewScreen::compute() {
 // The decision is taken; what it did is said.
 void ReviewScreen::showApplied(const fs::path& output, const intake::AppliedDecision& applied) {
   const QString batch = QString::fromStdString(output.filename().string());
-  if (model_->shows(output))
-    compute_->setVisible(model_->wantsComputing());
+  if (review_->batch().isIn(output))
+    compute_->setVisible(review_->batch().wantsComputing());
   else
     openOutput(batch);  // where the change is visible
   say(appliedWords(applied));
@@ -333,10 +333,11 @@ QString ReviewScreen::appliedWords(const intake::AppliedDecision& applied) const
 
 // What the catalogue calls the sherds on the cards.
 void ReviewScreen::nameSherds() {
-  if (!session_ || !session_->hasProject() || model_ == nullptr || !model_->isOpen()) return;
+  if (!session_ || !session_->hasProject() || review_ == nullptr || !review_->batch().isOpen())
+    return;
   const intake::PlateSherds sherds(session_->project().catalogue(), batch_.toStdString());
   QHash<int, QString> numbers;
-  const std::vector<decisions::ScanRef>& fronts = model_->live()->table().fronts;
+  const std::vector<decisions::ScanRef>& fronts = review_->batch().table().fronts;
   for (std::size_t i = 0; i < fronts.size(); ++i)
     if (const auto* sherd = sherds.at(fronts[i].place_mm); sherd && !sherd->number.empty())
       numbers.insert(static_cast<int>(i), QString::fromStdString(sherd->number));
@@ -344,7 +345,7 @@ void ReviewScreen::nameSherds() {
       numbers.insert(static_cast<int>(i), QCoreApplication::translate("ostraka::ui", "%1 in %2")
                                               .arg(QString::fromStdString(again->number),
                                                    QString::fromStdString(again->batch_number)));
-  model_->setNumbers(numbers);
+  review_->cards().setNumbers(numbers);
 }
 
 // A sherd that lost its back lost its model. When the pair is again as it was computed, its results
@@ -406,7 +407,7 @@ void ReviewScreen::takeChosen(const QString& what) {
 
 // Of all batches: what is not opened yet waits as well.
 int ReviewScreen::waiting() const {
-  return (model_ != nullptr ? model_->waiting() : 0) + elsewhere_;
+  return (review_ != nullptr ? review_->waiting() : 0) + elsewhere_;
 }
 
 void ReviewScreen::countElsewhere() {

@@ -7,7 +7,7 @@
 #include "intake/apply_decision.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
-#include "ui/review/review_work.h"
+#include "ui/pairs/review_work.h"
 
 class QComboBox;
 class QFrame;
@@ -18,7 +18,7 @@ class QPushButton;
 namespace ostraka::ui {
 
 class EmptyState;
-class PairReviewModel;
+class PairReview;
 class ReviewPane;
 
 /// The screen Review: which batch, who decides, and the pane.
@@ -44,7 +44,7 @@ class ReviewScreen final : public Screen {
   QString whereWords() const override;
   void takeChosen(const QString& what) override;
 
-  PairReviewModel* model() const { return model_; }
+  PairReview* review() const { return review_; }
 
  public slots:
   void showItem(const QString& batch) override;
@@ -77,7 +77,7 @@ class ReviewScreen final : public Screen {
   QPushButton* compute_ = nullptr;
   QFrame* scale_ = nullptr;  ///< what holds the batch, besides its pairs
   QLabel* scale_words_ = nullptr;
-  PairReviewModel* model_ = nullptr;
+  PairReview* review_ = nullptr;
   QPointer<ReviewPane> pane_;
   EmptyState* empty_ = nullptr;
   QPushButton* to_capture_ = nullptr;

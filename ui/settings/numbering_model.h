@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/result.h"
+#include "ui/jobs/job.h"
 
 namespace ostraka::ui {
 
-class JobHandle;
 class ProjectSession;
 
 /// How the sherds of the open project are numbered from now on: the scheme with the live example of

@@ -2,7 +2,12 @@
 #include "catalogue/batches.h"
 #include "fake_rig.h"
 #include "records/records.h"
+#include "ui/capture/batch_description.h"
+#include "ui/capture/capture_text.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/capture/plate_pictures.h"
+#include "ui/capture/rig_connection.h"
+#include "ui/capture/side_progress.h"
 #include "ui/frame/project_session.h"
 #include "upkeep/project.h"
 
@@ -30,6 +35,7 @@ struct Bench {
   FakeRig rig;
   ProjectSession session;
   CaptureWizard wizard;
+  CaptureText text{wizard};
 };
 
 }  // namespace ostraka::ui

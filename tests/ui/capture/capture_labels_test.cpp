@@ -50,19 +50,19 @@ class CaptureLabelsTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.preview = pictureOfLabel(kLabel4);
-    QSignalSpy read(&bench.wizard, &CaptureWizard::placeRead);
-    bench.wizard.setLive(true);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    QSignalSpy read(bench.wizard.description(), &BatchDescription::placeRead);
+    bench.wizard.pictures()->setLive(true);
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(read.count(), 1);
-    QCOMPARE(bench.wizard.place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
-    QCOMPARE(bench.wizard.place().typed(), QStringLiteral("ARM1-T3-0012-4"));
+    QCOMPARE(bench.wizard.description()->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(bench.wizard.description()->place().typed(), QStringLiteral("ARM1-T3-0012-4"));
     // What is typed now stays, though the label still lies there.
-    bench.wizard.setPlace(*readPlaceText("ARM1-T3-0013-1"));
-    QSignalSpy looked(&bench.wizard, &CaptureWizard::liveChanged);
+    bench.wizard.description()->setPlace(*readPlaceText("ARM1-T3-0013-1"));
+    QSignalSpy looked(bench.wizard.pictures(), &PlatePictures::changed);
     QTRY_VERIFY(looked.count() >= 2);
-    QCOMPARE(bench.wizard.place().context, QStringLiteral("0013"));
+    QCOMPARE(bench.wizard.description()->place().context, QStringLiteral("0013"));
     QCOMPARE(read.count(), 1);
-    bench.wizard.setLive(false);
+    bench.wizard.pictures()->setLive(false);
   }
 
   // That of the bag before still lies at the edge of the plate.
@@ -70,29 +70,29 @@ class CaptureLabelsTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.preview = pictureOfLabels({kLabel4, kLabel5});
-    QSignalSpy read(&bench.wizard, &CaptureWizard::placeRead);
-    QSignalSpy said(&bench.wizard, &CaptureWizard::said);
-    bench.wizard.setLive(true);
-    bench.wizard.setRig(sourceOf(bench.rig));
-    QTRY_VERIFY(bench.wizard.live().has_value());
-    QCOMPARE(bench.wizard.live()->codes.size(), 2);
-    QSignalSpy looked(&bench.wizard, &CaptureWizard::liveChanged);
+    QSignalSpy read(bench.wizard.description(), &BatchDescription::placeRead);
+    QSignalSpy said(bench.wizard.description(), &BatchDescription::said);
+    bench.wizard.pictures()->setLive(true);
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
+    QTRY_VERIFY(bench.wizard.pictures()->live().has_value());
+    QCOMPARE(bench.wizard.pictures()->live()->codes.size(), 2);
+    QSignalSpy looked(bench.wizard.pictures(), &PlatePictures::changed);
     QTRY_VERIFY(looked.count() >= 2);
     QCOMPARE(read.count(), 0);
-    QVERIFY(bench.wizard.place().isEmpty());
+    QVERIFY(bench.wizard.description()->place().isEmpty());
     QCOMPARE(said.count(), 1);
     QVERIFY(said[0][0].toString().contains("ARM1 / T3 / 0012 bag 4, ARM1 / T3 / 0012 bag 5"));
     bench.rig.preview = pictureOfLabel(kLabel5);
     QTRY_COMPARE(read.count(), 1);
-    QCOMPARE(bench.wizard.place().bag, QStringLiteral("5"));
+    QCOMPARE(bench.wizard.description()->place().bag, QStringLiteral("5"));
   }
 
   void aLabelThatWasTakenAwayIsReadAgain() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.preview = pictureOfLabel(kLabel4);
-    bench.wizard.setLive(true);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.pictures()->setLive(true);
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     const auto photographAPlate = [&] {
       bench.wizard.next();
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
@@ -102,32 +102,32 @@ class CaptureLabelsTest : public QObject {
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     };
     const auto look = [&](int times) {
-      const QSignalSpy looked(&bench.wizard, &CaptureWizard::liveChanged);
+      const QSignalSpy looked(bench.wizard.pictures(), &PlatePictures::changed);
       QTRY_VERIFY(looked.count() >= times);
     };
-    QTRY_COMPARE(bench.wizard.place().bag, QStringLiteral("4"));
-    bench.wizard.setPlace(*readPlaceText("ARM1-T3-0099-1"));
+    QTRY_COMPARE(bench.wizard.description()->place().bag, QStringLiteral("4"));
+    bench.wizard.description()->setPlace(*readPlaceText("ARM1-T3-0099-1"));
     photographAPlate();
     look(2);  // it lies there all the time: nobody laid it there for this plate
-    QCOMPARE(bench.wizard.place().context, QStringLiteral("0099"));
+    QCOMPARE(bench.wizard.description()->place().context, QStringLiteral("0099"));
     bench.rig.preview = pictureOfLabel("no label");
     look(6);
     photographAPlate();
-    QCOMPARE(bench.wizard.place().context, QStringLiteral("0099"));
+    QCOMPARE(bench.wizard.description()->place().context, QStringLiteral("0099"));
     bench.rig.preview = pictureOfLabel(kLabel4);
-    QTRY_COMPARE(bench.wizard.place().context, QStringLiteral("0012"));
+    QTRY_COMPARE(bench.wizard.description()->place().context, QStringLiteral("0012"));
   }
 
   void anyOtherCodeIsNoPlace() {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.preview = pictureOfLabel("https://example.org/ARM1-T3-0012-4");
-    bench.wizard.setLive(true);
-    bench.wizard.setRig(sourceOf(bench.rig));
-    QTRY_VERIFY(bench.wizard.live().has_value());
-    QCOMPARE(bench.wizard.live()->codes.size(), 1);
-    QVERIFY(bench.wizard.place().isEmpty());
-    bench.wizard.setLive(false);
+    bench.wizard.pictures()->setLive(true);
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
+    QTRY_VERIFY(bench.wizard.pictures()->live().has_value());
+    QCOMPARE(bench.wizard.pictures()->live()->codes.size(), 1);
+    QVERIFY(bench.wizard.description()->place().isEmpty());
+    bench.wizard.pictures()->setLive(false);
   }
 
  private:

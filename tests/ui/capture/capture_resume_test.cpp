@@ -26,16 +26,16 @@ class CaptureResumeTest : public QObject {
     QString number;
     {
       Bench bench(folder(), jobs);
-      bench.wizard.setRig(sourceOf(bench.rig));
+      bench.wizard.rig()->choose(sourceOf(bench.rig));
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
       bench.wizard.next();
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-      number = bench.wizard.batchNumber();
+      number = bench.wizard.batch().number();
     }
     Bench again(folder(), jobs);
-    again.wizard.setRig(sourceOf(again.rig));
+    again.wizard.rig()->choose(sourceOf(again.rig));
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
-    QCOMPARE(again.wizard.batchNumber(), number);
+    QCOMPARE(again.wizard.batch().number(), number);
     again.wizard.next();
     QTRY_COMPARE(again.batch().state, BatchState::Queued);
     QCOMPARE(again.rig.shot, std::vector<batch::Side>{batch::Side::Back});
@@ -46,9 +46,9 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     {
       Bench bench(folder(), jobs);
-      bench.wizard.setRig(sourceOf(bench.rig));
+      bench.wizard.rig()->choose(sourceOf(bench.rig));
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-      bench.wizard.setCounted(8);
+      bench.wizard.description()->setCounted(8);
       bench.wizard.next();
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
       QCOMPARE(bench.wizard.doubts().size(), 1);
@@ -60,14 +60,14 @@ class CaptureResumeTest : public QObject {
               .has_value());
     {
       Bench again(folder(), jobs);
-      again.wizard.setRig(sourceOf(again.rig));
+      again.wizard.rig()->choose(sourceOf(again.rig));
       QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
       QTRY_COMPARE(again.wizard.doubts().size(), 1);
       QVERIFY(again.wizard.doubts()[0].contains("You counted 8"));
     }
     Bench again(folder(), jobs);
     again.rig.back = 7;
-    again.wizard.setRig(sourceOf(again.rig));
+    again.wizard.rig()->choose(sourceOf(again.rig));
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
     again.wizard.next();  // at once
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Done);
@@ -81,7 +81,7 @@ class CaptureResumeTest : public QObject {
     Bench bench(folder(), jobs);
     RigSource source = sourceOf(bench.rig);
     source.anew_for_each_batch = true;
-    bench.wizard.setRig(source);
+    bench.wizard.rig()->choose(source);
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     QCOMPARE(bench.rig.opened_for, 1);
     records::BatchRecord imported;
@@ -97,7 +97,7 @@ class CaptureResumeTest : public QObject {
     QCOMPARE(bench.rig.opened_for, 3);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-    QCOMPARE(bench.wizard.batchNumber(), QStringLiteral("B0003"));
+    QCOMPARE(bench.wizard.batch().number(), QStringLiteral("B0003"));
     QCOMPARE(bench.rig.opened_for, 3);
   }
 
@@ -105,7 +105,7 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     const std::filesystem::path place = folder() / "open", moved = folder() / "moved";
     Bench bench(place, jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
@@ -123,13 +123,13 @@ class CaptureResumeTest : public QObject {
   void aWrongBagIsMendedAfterTheFronts() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setPlace({"ARM1", "T3", "0012", "4"});
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.description()->setPlace({"ARM1", "T3", "0012", "4"});
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     QVERIFY(bench.wizard.canDescribe());
-    bench.wizard.setPlace({"ARM1", "T3", "0012", "5"});
+    bench.wizard.description()->setPlace({"ARM1", "T3", "0012", "5"});
     bench.wizard.next();
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
     QVERIFY(!bench.wizard.canDescribe());
@@ -144,25 +144,25 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     {
       Bench bench(folder(), jobs);
-      bench.wizard.setPlace({"ARM1", "T3", "0012", "4"});
-      bench.wizard.setRig(sourceOf(bench.rig));
+      bench.wizard.description()->setPlace({"ARM1", "T3", "0012", "4"});
+      bench.wizard.rig()->choose(sourceOf(bench.rig));
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
       bench.wizard.next();
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     }
     Bench again(folder(), jobs);
-    again.wizard.setPlace({"ARM1", "T3", "0099", "1"});  // as the window kept it
-    QSignalSpy read(&again.wizard, &CaptureWizard::placeRead);
-    again.wizard.setRig(sourceOf(again.rig));
+    again.wizard.description()->setPlace({"ARM1", "T3", "0099", "1"});  // as the window kept it
+    QSignalSpy read(again.wizard.description(), &BatchDescription::placeRead);
+    again.wizard.rig()->choose(sourceOf(again.rig));
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
-    QCOMPARE(again.wizard.place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(again.wizard.description()->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
     QCOMPARE(read.count(), 1);
   }
 
   void aBatchThatNobodyWantsGivesWayAndCanComeBack() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     QVERIFY(!bench.wizard.canSetAside());
     bench.wizard.next();
@@ -173,11 +173,11 @@ class CaptureResumeTest : public QObject {
     connect(&bench.wizard, &CaptureWizard::batchSetAside, &queue, &BatchQueue::setAside);
     bench.wizard.setAside();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    QCOMPARE(bench.wizard.batchNumber(), QString());
+    QCOMPARE(bench.wizard.batch().number(), QString());
     QCOMPARE(bench.batch().state, BatchState::Failed);
     queue.retry(QStringLiteral("B0001"));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-    QCOMPARE(bench.wizard.batchNumber(), QStringLiteral("B0001"));
+    QCOMPARE(bench.wizard.batch().number(), QStringLiteral("B0001"));
   }
 
   void ofTwoUnfinishedBatchesTheOtherOneWaits() {
@@ -186,7 +186,7 @@ class CaptureResumeTest : public QObject {
     records::BatchRecord other;
     other.state = BatchState::Front;
     QVERIFY(catalogue::Batches(bench.session.project().catalogue()).add(other, {}).has_value());
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);  // B0001 goes on
     BatchQueue queue;
     queue.setSession(&bench.session);
@@ -195,23 +195,23 @@ class CaptureResumeTest : public QObject {
     const int opened = bench.rig.opened;
     bench.wizard.setAside();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    QCOMPARE(bench.wizard.batchNumber(), QString());
+    QCOMPARE(bench.wizard.batch().number(), QString());
     QCOMPARE(bench.rig.opened, opened + 1);
-    bench.wizard.setPlace({"ARM1", "T3", "0012", "4"});
+    bench.wizard.description()->setPlace({"ARM1", "T3", "0012", "4"});
     bench.session.tellBatchChanged("B0001");  // any batch: what lies here is nobody else's
-    QCOMPARE(bench.wizard.batchNumber(), QString());
-    QCOMPARE(bench.wizard.place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(bench.wizard.batch().number(), QString());
+    QCOMPARE(bench.wizard.description()->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
   }
 
   void aMendedBagIsTheBatchsAtOnce() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setPlace({"ARM1", "T3", "0012", "4"});
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.description()->setPlace({"ARM1", "T3", "0012", "4"});
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-    bench.wizard.setPlace({"ARM1", "T3", "0013", "1"});
+    bench.wizard.description()->setPlace({"ARM1", "T3", "0013", "1"});
     bench.wizard.keepDescribed();
     const auto number =
         sherds::wholeNumber(bench.session.project().catalogue(), bench.batch().row, "7");
@@ -223,42 +223,42 @@ class CaptureResumeTest : public QObject {
     {
       Bench bench(folder(), jobs);
       bench.rig.refuse_shoot = Error::cancelled();
-      bench.wizard.setRig(sourceOf(bench.rig));
+      bench.wizard.rig()->choose(sourceOf(bench.rig));
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
       bench.wizard.next();
       QTRY_VERIFY(bench.wizard.fault().has_value());
-      QVERIFY(!bench.wizard.instruction().contains("Hands off"));
+      QVERIFY(!bench.text.instruction().contains("Hands off"));
     }
     const std::filesystem::path side = folder() / "batches" / "B0001" / "front";
     Bench again(folder(), jobs);
     const RigSource source = sourceOf(again.rig);
     std::filesystem::create_directories(side);
-    again.wizard.setRig(source);
+    again.wizard.rig()->choose(source);
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Place);  // nothing was taken yet
-    const int cameras = again.wizard.cameras();
+    const int cameras = again.wizard.rig()->cameras();
     for (int camera = 0; camera < cameras; ++camera)
       for (const char* stop : {"00", "01"})
         QVERIFY(writeFileAtomically(
                     side / ("cam" + std::to_string(camera) + "_pos" + stop + ".jpg"), "x")
                     .has_value());
-    again.wizard.setRig(source);
+    again.wizard.rig()->choose(source);
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::ShootFront);
     QVERIFY(again.wizard.fault().has_value());
     QVERIFY2(QString::fromStdString(again.wizard.fault()->what)
                  .contains(QString::number(2 * cameras) + " photograph"),
              again.wizard.fault()->what.c_str());
-    QCOMPARE(again.wizard.stopsDone(), 2);
-    QCOMPARE(again.wizard.shots().size(), static_cast<std::size_t>(2 * cameras));
-    QCOMPARE(again.wizard.buttonText(), QStringLiteral("Resume at position 3"));
+    QCOMPARE(again.wizard.side()->stopsDone(), 2);
+    QCOMPARE(again.wizard.side()->shots().size(), static_cast<std::size_t>(2 * cameras));
+    QCOMPARE(again.text.button(), QStringLiteral("Resume at position 3"));
     again.wizard.next();
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
-    QCOMPARE(again.wizard.batchNumber(), QStringLiteral("B0001"));
+    QCOMPARE(again.wizard.batch().number(), QStringLiteral("B0001"));
   }
 
   void aBatchThatTheCatalogueDoesNotTakeIsNotSaidToBeQueued() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
@@ -285,38 +285,38 @@ class CaptureResumeTest : public QObject {
   void aRigThatChangesInMidShootWaitsForTheSideToEnd() {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.rig.wait_for_stop = true;
     bench.wizard.next();
     RigSource renewed = sourceOf(bench.rig);
     renewed.words = "renewed";
-    bench.wizard.setRig(renewed);
+    bench.wizard.rig()->choose(renewed);
     QCOMPARE(bench.wizard.phase(), CapturePhase::ShootFront);
     QCOMPARE(bench.rig.opened, 1);  // its devices belong to the photographs that are being taken
-    QVERIFY(bench.wizard.isBusy());
+    QVERIFY(bench.wizard.rig()->isBusy());
     bench.wizard.stop();  // and Esc still reaches the table
     QCOMPARE(bench.rig.stopped.load(), 1);
-    QTRY_COMPARE(bench.wizard.rigWords(), QStringLiteral("renewed"));
+    QTRY_COMPARE(bench.wizard.rig()->source().words, QStringLiteral("renewed"));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     QCOMPARE(bench.rig.opened, 2);
-    QCOMPARE(bench.wizard.batchNumber(), QStringLiteral("B0001"));  // the same batch goes on
+    QCOMPARE(bench.wizard.batch().number(), QStringLiteral("B0001"));  // the same batch goes on
   }
 
   void aRigThatIsTakenAwayInMidShootLeavesNoPhaseWithoutABatch() {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.rig.wait_for_stop = true;
     bench.wizard.next();
-    bench.wizard.clearRig();
+    bench.wizard.rig()->clear();
     QCOMPARE(bench.wizard.phase(), CapturePhase::ShootFront);
     bench.rig.wait_for_stop = false;
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::NoRig);
     QCOMPARE(bench.batch().state, BatchState::Front);
-    QVERIFY(!bench.wizard.isBusy());
-    bench.wizard.setRig(sourceOf(bench.rig));
+    QVERIFY(!bench.wizard.rig()->isBusy());
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
   }
 
@@ -324,11 +324,11 @@ class CaptureResumeTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.ask = true;  // and nobody answers
-    bench.wizard.setRig(sourceOf(bench.rig));
-    QTRY_VERIFY(!bench.wizard.question().isEmpty());
-    bench.wizard.clearRig();
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
+    QTRY_VERIFY(!bench.wizard.rig()->question().isEmpty());
+    bench.wizard.rig()->clear();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::NoRig);
-    QVERIFY(!bench.wizard.isBusy());
+    QVERIFY(!bench.wizard.rig()->isBusy());
     QVERIFY(!bench.wizard.fault());
   }
 
@@ -336,7 +336,7 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer.", "rig"};
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_VERIFY(bench.wizard.fault().has_value());
@@ -363,14 +363,14 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.back = 8;
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
     QVERIFY(!bench.wizard.doubts().isEmpty());
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
     QCOMPARE(bench.batch().state, BatchState::Back);  // nobody has said that it is right
     QVERIFY(!bench.wizard.doubts().isEmpty());
@@ -381,7 +381,7 @@ class CaptureResumeTest : public QObject {
     {
       Bench bench(folder(), jobs);
       bench.rig.back = 8;
-      bench.wizard.setRig(sourceOf(bench.rig));
+      bench.wizard.rig()->choose(sourceOf(bench.rig));
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
       bench.wizard.next();
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
@@ -389,7 +389,7 @@ class CaptureResumeTest : public QObject {
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
     }
     Bench again(folder(), jobs);
-    again.wizard.setRig(sourceOf(again.rig));
+    again.wizard.rig()->choose(sourceOf(again.rig));
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Done);
     QCOMPARE(again.batch().state, BatchState::Back);
     QVERIFY2(again.wizard.doubts().join(' ').contains("B0001"),
@@ -402,7 +402,7 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     {
       Bench bench(folder(), jobs);
-      bench.wizard.setRig(sourceOf(bench.rig));
+      bench.wizard.rig()->choose(sourceOf(bench.rig));
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
       bench.wizard.next();
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
@@ -412,16 +412,16 @@ class CaptureResumeTest : public QObject {
           catalogue::Batches(bench.session.project().catalogue()).add(imported, {}).has_value());
     }
     Bench again(folder(), jobs);
-    again.wizard.setRig(sourceOf(again.rig));
+    again.wizard.rig()->choose(sourceOf(again.rig));
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
-    QCOMPARE(again.wizard.batchNumber(), QStringLiteral("B0001"));
+    QCOMPARE(again.wizard.batch().number(), QStringLiteral("B0001"));
   }
 
   // The project is closed in the moment in which its job ends.
   void aJobThatEndsAsTheProjectClosesSaysNothingMore() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     // Behind the job itself, before its end is told.
@@ -430,7 +430,7 @@ class CaptureResumeTest : public QObject {
     QTRY_COMPARE(bench.rig.asked.size(), std::size_t{1});
     QTest::qWait(0);
     QCOMPARE(bench.wizard.phase(), CapturePhase::NoRig);
-    QVERIFY(!bench.wizard.isBusy());
+    QVERIFY(!bench.wizard.rig()->isBusy());
     QCOMPARE(bench.batch().state, BatchState::Placed);
   }
 

@@ -10,6 +10,7 @@
 #include "fake_rig.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/capture/rig_connection.h"
 #include "ui/capture/rig_page.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
@@ -59,7 +60,7 @@ class CaptureRigTest : public QObject {
   }
 
   void aBadRigFileLeavesTheWorkingRigItsPlaceAndSaysWhy() {
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     const QString file = folder_->filePath("RIG.json");
     QFile bad(file);
@@ -90,7 +91,7 @@ class CaptureRigTest : public QObject {
   // Whatever screen the person is on.
   void theStatusBarSaysThatThePlateIsPhotographed() {
     const QSignalSpy working(screen_.get(), &Screen::working);
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     QCOMPARE(working.count(), 0);
     QTest::keyClick(screen_.get(), Qt::Key_Space);

@@ -1,5 +1,6 @@
 // The wizard's screen by keys, with a rig that answers as the test says.
 #include "ui/capture/capture_screen.h"
+#include "ui/capture/batch_description.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -26,6 +27,8 @@
 #include "ui/capture/import_ask.h"
 #include "ui/capture/number_edit.h"
 #include "ui/capture/place_edit.h"
+#include "ui/capture/plate_pictures.h"
+#include "ui/capture/rig_connection.h"
 #include "ui/capture/sherd_numbers.h"
 #include "ui/capture/stop_board.h"
 #include "ui/frame/big_button.h"
@@ -88,11 +91,11 @@ class CaptureScreenTest : public QObject {
   }
 
   void spaceIsTheNextThingUntilTheBatchIsQueued() {
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
-    QCOMPARE(child<QLabel>("captureHeadline")->text(), wizard_->headline());
+    QCOMPARE(child<QLabel>("captureHeadline")->text(), CaptureText(*wizard_).headline());
     QTest::mouseClick(child<BigButton>("captureButton"), Qt::LeftButton);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Done);
     QCOMPARE(child<QLabel>("captureHeadline")->text(), QStringLiteral("You may clear the plate."));
@@ -105,13 +108,13 @@ class CaptureScreenTest : public QObject {
   }
 
   void aSpaceTypedIntoTheBagIsNoShot() {
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     auto* bag = child<QLineEdit>("capturePlace");
     bag->setFocus();
     QTest::keyClicks(bag, "ARM1 T3 0012 4");
     QCOMPARE(wizard_->phase(), CapturePhase::Place);
-    QCOMPARE(wizard_->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(wizard_->description()->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
     QTest::keyClick(bag, Qt::Key_Return);
     QVERIFY(!bag->hasFocus());
     QTest::keyClick(screen_.get(), Qt::Key_Space);
@@ -119,7 +122,7 @@ class CaptureScreenTest : public QObject {
   }
 
   void whatNamesNoBagIsNotPhotographedUnderIt() {
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     auto* bag = child<QLineEdit>("capturePlace");
     bag->setFocus();
@@ -141,7 +144,7 @@ class CaptureScreenTest : public QObject {
     QVERIFY(bagRowOf(session_->project().catalogue(), {"ARM1", "T3", "0012", "4"}, {}).has_value());
     screen_->closeProject();
     screen_->openProject(*session_);
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     auto* place = child<QLineEdit>("capturePlace");
     auto* note = child<QLabel>("capturePlaceNote");
@@ -155,19 +158,19 @@ class CaptureScreenTest : public QObject {
     QTest::keyClick(place, Qt::Key_Escape);
     QCOMPARE(place->text(), QStringLiteral("ARM1-T3-0012-4"));
     QCOMPARE(note->text(), QString());
-    QCOMPARE(wizard_->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(wizard_->description()->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
     QCOMPARE(catalogue::Places(session_->project().catalogue()).sites()->size(), std::size_t{1});
   }
 
   void theSherdsAreCountedByKeysAndSpaceIsStillTheNextThing() {
     rig_->front = 11;
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     QTest::keyClick(screen_.get(), Qt::Key_S);
     QWidget* count = child<QSpinBox>("captureCounted");
     QTRY_VERIFY(count->hasFocus());
     QTest::keyClicks(count, "12");
-    QCOMPARE(wizard_->counted(), 12);
+    QCOMPARE(wizard_->batch().counted(), 12);
     QTest::keyClick(screen_->window()->focusWidget(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
     auto* doubts = child<MessagePanel>("captureDoubts");
@@ -180,7 +183,7 @@ class CaptureScreenTest : public QObject {
   }
 
   void aFaultTakesThePlaceOfTheButtonAndSpaceTriesAgain() {
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     rig_->refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer at stop 5.", "rig"};
     QTest::keyClick(screen_.get(), Qt::Key_Space);
@@ -195,7 +198,7 @@ class CaptureScreenTest : public QObject {
   }
 
   void aCameraThatTheDesktopHoldsIsReleasedByTheOneButton() {
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     rig_->refuse_shoot = Error{ErrorCode::Missing, "Camera B is held by another program.", "7"};
     rig_->holders = {"gvfsd-gphoto2 (77)"};
@@ -255,7 +258,7 @@ class CaptureScreenTest : public QObject {
   }
   void whoReadThatAnImportFailedShootsNothing() {
     QFETCH(bool, at_flip);
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     if (at_flip) QTest::keyClick(screen_.get(), Qt::Key_Space);
     const CapturePhase phase = at_flip ? CapturePhase::Flip : CapturePhase::Place;
@@ -270,7 +273,7 @@ class CaptureScreenTest : public QObject {
     QTest::mouseClick(shownMessage()->findChild<BigButton*>("messageAct"), Qt::LeftButton);
     QVERIFY(shownMessage() == nullptr);
     QTest::qWait(0);
-    QVERIFY(!wizard_->isBusy());
+    QVERIFY(!wizard_->rig()->isBusy());
     QCOMPARE(wizard_->phase(), phase);
     QCOMPARE(rig_->asked.size(), shot);
   }
@@ -351,11 +354,11 @@ class CaptureScreenTest : public QObject {
 
   void anotherRigIsNotToBeHadWhileThePlateIsPhotographed() {
     auto* another = child<QAction>("changeRig");
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     QVERIFY(another->isEnabled());
     wizard_->next();
-    QVERIFY(wizard_->isBusy());
+    QVERIFY(wizard_->rig()->isBusy());
     QVERIFY(!another->isEnabled());
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
     QVERIFY(another->isEnabled());
@@ -363,7 +366,7 @@ class CaptureScreenTest : public QObject {
 
   void aDoubtIsShownAndRTakesItAgain() {
     rig_->flagged = {{0, 1}};
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
     QTest::keyClick(screen_.get(), Qt::Key_Space);
     auto* doubts = child<MessagePanel>("captureDoubts");
@@ -374,13 +377,13 @@ class CaptureScreenTest : public QObject {
   }
 
   void theKeysOfTheCamerasChooseTheLivePicture() {
-    wizard_->setRig(sourceOf(*rig_));
+    wizard_->rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
-    QCOMPARE(wizard_->camera(), 2);
+    QCOMPARE(wizard_->pictures()->camera(), 2);
     QTest::keyClick(screen_.get(), Qt::Key_A);
-    QCOMPARE(wizard_->camera(), 0);
+    QCOMPARE(wizard_->pictures()->camera(), 0);
     QTest::keyClick(screen_.get(), Qt::Key_B);
-    QCOMPARE(wizard_->camera(), 1);
+    QCOMPARE(wizard_->pictures()->camera(), 1);
   }
 
   void numbersTypedOnTheFrontsAreKeptWithTheBatch() {

@@ -40,7 +40,7 @@ class CaptureTypingTest : public QObject {
 
   void aHalfTypedBagIsNotDroppedByTryingAgain() {
     RigSource source = sourceOf(bench_->rig);
-    wizard().setRig(source);
+    wizard().rig()->choose(source);
     shootTheFronts();
     bench_->rig.refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer.", "rig"};
     QTest::keyClick(screen_.get(), Qt::Key_Space);
@@ -59,7 +59,7 @@ class CaptureTypingTest : public QObject {
 
   void aHalfTypedBagIsNotDroppedByPhotographingAgain() {
     bench_->rig.back = 8;  // of nine
-    wizard().setRig(sourceOf(bench_->rig));
+    wizard().rig()->choose(sourceOf(bench_->rig));
     shootTheFronts();
     QTest::keyClick(screen_.get(), Qt::Key_Space);
     auto* doubts = child<MessagePanel>("captureDoubts");
@@ -77,7 +77,7 @@ class CaptureTypingTest : public QObject {
   }
 
   void aNumberThatStandsInItsLineIsKeptWhenTheProjectCloses() {
-    wizard().setRig(sourceWithPicture());
+    wizard().rig()->choose(sourceWithPicture());
     shootTheFronts();
     auto* line = child<QLineEdit>("sherdNumber");
     QTRY_VERIFY(line->isVisible());
@@ -92,7 +92,7 @@ class CaptureTypingTest : public QObject {
   }
 
   void numbersThatAChangedBagLeavesBehindAreToldUntilTheyAreSettled() {
-    wizard().setRig(sourceWithPicture());
+    wizard().rig()->choose(sourceWithPicture());
     shootTheFronts();
     auto* line = child<QLineEdit>("sherdNumber");
     QTRY_VERIFY(line->isVisible());

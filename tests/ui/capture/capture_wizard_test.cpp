@@ -30,8 +30,8 @@ class CaptureWizardTest : public QObject {
     else
       jobs = std::make_unique<InlineJobRunner>();
     Bench bench(folder(), *jobs);
-    bench.wizard.setPlace(*readPlaceText("ARM1-T3-0012-4"));
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.description()->setPlace(*readPlaceText("ARM1-T3-0012-4"));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     QSignalSpy queued(&bench.wizard, &CaptureWizard::batchQueued);
     bench.wizard.next();
@@ -44,13 +44,13 @@ class CaptureWizardTest : public QObject {
     QCOMPARE(bench.batch().state, BatchState::Queued);
     QCOMPARE(bench.batch().counted, 9);
     QCOMPARE(bench.rig.placed, (std::vector<batch::Side>{batch::Side::Front, batch::Side::Back}));
-    QCOMPARE(bench.wizard.headline(), QStringLiteral("You may clear the plate."));
-    const QString first = bench.wizard.batchNumber();
+    QCOMPARE(bench.text.headline(), QStringLiteral("You may clear the plate."));
+    const QString first = bench.wizard.batch().number();
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-    QVERIFY(bench.wizard.batchNumber() != first);
+    QVERIFY(bench.wizard.batch().number() != first);
     QCOMPARE(bench.rig.opened, 1);  // a real rig stays open
   }
 
@@ -59,15 +59,15 @@ class CaptureWizardTest : public QObject {
     Bench bench(folder(), jobs);
     bench.rig.refuse_open = Error{ErrorCode::Missing, "It is held.", "camera B"};
     bench.rig.holders = {"gvfsd-gphoto2 (77)"};
-    bench.wizard.setRig(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.holders(), QStringList{QStringLiteral("gvfsd-gphoto2 (77)")});
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.wizard.rig()->holders(), QStringList{QStringLiteral("gvfsd-gphoto2 (77)")});
     QVERIFY(bench.wizard.fault().has_value());
-    QCOMPARE(bench.wizard.buttonText(), QStringLiteral("Release camera"));
+    QCOMPARE(bench.text.button(), QStringLiteral("Release camera"));
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     QCOMPARE(bench.rig.released, 1);
     QCOMPARE(bench.rig.opened, 2);
-    QVERIFY(bench.wizard.holders().isEmpty());
+    QVERIFY(bench.wizard.rig()->holders().isEmpty());
   }
 
   void aDesktopThatDoesNotLetGoIsSaidAndAskedAgain() {
@@ -76,13 +76,13 @@ class CaptureWizardTest : public QObject {
     bench.rig.refuse_open = Error{ErrorCode::Missing, "It is held.", "camera B"};
     bench.rig.holders = {"gvfsd-gphoto2 (77)"};
     bench.rig.stubborn = true;
-    bench.wizard.setRig(sourceOf(bench.rig));
-    QTRY_VERIFY(!bench.wizard.holders().isEmpty());
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
+    QTRY_VERIFY(!bench.wizard.rig()->holders().isEmpty());
     bench.wizard.next();
     QTRY_VERIFY(bench.wizard.fault() && bench.wizard.fault()->where == "D3200");
-    QCOMPARE(bench.wizard.buttonText(), QStringLiteral("Try again"));
+    QCOMPARE(bench.text.button(), QStringLiteral("Try again"));
     bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.buttonText(), QStringLiteral("Release camera"));
+    QTRY_COMPARE(bench.text.button(), QStringLiteral("Release camera"));
     QCOMPARE(bench.rig.opened, 2);
   }
 
@@ -90,7 +90,7 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.holders = {"gvfsd-gphoto2 (77)"};  // of a telephone, say
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.rig.refuse_shoot = Error{ErrorCode::CannotWrite, "The disk is full.", "batch"};
     bench.wizard.next();
@@ -104,7 +104,7 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.refuse_open = Error{ErrorCode::Missing, "It does not answer.", "camera B"};
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_VERIFY(bench.wizard.fault().has_value());
     QVERIFY(bench.wizard.canGoOn());
     bench.rig.refuse_open.reset();
@@ -116,18 +116,18 @@ class CaptureWizardTest : public QObject {
   void aRigThatDoesNotOpenLeavesItsPlaceToTheOneThatWorked() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     std::optional<Error> why_not;
-    connect(&bench.wizard, &CaptureWizard::rigTried, this, [&](const std::optional<Error>& why) {
+    connect(bench.wizard.rig(), &RigConnection::tried, this, [&](const std::optional<Error>& why) {
       if (why) why_not = why;
     });
     FakeRig bad;
     bad.refuse_open = Error{ErrorCode::UnusableInput, "It is not a rig.", "RIG.json"};
     for (const bool by_way_of_the_page : {false, true}) {
       why_not.reset();
-      if (by_way_of_the_page) bench.wizard.clearRig();
-      bench.wizard.setRig(sourceOf(bad));
+      if (by_way_of_the_page) bench.wizard.rig()->clear();
+      bench.wizard.rig()->choose(sourceOf(bad));
       QTRY_VERIFY(why_not.has_value());
       QCOMPARE(why_not->where, std::string("RIG.json"));
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
@@ -135,21 +135,21 @@ class CaptureWizardTest : public QObject {
     }
     QCOMPARE(bad.opened, 2);
     QCOMPARE(bench.rig.opened, 3);
-    bench.wizard.clearRig();
-    QVERIFY(bench.wizard.canKeepRig());
-    bench.wizard.keepRig();
+    bench.wizard.rig()->clear();
+    QVERIFY(bench.wizard.rig()->canRestore());
+    bench.wizard.rig()->restore();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    QVERIFY(!bench.wizard.canKeepRig());
+    QVERIFY(!bench.wizard.rig()->canRestore());
   }
 
   void theHeadlineOfARigThatDoesNotOpenSaysSo() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.refuse_open = Error{ErrorCode::UnusableInput, "It is not a rig.", "RIG.json"};
-    bench.wizard.setRig(sourceOf(bench.rig));
-    QCOMPARE(bench.wizard.headline(), QStringLiteral("Opening the rig"));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
+    QCOMPARE(bench.text.headline(), QStringLiteral("Opening the rig"));
     QTRY_VERIFY(bench.wizard.fault().has_value());
-    QCOMPARE(bench.wizard.headline(), QStringLiteral("The rig does not open"));
+    QCOMPARE(bench.text.headline(), QStringLiteral("The rig does not open"));
   }
 
   void aRigThatTurnsItsSherdsAsksNobodyToTurnThem() {
@@ -157,12 +157,12 @@ class CaptureWizardTest : public QObject {
     Bench bench(folder(), jobs);
     RigSource source = sourceOf(bench.rig);
     source.turns_sherds = true;
-    bench.wizard.setRig(source);
+    bench.wizard.rig()->choose(source);
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-    QVERIFY2(bench.wizard.headline().contains("virtual rig"), qPrintable(bench.wizard.headline()));
-    QCOMPARE(bench.wizard.buttonText(), QStringLiteral("Shoot the backs"));
+    QVERIFY2(bench.text.headline().contains("virtual rig"), qPrintable(bench.text.headline()));
+    QCOMPARE(bench.text.button(), QStringLiteral("Shoot the backs"));
   }
 
   void aWaitSaysForWhichPhotographs() {
@@ -176,10 +176,10 @@ class CaptureWizardTest : public QObject {
     };
     QStringList buttons, headlines;
     connect(&bench.wizard, &CaptureWizard::changed, this, [&] {
-      buttons << bench.wizard.buttonText();
-      headlines << bench.wizard.headline();
+      buttons << bench.text.button();
+      headlines << bench.text.headline();
     });
-    bench.wizard.setRig(source);
+    bench.wizard.rig()->choose(source);
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
@@ -193,7 +193,7 @@ class CaptureWizardTest : public QObject {
   void aFaultSaysWhatIsSafeAndTheSameKeyGoesOn() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.rig.refuse_shoot =
         Error{ErrorCode::Missing, "Camera B did not answer at stop 5. Check its cable.", ""};
@@ -210,11 +210,11 @@ class CaptureWizardTest : public QObject {
   void escapeStopsTheTableAtOnce() {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.rig.wait_for_stop = true;
     bench.wizard.next();
-    QVERIFY(bench.wizard.isBusy());
+    QVERIFY(bench.wizard.rig()->isBusy());
     bench.wizard.stop();
     QCOMPARE(bench.rig.stopped.load(), 1);
     QTRY_VERIFY(bench.wizard.fault().has_value());
@@ -228,14 +228,14 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.back = 8;
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
     QVERIFY(!bench.wizard.doubts().isEmpty());
-    QVERIFY(bench.wizard.headline() != QStringLiteral("You may clear the plate."));
+    QVERIFY(bench.text.headline() != QStringLiteral("You may clear the plate."));
     QCOMPARE(bench.batch().state, BatchState::Back);
     bench.rig.back = 9;
     bench.wizard.again();
@@ -248,17 +248,17 @@ class CaptureWizardTest : public QObject {
   void aSideThatIsPhotographedAgainAfterItWasQueuedIsQueuedOnceMore() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     bench.wizard.next();
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
-    const QString number = bench.wizard.batchNumber();
+    const QString number = bench.wizard.batch().number();
     bench.rig.back = 8;
     // Nobody doubted them: one key puts nothing away.
     bench.wizard.again();
-    QVERIFY(!bench.wizard.isBusy());
+    QVERIFY(!bench.wizard.rig()->isBusy());
     QVERIFY(bench.wizard.doubts().join(' ').contains("once more"));
     QCOMPARE(bench.batch().state, BatchState::Queued);
     bench.wizard.again();
@@ -267,20 +267,20 @@ class CaptureWizardTest : public QObject {
     QCOMPARE(bench.batch().state, BatchState::Back);
     bench.wizard.next();
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
-    QCOMPARE(bench.wizard.batchNumber(), number);
+    QCOMPARE(bench.wizard.batch().number(), number);
   }
 
   void whoStillHasTheSherdsInHandIsToldThatTheyAreComputed() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     bench.wizard.next();
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
     const auto told = [&] {
-      for (const CaptureFact& fact : bench.wizard.facts())
+      for (const CaptureFact& fact : bench.text.facts())
         if (fact.words.contains("review")) return true;
       return false;
     };
@@ -289,7 +289,7 @@ class CaptureWizardTest : public QObject {
     QVERIFY(catalogue::Batches(bench.session.project().catalogue())
                 .setState(bench.batch().row, BatchState::Review, {})
                 .has_value());
-    bench.session.tellBatchChanged(bench.wizard.batchNumber());
+    bench.session.tellBatchChanged(bench.wizard.batch().number());
     QCOMPARE(changed.count(), 1);
     QVERIFY(told());
   }
@@ -298,41 +298,41 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.front = 8;
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.setCounted(9);
+    bench.wizard.description()->setCounted(9);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     QCOMPARE(bench.wizard.doubts().size(), 1);
     QVERIFY(bench.wizard.doubts()[0].contains("9") && bench.wizard.doubts()[0].contains("8"));
     bench.rig.front = 9;  // it lay under another
     bench.wizard.again();
-    QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.isBusy());
+    QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.rig()->isBusy());
     bench.wizard.next();
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
     QCOMPARE(bench.batch().counted, 9);
     // The next plate is counted anew.
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    QCOMPARE(bench.wizard.counted(), 0);
+    QCOMPARE(bench.wizard.batch().counted(), 0);
   }
 
   void aSlipInTheCountIsMendedAfterTheFronts() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.setCounted(8);
+    bench.wizard.description()->setCounted(8);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     QCOMPARE(bench.wizard.doubts().size(), 1);
-    bench.wizard.setCounted(10);
+    bench.wizard.description()->setCounted(10);
     QVERIFY(bench.wizard.doubts()[0].contains("look for one that hides"));
-    bench.wizard.setCounted(7);
+    bench.wizard.description()->setCounted(7);
     QCOMPARE(bench.wizard.doubts().size(), 1);
     QVERIFY(bench.wizard.doubts()[0].contains("7"));
     QVERIFY2(bench.wizard.doubts()[0].contains("mend the count"), "none hides of seven");
-    bench.wizard.setCounted(9);
+    bench.wizard.description()->setCounted(9);
     QVERIFY(bench.wizard.doubts().isEmpty());
     bench.wizard.next();
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
@@ -342,15 +342,15 @@ class CaptureWizardTest : public QObject {
   void aCountThatIsStillOtherOnTheBackKeepsThePlate() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.setCounted(10);
+    bench.wizard.description()->setCounted(10);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
     QCOMPARE(bench.wizard.doubts().size(), 1);
-    QVERIFY(bench.wizard.headline() != QStringLiteral("You may clear the plate."));
+    QVERIFY(bench.text.headline() != QStringLiteral("You may clear the plate."));
     bench.wizard.next();  // the person says that it is right
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
     QCOMPARE(bench.batch().counted, 10);  // what the scans are compared with
@@ -360,27 +360,27 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     {
       Bench bench(folder(), jobs);
-      bench.wizard.setRig(sourceOf(bench.rig));
+      bench.wizard.rig()->choose(sourceOf(bench.rig));
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-      bench.wizard.setCounted(10);
-      bench.wizard.setPlace(*readPlaceText("ARM1-T3-0012-4"));
+      bench.wizard.description()->setCounted(10);
+      bench.wizard.description()->setPlace(*readPlaceText("ARM1-T3-0012-4"));
       bench.wizard.next();
       QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-      bench.wizard.setPlace({});  // another bag is half typed
-      bench.wizard.setCounted(11);
+      bench.wizard.description()->setPlace({});  // another bag is half typed
+      bench.wizard.description()->setCounted(11);
     }
     Bench again(folder(), jobs);
-    again.wizard.setRig(sourceOf(again.rig));
+    again.wizard.rig()->choose(sourceOf(again.rig));
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
-    QCOMPARE(again.wizard.counted(), 11);
-    QCOMPARE(again.wizard.place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
+    QCOMPARE(again.wizard.batch().counted(), 11);
+    QCOMPARE(again.wizard.description()->place(), (PlaceText{"ARM1", "T3", "0012", "4"}));
   }
 
   void aBlurredPhotographIsNamedAndOnlyItIsTakenAgain() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.flagged = {{0, 1}};
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
@@ -388,7 +388,7 @@ class CaptureWizardTest : public QObject {
     QVERIFY(bench.wizard.doubts()[0].contains("B"));
     QVERIFY(bench.wizard.doubts()[0].contains("1"));
     bench.wizard.again();
-    QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.isBusy());
+    QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.rig()->isBusy());
     QCOMPARE(bench.rig.asked.back().retake, (std::vector<capture::ShotName>{{0, 1}}));
   }
 
@@ -398,12 +398,12 @@ class CaptureWizardTest : public QObject {
     Bench bench(folder(), jobs);
     bench.rig.flagged = {{0, 1}};
     bench.rig.lies_wrongly = true;
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     bench.wizard.again();
-    QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.isBusy());
+    QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.rig()->isBusy());
     QCOMPARE(bench.rig.asked.back().retake.size(), std::size_t{24});
     // A blurred photograph beside a sherd that is missing: somebody will lay it down.
     bench.rig.flagged = {{0, 1}};
@@ -421,9 +421,9 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.front = 8;
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.setCounted(9);
+    bench.wizard.description()->setCounted(9);
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
     bench.rig.front = 9;
@@ -440,8 +440,8 @@ class CaptureWizardTest : public QObject {
   void aBagThatLacksItsContextIsRefusedBeforeAnythingIsShot() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setPlace({"ARM1", "", "", "4"});
-    bench.wizard.setRig(sourceOf(bench.rig));
+    bench.wizard.description()->setPlace({"ARM1", "", "", "4"});
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
     bench.wizard.next();
     QVERIFY(bench.wizard.fault().has_value());
@@ -452,22 +452,22 @@ class CaptureWizardTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.ask = true;
-    bench.wizard.setRig(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.headline(), QStringLiteral("Switch the table on."));
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
+    QTRY_COMPARE(bench.text.headline(), QStringLiteral("Switch the table on."));
     QVERIFY(bench.wizard.canGoOn());
     bench.wizard.next();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    QVERIFY(bench.wizard.question().isEmpty());
+    QVERIFY(bench.wizard.rig()->question().isEmpty());
   }
 
   void aCameraWithoutALivePictureIsNoFault() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.setRig(sourceOf(bench.rig));
-    bench.wizard.setLive(true);
+    bench.wizard.rig()->choose(sourceOf(bench.rig));
+    bench.wizard.pictures()->setLive(true);
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    QTRY_VERIFY(!bench.wizard.facts().empty());
-    QVERIFY(bench.wizard.facts()[0].good);
+    QTRY_VERIFY(!bench.text.facts().empty());
+    QVERIFY(bench.text.facts()[0].good);
     QVERIFY(!bench.wizard.fault());
   }
 

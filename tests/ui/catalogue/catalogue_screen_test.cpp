@@ -25,8 +25,8 @@
 #include "store/database.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/model_pane.h"
-#include "ui/catalogue/sherd_edits.h"
 #include "ui/frame/look.h"
+#include "ui/sherds/sherd_edits.h"
 #include "ui/viewport/sherd_view.h"
 
 using namespace ostraka;

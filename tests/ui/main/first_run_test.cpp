@@ -22,6 +22,7 @@
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
+#include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
 #include "upkeep/project.h"
 
@@ -105,7 +106,7 @@ class FirstRunTest : public QObject {
       qInfo("%s", qPrintable(wizard.doubts().join(QLatin1Char('\n'))));
       space(window);
     }
-    QTRY_VERIFY(window.queue()->isBusy());
+    QTRY_VERIFY(window.queue()->computation()->isBusy());
   }
 
   void killInTheMiddle(const QString& folder, const fs::path& results) {

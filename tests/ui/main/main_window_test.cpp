@@ -22,6 +22,7 @@
 #include "ui/main/main_window.h"
 #include "ui/main/project_lock.h"
 #include "ui/main/start_screen.h"
+#include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
 #include "upkeep/project.h"
 
@@ -157,8 +158,8 @@ class MainWindowTest : public QObject {
     const auto may_end = std::make_shared<std::atomic<bool>>(false);
     const auto at_the_end = qScopeGuard([may_end] { *may_end = true; });
     MainWindow window(jobs_);
-    window.queue()->setWork([=](const intake::ComputeOptions&, Progress&,
-                                std::stop_token) -> Result<intake::BatchFigures> {
+    window.queue()->computation()->setWork([=](const intake::ComputeOptions&, Progress&,
+                                               std::stop_token) -> Result<intake::BatchFigures> {
       *computing = true;
       while (!*may_end) std::this_thread::yield();  // a stage that ends its work
       return Error::cancelled();
@@ -170,11 +171,11 @@ class MainWindowTest : public QObject {
     window.openProject(other);
     QVERIFY(window.session() != nullptr);
     window.closeProject();
-    QVERIFY(window.queue()->isLeaving());
+    QVERIFY(window.queue()->computation()->isLeaving());
     QVERIFY(ProjectLock::take(folder_) == nullptr);
     QVERIFY(ProjectLock::take(other) != nullptr);
     *may_end = true;
-    QTRY_VERIFY(!window.queue()->isLeaving());
+    QTRY_VERIFY(!window.queue()->computation()->isLeaving());
     QVERIFY(ProjectLock::take(folder_) != nullptr);
   }
 

@@ -21,7 +21,10 @@
 #include "catalogue/batches.h"
 #include "catalogue/settings.h"
 #include "person.h"
+#include "ui/capture/batch_description.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/capture/plate_pictures.h"
+#include "ui/capture/side_progress.h"
 #include "ui/frame/look.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/page_area.h"
@@ -32,6 +35,7 @@
 #include "ui/main/new_project.h"
 #include "ui/main/project_lock.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/queue/queue_switches.h"
 #include "ui/viewport/sherd_view.h"
 #include "upkeep/project.h"
 
@@ -110,7 +114,7 @@ class ScreensTest : public QObject {
     QCOMPARE(inHand(), QStringLiteral("capturePlace"));
     type("ARM7 T3 0012 4");
     press(Qt::Key_Return);
-    QCOMPARE(window_->wizard()->place().typed(), QStringLiteral("ARM7-T3-0012-4"));
+    QCOMPARE(window_->wizard()->description()->place().typed(), QStringLiteral("ARM7-T3-0012-4"));
   }
 
   void theKeysGoFromScreenToScreen() {
@@ -320,13 +324,13 @@ class ScreensTest : public QObject {
     activate(*window_);
     openVirtual();
     QTRY_COMPARE_WITH_TIMEOUT(window_->wizard()->phase(), CapturePhase::Place, 60000);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->live().has_value(), 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->pictures()->live().has_value(), 60000);
     if (given.isEmpty()) addBatches();
     for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight}) {
       look(theme);
       picture(theme, "start", [this] { window_->closeProject(); });
       openVirtual();
-      QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->live().has_value(), 60000);
+      QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->pictures()->live().has_value(), 60000);
       for (const Screen* screen : window_->screens())
         picture(theme, screen->iconName(), [this, screen] { showScreen(screen->iconName()); });
       picture(theme, "drawing", [this] {
@@ -366,7 +370,7 @@ class ScreensTest : public QObject {
   // One of each state, so that the queue shows what it can.
   void addBatches() {
     catalogue::Catalogue& rows = window_->session()->project().catalogue();
-    window_->queue()->setPaused(true);
+    window_->queue()->switches()->setPaused(true);
     for (const records::BatchState state :
          {records::BatchState::Done, records::BatchState::Review, records::BatchState::Failed,
           records::BatchState::Queued}) {
@@ -411,7 +415,7 @@ class ScreensTest : public QObject {
   void picturesOfACapture() {
     constexpr int kLong_ms = 1200000;
     CaptureWizard& wizard = *window_->wizard();
-    window_->queue()->setPaused(true);
+    window_->queue()->switches()->setPaused(true);
     showScreen("capture");
     const auto all = [&](const QString& screen) {
       for (const Theme theme : {Theme::Light, Theme::Dark, Theme::Sunlight}) {
@@ -420,7 +424,7 @@ class ScreensTest : public QObject {
       }
     };
     wizard.next();
-    QTRY_VERIFY_WITH_TIMEOUT(wizard.stopsDone() >= 3, kLong_ms);
+    QTRY_VERIFY_WITH_TIMEOUT(wizard.side()->stopsDone() >= 3, kLong_ms);
     all("capture-shoot");
     QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Flip, kLong_ms);
     all("capture-flip");

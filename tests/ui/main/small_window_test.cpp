@@ -12,12 +12,15 @@
 #include "sherds/sherds.h"
 #include "synthetic_out.h"
 #include "ui/capture/capture_wizard.h"
+#include "ui/capture/plate_pictures.h"
+#include "ui/capture/rig_connection.h"
 #include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/queue/queue_switches.h"
 #include "ui/viewport/sherd_view.h"
 #include "upkeep/project.h"
 
@@ -116,16 +119,16 @@ class SmallWindowTest : public QObject {
     CaptureWizard& wizard = *window_->wizard();
     rig_ = std::make_unique<FakeRig>();
     rig_->preview = pictureOfAPlate();
-    wizard.setRig(sourceOf(*rig_));
+    wizard.rig()->choose(sourceOf(*rig_));
     QTRY_COMPARE(wizard.phase(), CapturePhase::Place);
-    QTRY_VERIFY(wizard.live().has_value());  // the picture is there
+    QTRY_VERIFY(wizard.pictures()->live().has_value());  // the picture is there
     QTRY_VERIFY2(isInSight(capture->primary()), qPrintable(reportOf(*capture)));
     rig_->refuse_shoot = Error{ErrorCode::Failed,
                                "Camera B did not answer at position 5. Check its cable, then press "
                                "Space.",
                                "camera B"};
     wizard.next();
-    QTRY_VERIFY(wizard.fault().has_value() && !wizard.isBusy());
+    QTRY_VERIFY(wizard.fault().has_value() && !wizard.rig()->isBusy());
     QTRY_VERIFY2(isInSight(capture->primary()), qPrintable(reportOf(*capture)));
     wizard.next();
     QTRY_COMPARE(wizard.phase(), CapturePhase::Flip);
@@ -185,7 +188,7 @@ class SmallWindowTest : public QObject {
     activate(*window_);
     window_->openProject(home_->path("Hill"));
     QVERIFY(window_->session() != nullptr);
-    window_->queue()->setPaused(true);
+    window_->queue()->switches()->setPaused(true);
     QCOMPARE(window_->size(), kSmall);
   }
 

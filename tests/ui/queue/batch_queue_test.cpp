@@ -28,7 +28,7 @@ class BatchQueueTest : public QObject {
   void whatNobodyWantsIsSetAsideAndComesBackByComputingIt() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.queue.setWork([](const ComputeOptions&, Progress&, std::stop_token) -> Computed {
+    bench.setWork([](const ComputeOptions&, Progress&, std::stop_token) -> Computed {
       return Error{ErrorCode::NotEnough, "No plate is seen.", {}};
     });
     const QString number = addBatch(bench.session, BatchState::Queued);
@@ -84,7 +84,7 @@ class BatchQueueTest : public QObject {
                                           QAbstractItemModelTester::FailureReportingMode::QtTest);
     bench.queue.setSession(&bench.session);
     QTRY_COMPARE(bench.computed, (QStringList{first, second}));
-    QTRY_VERIFY(!bench.queue.isBusy());
+    QTRY_VERIFY(!bench.queue.computation()->isBusy());
     QCOMPARE(bench.queue.row(0).number, open);
     QCOMPARE(bench.queue.row(0).state, QueueState::Shooting);
     QCOMPARE(bench.queue.row(2).number, first);
@@ -124,7 +124,7 @@ class BatchQueueTest : public QObject {
     {
       Bench bench(folder(), jobs);
       number = addBatch(bench.session, BatchState::Queued);
-      bench.queue.setWork([&](const ComputeOptions&, Progress&, std::stop_token) -> Computed {
+      bench.setWork([&](const ComputeOptions&, Progress&, std::stop_token) -> Computed {
         catalogue::Catalogue& rows = bench.session.project().catalogue();
         records::BatchRecord record = *catalogue::Batches(rows).byNumber(number.toStdString());
         record.state = BatchState::Review;
@@ -154,7 +154,7 @@ class BatchQueueTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     QVector<bool> drafts;
-    bench.queue.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
+    bench.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
       drafts << options.draft;
       catalogue::Catalogue& rows = bench.session.project().catalogue();
       records::BatchRecord record = *catalogue::Batches(rows).byNumber(options.number);
@@ -167,7 +167,7 @@ class BatchQueueTest : public QObject {
       return figures;
     });
     bench.queue.setSession(&bench.session);
-    bench.queue.setMakesDrafts(true);
+    bench.queue.switches()->setMakesDrafts(true);
     const QString number = addBatch(bench.session, BatchState::Queued);
     bench.session.tellBatchChanged(number);
     QTRY_COMPARE(drafts, QVector<bool>{true});
@@ -180,7 +180,7 @@ class BatchQueueTest : public QObject {
     QTRY_VERIFY(!words().contains(QLatin1String("draft")));
     Bench again(folder(), jobs);
     again.queue.setSession(&again.session);
-    QVERIFY2(again.queue.makesDrafts(), "the project remembers it");
+    QVERIFY2(again.queue.switches()->makesDrafts(), "the project remembers it");
   }
 
   // Who photographs wants to see the sherds before they go back into their bag.
@@ -189,8 +189,8 @@ class BatchQueueTest : public QObject {
     Bench bench(folder(), jobs);
     std::mutex guard;
     QStringList begun;
-    bench.queue.setWork([&](const ComputeOptions& options, Progress& progress,
-                            std::stop_token stop) -> Computed {
+    bench.setWork([&](const ComputeOptions& options, Progress& progress,
+                      std::stop_token stop) -> Computed {
       bool endless = false;
       {
         const std::lock_guard lock(guard);
@@ -215,7 +215,7 @@ class BatchQueueTest : public QObject {
       return begun;
     };
     bench.queue.setSession(&bench.session);
-    bench.queue.setMakesDrafts(true);
+    bench.queue.switches()->setMakesDrafts(true);
     const QString first = addBatch(bench.session, BatchState::Queued);
     bench.session.tellBatchChanged(first);
     QTRY_COMPARE(bench.queue.row(0).state, QueueState::Review);
@@ -234,7 +234,7 @@ class BatchQueueTest : public QObject {
   void aBumpedCameraIsNamedUntilTheRigIsCalibratedAgain() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.queue.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
+    bench.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
       catalogue::Catalogue& rows = bench.session.project().catalogue();
       (void)catalogue::Batches(rows).setState(
           catalogue::Batches(rows).byNumber(options.number)->row, BatchState::Done, {});
@@ -272,7 +272,7 @@ class BatchQueueTest : public QObject {
     {
       Bench bench(folder(), jobs);
       bench.queue.setSession(&bench.session);
-      bench.queue.setPaused(true);
+      bench.queue.switches()->setPaused(true);
       number = addBatch(bench.session, BatchState::Queued);
       bench.session.tellBatchChanged(number);
       QCoreApplication::processEvents();
@@ -280,9 +280,9 @@ class BatchQueueTest : public QObject {
     }
     Bench again(folder(), jobs);
     again.queue.setSession(&again.session);
-    QVERIFY(again.queue.isPaused());
+    QVERIFY(again.queue.switches()->isPaused());
     QVERIFY(again.queue.workWords().contains(QLatin1String("1")));
-    again.queue.setPaused(false);
+    again.queue.switches()->setPaused(false);
     QTRY_COMPARE(again.computed, QStringList{number});
   }
 
@@ -297,7 +297,7 @@ class BatchQueueTest : public QObject {
     QString number;
     {
       Bench bench(folder(), jobs);
-      bench.queue.setWork(endless);
+      bench.setWork(endless);
       number = addBatch(bench.session, BatchState::Queued);
       bench.queue.setSession(&bench.session);
       QTRY_COMPARE(begun.load(), 1);
@@ -314,8 +314,7 @@ class BatchQueueTest : public QObject {
     std::atomic<bool> begun = false, go = false;
     {
       Bench bench(folder(), jobs);
-      bench.queue.setWork([&](const ComputeOptions& options, Progress&,
-                              std::stop_token) -> Computed {
+      bench.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
         begun = true;
         while (!go) std::this_thread::yield();  // too far on to be stopped
         auto project = upkeep::Project::open(options.project);
@@ -328,7 +327,7 @@ class BatchQueueTest : public QObject {
       QTRY_VERIFY(begun);
       bench.queue.setSession(nullptr);
       go = true;
-      QTRY_VERIFY(!bench.queue.isLeaving());
+      QTRY_VERIFY(!bench.queue.computation()->isLeaving());
     }
     Bench again(folder(), jobs);
     again.queue.setSession(&again.session);
@@ -341,7 +340,7 @@ class BatchQueueTest : public QObject {
     ThreadedJobRunner jobs;
     std::atomic<int> at_once = 0, most = 0, begun = 0;
     Bench bench(folder(), jobs);
-    bench.queue.setWork([&](const ComputeOptions&, Progress&, std::stop_token stop) -> Computed {
+    bench.setWork([&](const ComputeOptions&, Progress&, std::stop_token stop) -> Computed {
       most = std::max(most.load(), ++at_once);
       ++begun;
       while (!stop.stop_requested()) std::this_thread::yield();
@@ -362,7 +361,7 @@ class BatchQueueTest : public QObject {
     Bench bench(folder(), jobs);
     const QString bad = addBatch(bench.session, BatchState::Queued);
     const QString good = addBatch(bench.session, BatchState::Queued);
-    bench.queue.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
+    bench.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
       if (QString::fromStdString(options.number) == bad)
         return Error{ErrorCode::UnusableInput, "Only two markers are seen; shoot it again.",
                      "front/cam1_pos03.jpg"};
@@ -389,7 +388,7 @@ class BatchQueueTest : public QObject {
     Bench bench(folder(), jobs);
     const QString number = addBatch(bench.session, BatchState::Queued);
     bool full = true;
-    bench.queue.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
+    bench.setWork([&](const ComputeOptions& options, Progress&, std::stop_token) -> Computed {
       if (full) return Error{ErrorCode::CannotWrite, "The disk is full.", "OUT"};
       bench.computed << QString::fromStdString(options.number);
       (void)catalogue::Batches(bench.session.project().catalogue())
@@ -399,12 +398,12 @@ class BatchQueueTest : public QObject {
       return BatchFigures{};
     });
     bench.queue.setSession(&bench.session);
-    QTRY_VERIFY(!bench.queue.trouble().isEmpty());
-    QVERIFY(bench.queue.isPaused());
+    QTRY_VERIFY(!bench.queue.switches()->trouble().isEmpty());
+    QVERIFY(bench.queue.switches()->isPaused());
     QCOMPARE(stateOf(bench.session, number), BatchState::Queued);
     full = false;
-    bench.queue.setPaused(false);
-    QVERIFY(bench.queue.trouble().isEmpty());
+    bench.queue.switches()->setPaused(false);
+    QVERIFY(bench.queue.switches()->trouble().isEmpty());
     QTRY_COMPARE(bench.computed, QStringList{number});
   }
 
@@ -413,7 +412,7 @@ class BatchQueueTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     std::atomic<int> begun = 0;
-    bench.queue.setWork([&](const ComputeOptions&, Progress&, std::stop_token stop) -> Computed {
+    bench.setWork([&](const ComputeOptions&, Progress&, std::stop_token stop) -> Computed {
       ++begun;
       while (!stop.stop_requested()) std::this_thread::yield();
       return Error{ErrorCode::UnusableInput, "A photograph is gone.", {}};
@@ -427,7 +426,7 @@ class BatchQueueTest : public QObject {
                           BatchState::Flipped, {})
                 .has_value());
     bench.session.tellBatchChanged(number);
-    QTRY_VERIFY(!bench.queue.isBusy());
+    QTRY_VERIFY(!bench.queue.computation()->isBusy());
     QCOMPARE(stateOf(bench.session, number), BatchState::Flipped);
     QCOMPARE(bench.queue.row(0).state, QueueState::Shooting);
   }
@@ -444,16 +443,16 @@ class BatchQueueTest : public QObject {
             "SELECT RAISE(ABORT, 'no'); END")
         .run();
     int begun = 0;
-    bench.queue.setWork([&begun](const ComputeOptions&, Progress&, std::stop_token) -> Computed {
+    bench.setWork([&begun](const ComputeOptions&, Progress&, std::stop_token) -> Computed {
       ++begun;
       return Error{ErrorCode::NotEnough, "There are no photographs.", "B0001"};
     });
     bench.queue.setSession(&bench.session);
-    QTRY_VERIFY(!bench.queue.trouble().isEmpty());
+    QTRY_VERIFY(!bench.queue.switches()->trouble().isEmpty());
     QCOMPARE(begun, 1);
-    QVERIFY(bench.queue.isPaused());
+    QVERIFY(bench.queue.switches()->isPaused());
     database.sql("DROP TRIGGER refuses").run();
-    bench.queue.setPaused(false);
+    bench.queue.switches()->setPaused(false);
     QTRY_COMPARE(stateOf(bench.session, number), BatchState::Failed);
     QCOMPARE(begun, 2);
   }
@@ -462,7 +461,7 @@ class BatchQueueTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     std::atomic<int> begun = 0;
-    bench.queue.setWork([&](const ComputeOptions&, Progress&, std::stop_token stop) -> Computed {
+    bench.setWork([&](const ComputeOptions&, Progress&, std::stop_token stop) -> Computed {
       ++begun;
       while (!stop.stop_requested()) std::this_thread::yield();
       return Error::cancelled();
@@ -477,7 +476,7 @@ class BatchQueueTest : public QObject {
     bench.queue.retry(number);
     QTRY_COMPARE(begun.load(), 2);
     bench.queue.cancel(number);
-    QTRY_VERIFY(!bench.queue.isBusy());
+    QTRY_VERIFY(!bench.queue.computation()->isBusy());
   }
 
   void everyStageOfTheChainHasWordsOfItsOwn() {

@@ -5,7 +5,9 @@
 #include "catalogue/batches.h"
 #include "records/records.h"
 #include "ui/frame/project_session.h"
+#include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/queue/queue_switches.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
@@ -40,8 +42,8 @@ inline BatchState stateOf(ProjectSession& session, const QString& number) {
 struct Bench {
   explicit Bench(const std::filesystem::path& folder, JobRunner& jobs)
       : session(projectIn(folder), folder, jobs) {
-    queue.setWork([this](const intake::ComputeOptions& options, Progress&,
-                         std::stop_token) -> Result<intake::BatchFigures> {
+    setWork([this](const intake::ComputeOptions& options, Progress&,
+                   std::stop_token) -> Result<intake::BatchFigures> {
       computed << QString::fromStdString(options.number);
       auto project = upkeep::Project::open(options.project);
       const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.number);
@@ -49,6 +51,8 @@ struct Bench {
       return intake::BatchFigures{3, 2, 1, 0.07, 5};
     });
   }
+  void setWork(intake::ComputeWork work) { queue.computation()->setWork(std::move(work)); }
+
   ProjectSession session;
   BatchQueue queue;
   QStringList computed;

@@ -12,6 +12,7 @@
 #include "catalogue/batches.h"
 #include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
+#include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
 #include "upkeep/project.h"
 
@@ -34,11 +35,12 @@ class QueueScreenTest : public QObject {
     session_ = std::make_unique<ProjectSession>(
         std::make_shared<upkeep::Project>(std::move(*project)), folder, *jobs_);
     queue_ = std::make_unique<BatchQueue>();
-    queue_->setClock([this] { return QDateTime::currentDateTime().addSecs(3600 * hours_); });
+    queue_->computation()->setClock(
+        [this] { return QDateTime::currentDateTime().addSecs(3600 * hours_); });
     begun_ = hours_ = 0;
     refuse_ = false;
-    queue_->setWork([this](const intake::ComputeOptions&, Progress& progress,
-                           std::stop_token stop) -> Result<intake::BatchFigures> {
+    queue_->computation()->setWork([this](const intake::ComputeOptions&, Progress& progress,
+                                          std::stop_token stop) -> Result<intake::BatchFigures> {
       ++begun_;
       progress.note(NoteLevel::Info, "rig: camera B 0.31 px over 412 corners");
       if (refuse_) return Error{ErrorCode::CannotWrite, "The disk is full.", "results"};
@@ -120,8 +122,8 @@ class QueueScreenTest : public QObject {
   }
 
   void aBumpedCameraIsCalibratedAwayByOneKey() {
-    queue_->setWork([this](const intake::ComputeOptions& options, Progress&,
-                           std::stop_token) -> Result<intake::BatchFigures> {
+    queue_->computation()->setWork([this](const intake::ComputeOptions& options, Progress&,
+                                          std::stop_token) -> Result<intake::BatchFigures> {
       ++begun_;
       auto project = upkeep::Project::open(options.project);
       const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.number);

@@ -29,7 +29,7 @@ class TakenOutTest : public QObject {
     QTest::qWait(0);
     QCOMPARE(stateOf(bench.session, number), BatchState::Review);
     QCOMPARE(bench.queue.failed(), 0);
-    bench.queue.setPaused(false);
+    bench.queue.switches()->setPaused(false);
     QTest::qWait(0);
     QVERIFY(bench.computed.isEmpty());
   }
@@ -60,7 +60,7 @@ class TakenOutTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.queue.setSession(&bench.session);
-    bench.queue.setPaused(true);
+    bench.queue.switches()->setPaused(true);
     const QString number = addBatch(bench.session, BatchState::Queued);
     bench.session.tellBatchChanged(number);
     bench.queue.cancel(number);
@@ -74,8 +74,8 @@ class TakenOutTest : public QObject {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
     std::atomic<bool> begun = false;
-    bench.queue.setWork([&begun](const intake::ComputeOptions&, Progress&,
-                                 std::stop_token stop) -> Result<intake::BatchFigures> {
+    bench.setWork([&begun](const intake::ComputeOptions&, Progress&,
+                           std::stop_token stop) -> Result<intake::BatchFigures> {
       begun = true;
       while (!stop.stop_requested()) std::this_thread::yield();
       return Error::cancelled();
@@ -100,7 +100,7 @@ class TakenOutTest : public QObject {
     const QString number = addBatch(bench.session, BatchState::Review);
     out_ = pipeline::writeSyntheticOut(folder() / "results" / number.toStdString(), {});
     bench.queue.setSession(&bench.session);
-    bench.queue.setPaused(true);
+    bench.queue.switches()->setPaused(true);
     return number;
   }
   std::unique_ptr<QTemporaryDir> folder_;

@@ -31,9 +31,9 @@ void ReviewPictureTest::theClosedModelIsShownOfItsOwnPairOnly() {
   mesh.vertices = {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}, {0, 0, 5}};
   mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
   QVERIFY(writePly(out_.output / "sherds/01/model.ply", mesh, "plate_front").has_value());
-  QSignalSpy fetched(model(), &PairReviewModel::modelFetched);
-  QSignalSpy scenes(model(), &PairReviewModel::sceneChanged);
-  model()->select(0);
+  QSignalSpy fetched(&review()->hand(), &CardInHand::modelFetched);
+  QSignalSpy scenes(&review()->hand(), &CardInHand::sceneChanged);
+  review()->select(0);
   QTRY_VERIFY(!scenes.isEmpty());
   const auto hasModel = [&] { return fetched.takeLast().at(0).value<MeshPtr>() != nullptr; };
   const auto* closed = screen_->findChild<QAction*>("closed");
@@ -42,10 +42,10 @@ void ReviewPictureTest::theClosedModelIsShownOfItsOwnPairOnly() {
   QVERIFY(hasModel());
   QVERIFY(closed->isChecked());
   emit screen_->findChild<SherdView*>("sherd")->backMoved({0.1, 0, 0}, {0, 0, 0});
-  QVERIFY2(model()->trial().made == Made::Program, "a back that is not seen is not turned");
+  QVERIFY2(review()->hand().trial().made == Made::Program, "a back that is not seen is not turned");
   scenes.clear();
   key(Qt::Key_2);
-  QTRY_COMPARE(model()->trial().back, 0);
+  QTRY_COMPARE(review()->hand().trial().back, 0);
   QTRY_VERIFY(!scenes.isEmpty());
   QVERIFY(!closed->isChecked());
   fetched.clear();
@@ -69,7 +69,7 @@ void ReviewPictureTest::aLengthIsForgottenWhenWhatWasMeasuredMoves() {
   measure();
   QVERIFY2(length().contains("12"), qPrintable(length()));
   key(Qt::Key_Right, Qt::ShiftModifier);
-  QTRY_COMPARE(model()->trial().made, Made::StartPoint);
+  QTRY_COMPARE(review()->hand().trial().made, Made::StartPoint);
   QVERIFY2(length().isEmpty(), "the back has moved");
   measure();
   QVERIFY(!length().isEmpty());
@@ -86,7 +86,7 @@ void ReviewPictureTest::aBatchWithoutAnyLengthIsNotMeasuredInMillimetres() {
   decisions::CandidateTable table = out_.table;
   table.has_scale = false;
   QVERIFY(writeJson(out_.output / "work/pairs/candidates.json", toJson(table)).has_value());
-  QSignalSpy scenes(model(), &PairReviewModel::sceneChanged);
+  QSignalSpy scenes(&review()->hand(), &CardInHand::sceneChanged);
   screen_->showItem("B0001");
   QTRY_VERIFY(!scenes.isEmpty());
   QVERIFY(bar->isVisible());

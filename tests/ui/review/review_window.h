@@ -12,7 +12,7 @@
 #include "synthetic_out.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
-#include "ui/review/pair_review_model.h"
+#include "ui/pairs/pair_review.h"
 #include "ui/review/review_screen.h"
 #include "upkeep/project.h"
 
@@ -50,16 +50,16 @@ class ReviewWindow : public QObject {
     window_->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window_.get()));
     screen_->openProject(*session_);
-    QTRY_VERIFY(model()->isOpen());
+    QTRY_VERIFY(review()->batch().isOpen());
     auto* initials = screen_->findChild<QLineEdit*>("initials");
-    QTRY_VERIFY(model()->whyNotAccept().contains("initials"));
+    QTRY_VERIFY(review()->whyNotAccept().contains("initials"));
     key(Qt::Key_Return);  // without a name nothing is decided, and the name is what is typed next
     QTRY_VERIFY(initials->hasFocus());
     QVERIFY(standingOnDisk().empty());
     QTest::keyClicks(QApplication::focusWidget(), "AP");
     key(Qt::Key_Return);
-    QTRY_COMPARE(model()->person(), QStringLiteral("AP"));
-    QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
+    QTRY_COMPARE(review()->person(), QStringLiteral("AP"));
+    QTRY_VERIFY(review()->hand().fit().fracture_rms_mm > 0);
   }
 
   void enterBatch(upkeep::Project& project, int sherds, const std::string& number = "B0001") {
@@ -101,8 +101,8 @@ class ReviewWindow : public QObject {
     QTRY_VERIFY(QApplication::focusWidget() != nullptr);
     QTest::keyClick(QApplication::focusWidget(), key, modifiers);
   }
-  PairReviewModel* model() { return screen_->model(); }
-  const review::ReviewCard& cardOf(int front) { return *model()->review().ofFront(front); }
+  PairReview* review() { return screen_->review(); }
+  const review::ReviewCard& cardOf(int front) { return *review()->batch().review().ofFront(front); }
   decisions::Decisions standingOnDisk() {
     return decisions::standing(*decisions::readDecisions(out_.output));
   }

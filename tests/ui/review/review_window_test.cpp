@@ -53,7 +53,7 @@ class ReviewWindowTest : public ReviewWindow {
 
 void ReviewWindowTest::click(int row, bool on_back) {
   auto* cards = screen_->findChild<QListView*>("cards");
-  const QRect card = cards->visualRect(model()->index(row));
+  const QRect card = cards->visualRect(review()->cards().index(row));
   const QRect back = CardDelegate::backPicture(card, cards->fontMetrics());
   QTest::mouseClick(cards->viewport(), Qt::LeftButton, {},
                     on_back ? back.center() : QPoint(back.right() + 20, back.top() + 4));
@@ -61,7 +61,7 @@ void ReviewWindowTest::click(int row, bool on_back) {
 
 void ReviewWindowTest::drag(int from_row, int to_row) {
   auto* cards = screen_->findChild<QListView*>("cards");
-  const auto rect = [&](int row) { return cards->visualRect(model()->index(row)); };
+  const auto rect = [&](int row) { return cards->visualRect(review()->cards().index(row)); };
   const QPoint from = CardDelegate::backPicture(rect(from_row), cards->fontMetrics()).center();
   const QPoint to = rect(to_row).center();
   QTest::mousePress(cards->viewport(), Qt::LeftButton, {}, from);
@@ -77,22 +77,22 @@ void ReviewWindowTest::drag(int from_row, int to_row) {
 void ReviewWindowTest::swappedLookAlikesAreFixedByKeyboard() {
   open(4);
   QCOMPARE(cardOf(0).back, 1);
-  const int first = model()->front();
+  const int first = review()->hand().front();
   QVERIFY(first < 2);
   key(Qt::Key_2);
-  QTRY_COMPARE(model()->trial().back, first);
+  QTRY_COMPARE(review()->hand().trial().back, first);
   key(Qt::Key_Return);
   QTRY_COMPARE(cardOf(first).state, CardState::Decided);
-  QCOMPARE(model()->front(), 1 - first);
+  QCOMPARE(review()->hand().front(), 1 - first);
   QVERIFY(screen_->findChild<QLabel*>("reason")->text().contains("was given to front "));
   key(Qt::Key_Return);
-  QTRY_COMPARE(model()->waiting(), 0);
+  QTRY_COMPARE(review()->waiting(), 0);
   QCOMPARE(cardOf(0).back, 0);
   QCOMPARE(cardOf(1).back, 1);
   QCOMPARE(standingOnDisk().size(), std::size_t{2});
 
   key(Qt::Key_Z, Qt::ControlModifier);
-  QTRY_COMPARE(model()->waiting(), 1);
+  QTRY_COMPARE(review()->waiting(), 1);
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(cardOf(0).back, 1);
   QVERIFY(standingOnDisk().empty());
@@ -101,13 +101,14 @@ void ReviewWindowTest::swappedLookAlikesAreFixedByKeyboard() {
 
 void ReviewWindowTest::swappedLookAlikesAreFixedByMouse() {
   open(4);
-  drag(model()->rowOf(0), model()->rowOf(1));  // the back of f001's card onto f002
+  drag(review()->cards().rowOf(0),
+       review()->cards().rowOf(1));  // the back of f001's card onto f002
   QTRY_COMPARE(cardOf(1).back, 1);
   QCOMPARE(cardOf(1).state, CardState::Decided);
-  QCOMPARE(model()->front(), 0);
+  QCOMPARE(review()->hand().front(), 0);
   QCOMPARE(cardOf(0).back, 0);
   QTest::mouseClick(screen_->findChild<QPushButton*>("acceptButton"), Qt::LeftButton);
-  QTRY_COMPARE(model()->waiting(), 0);
+  QTRY_COMPARE(review()->waiting(), 0);
   QCOMPARE(cardOf(0).back, 0);
 }
 
@@ -141,9 +142,9 @@ void ReviewWindowTest::aKeyThatIsHeldDownDecidesOnePair() {
   screen_->findChild<QListView*>("cards")->setFocus();
   hold(Qt::Key_S, "s");
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{3});
-  model()->selectRow(0);
+  review()->selectRow(0);
   hold(Qt::Key_Down, {});
-  QTRY_COMPARE(model()->rowInHand(), model()->rowCount() - 1);
+  QTRY_COMPARE(review()->hand().row(), review()->cards().rowCount() - 1);
 }
 
 void ReviewWindowTest::theKeysOfThePictureWork() {
@@ -158,21 +159,21 @@ void ReviewWindowTest::theKeysOfThePictureWork() {
   const auto* reason = screen_->findChild<QLabel*>("reason");
   QVERIFY2(reason->text().startsWith("Click on one end"), qPrintable(reason->text()));
   key(Qt::Key_D);
-  QCOMPARE(reason->text(), model()->reason());
+  QCOMPARE(reason->text(), review()->hand().reason());
   key(Qt::Key_X);
   QVERIFY(view.hasSection());
   key(Qt::Key_X);
   QVERIFY(!view.hasSection());
-  const int front = model()->front();
+  const int front = review()->hand().front();
   key(Qt::Key_Down);
-  QVERIFY(model()->front() != front);
+  QVERIFY(review()->hand().front() != front);
   key(Qt::Key_Up);
-  QCOMPARE(model()->front(), front);
-  const int shift = model()->trial().shift;
+  QCOMPARE(review()->hand().front(), front);
+  const int shift = review()->hand().trial().shift;
   key(Qt::Key_Right, Qt::ShiftModifier);
-  QTRY_COMPARE(model()->trial().shift, shift + 1);
+  QTRY_COMPARE(review()->hand().trial().shift, shift + 1);
   key(Qt::Key_B);
-  QTRY_COMPARE(model()->trial().made, Made::Settled);
+  QTRY_COMPARE(review()->hand().trial().made, Made::Settled);
   key(Qt::Key_S);
   QTRY_COMPARE(cardOf(front).state, CardState::Aside);
   key(Qt::Key_Z, Qt::ControlModifier);
@@ -181,15 +182,15 @@ void ReviewWindowTest::theKeysOfThePictureWork() {
 
 void ReviewWindowTest::aPieceIsCutByKeyboard() {
   open(4);
-  const int front = model()->front(), back = model()->trial().back;
-  const auto& table = model()->live()->table();
+  const int front = review()->hand().front(), back = review()->hand().trial().back;
+  const auto& table = review()->batch().table();
   key(Qt::Key_K);
   auto* pictures = screen_->findChild<PicturePair*>();
   QVERIFY(pictures->isCutting());
   const auto* reason = screen_->findChild<QLabel*>("reason");
   QVERIFY2(reason->text().contains("Enter cuts"), qPrintable(reason->text()));
   key(Qt::Key_Escape);
-  QCOMPARE(reason->text(), model()->reason());
+  QCOMPARE(reason->text(), review()->hand().reason());
   QVERIFY(!pictures->isCutting());
   key(Qt::Key_K);
   key(Qt::Key_J);  // another thing altogether
@@ -200,7 +201,7 @@ void ReviewWindowTest::aPieceIsCutByKeyboard() {
   // Four steps to the right, turned from upright by three times five degrees.
   for (int i = 0; i < 4; ++i) key(Qt::Key_Right);
   for (int i = 0; i < 3; ++i) key(Qt::Key_Right, Qt::ShiftModifier);
-  QCOMPARE(model()->front(), front);
+  QCOMPARE(review()->hand().front(), front);
   key(Qt::Key_Return);
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   decisions::PairDecision cut = standingOnDisk()[0];
@@ -213,8 +214,8 @@ void ReviewWindowTest::aPieceIsCutByKeyboard() {
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_VERIFY(standingOnDisk().empty());
   // The other side.
-  model()->select(front);
-  QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
+  review()->select(front);
+  QTRY_VERIFY(review()->hand().fit().fracture_rms_mm > 0);
   key(Qt::Key_K);
   key(Qt::Key_Down);
   QVERIFY(pictures->accessibleDescription().contains("back"));
@@ -226,41 +227,41 @@ void ReviewWindowTest::aPieceIsCutByKeyboard() {
 
 void ReviewWindowTest::aBackThatNoFrontHoldsHasACardOfItsOwn() {
   open(4);
-  click(model()->rowOf(2));
-  QTRY_COMPARE(model()->front(), 2);
+  click(review()->cards().rowOf(2));
+  QTRY_COMPARE(review()->hand().front(), 2);
   key(Qt::Key_S);
   QTRY_COMPARE(cardOf(2).state, CardState::Aside);
-  QCOMPARE(model()->waiting(), 3);
-  QCOMPARE(model()->rowCount(), 5);
-  const int lone = model()->rowOfLoneBack(2);
+  QCOMPARE(review()->waiting(), 3);
+  QCOMPARE(review()->cards().rowCount(), 5);
+  const int lone = review()->cards().rowOfLoneBack(2);
   QCOMPARE(lone, 2);  // behind the two doubtful pairs
   click(lone);
-  QTRY_COMPARE(model()->rowInHand(), lone);
-  QCOMPARE(model()->front(), -1);
+  QTRY_COMPARE(review()->hand().row(), lone);
+  QCOMPARE(review()->hand().front(), -1);
   QVERIFY(screen_->findChild<QLabel*>("reason")->text().contains("No front holds this back"));
   QVERIFY(!screen_->findChild<QPushButton*>("acceptButton")->isEnabled());
   key(Qt::Key_B);  // nothing to settle: nothing happens
   key(Qt::Key_Right, Qt::ShiftModifier);
   key(Qt::Key_S);
-  QTRY_COMPARE(model()->waiting(), 2);
-  QCOMPARE(model()->review().aside_backs, std::vector<int>{2});
+  QTRY_COMPARE(review()->waiting(), 2);
+  QCOMPARE(review()->batch().review().aside_backs, std::vector<int>{2});
   key(Qt::Key_Z, Qt::ControlModifier);
-  QTRY_COMPARE(model()->waiting(), 3);
-  QCOMPARE(model()->rowInHand(), model()->rowOfLoneBack(2));
+  QTRY_COMPARE(review()->waiting(), 3);
+  QCOMPARE(review()->hand().row(), review()->cards().rowOfLoneBack(2));
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_COMPARE(cardOf(2).state, CardState::Sure);
-  QCOMPARE(model()->rowCount(), 4);
+  QCOMPARE(review()->cards().rowCount(), 4);
 }
 
 void ReviewWindowTest::aLoneBackIsDraggedOntoItsFront() {
   open(4);
-  click(model()->rowOf(2));
+  click(review()->cards().rowOf(2));
   key(Qt::Key_S);
-  QTRY_COMPARE(model()->rowCount(), 5);
-  drag(model()->rowOfLoneBack(2), model()->rowOf(2));
+  QTRY_COMPARE(review()->cards().rowCount(), 5);
+  drag(review()->cards().rowOfLoneBack(2), review()->cards().rowOf(2));
   QTRY_COMPARE(cardOf(2).state, CardState::Decided);
   QCOMPARE(cardOf(2).back, 2);
-  QCOMPARE(model()->rowCount(), 4);
+  QCOMPARE(review()->cards().rowCount(), 4);
 }
 
 void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
@@ -282,12 +283,16 @@ void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
   }
   session_->tellSherdsChanged();
   const auto numberOf = [this](int front) {
-    return model()->index(model()->rowOf(front)).data(CardRole::SherdNumber).toString();
+    return review()
+        ->cards()
+        .index(review()->cards().rowOf(front))
+        .data(CardRole::SherdNumber)
+        .toString();
   };
   QCOMPARE(numberOf(2), QStringLiteral("ARM1-0012-2"));
   QVERIFY(numberOf(0).isEmpty());
-  model()->select(2);
-  model()->joinWith(batch::Side::Front, model()->rowOf(3));
+  review()->select(2);
+  review()->joinWith(batch::Side::Front, review()->cards().rowOf(3));
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   const QString said = screen_->findChild<QLabel*>("message")->text();
   QVERIFY2(said.contains("keeps the number ARM1-0012-2, and ARM1-0012-3 has no fragment"),
@@ -295,8 +300,8 @@ void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_VERIFY(standingOnDisk().empty());
   QVERIFY(screen_->findChild<QLabel*>("message")->text().startsWith("Undone"));
-  model()->select(2);
-  QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
+  review()->select(2);
+  QTRY_VERIFY(review()->hand().fit().fracture_rms_mm > 0);
   key(Qt::Key_K);
   key(Qt::Key_Return);
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
@@ -313,12 +318,12 @@ void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {
            join.scans[0].id == out_.table.backs.at(static_cast<std::size_t>(a)).id &&
            join.scans[1].id == out_.table.backs.at(static_cast<std::size_t>(b)).id;
   };
-  const int held = model()->trial().back;
+  const int held = review()->hand().trial().back;
   key(Qt::Key_J, Qt::ShiftModifier);
   QVERIFY(screen_->findChild<QLabel*>("reason")->text().startsWith("Which back belongs"));
   key(Qt::Key_Down);
   key(Qt::Key_Down);
-  QCOMPARE(model()->rowInHand(), 0);  // only marked
+  QCOMPARE(review()->hand().row(), 0);  // only marked
   key(Qt::Key_Return);
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   QVERIFY(backs(held, 2));
@@ -326,7 +331,7 @@ void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {
   QTRY_VERIFY(standingOnDisk().empty());
 
   key(Qt::Key_J);
-  click(model()->rowOf(3), true);  // on the picture of its back
+  click(review()->cards().rowOf(3), true);  // on the picture of its back
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   QVERIFY(backs(held, 3));
   // What is marked is what the keys act on.
@@ -335,8 +340,8 @@ void ReviewWindowTest::piecesOfTheBackAreJoinedByKeyboardAndByMouse() {
     const QModelIndexList rows = cards->selectionModel()->selectedIndexes();
     return rows.size() == 1 ? rows[0].row() : -1;
   };
-  QTRY_COMPARE(marked(), model()->rowInHand());
-  QCOMPARE(cards->currentIndex().row(), model()->rowInHand());
+  QTRY_COMPARE(marked(), review()->hand().row());
+  QCOMPARE(cards->currentIndex().row(), review()->hand().row());
   key(Qt::Key_J);
   key(Qt::Key_Escape);
   key(Qt::Key_Down);
@@ -358,9 +363,9 @@ void ReviewWindowTest::theQueueFollowsWhatIsDecided() {
   BatchQueue queue;
   queue.setSession(session_.get());
   QCOMPARE(queue.row(0).state, QueueState::Review);
-  const int first = model()->front();
+  const int first = review()->hand().front();
   key(Qt::Key_2);
-  QTRY_COMPARE(model()->trial().back, first);
+  QTRY_COMPARE(review()->hand().trial().back, first);
   key(Qt::Key_Return);
   QTRY_VERIFY(queue.row(0).figures.has_value());
   QCOMPARE(queue.row(0).figures->sherds, 4);
@@ -383,12 +388,12 @@ void ReviewWindowTest::whatIsOnlyConfirmedNeedsNoComputing() {
   open(4, true);
   key(Qt::Key_Return);
   key(Qt::Key_Return);
-  QTRY_COMPARE(model()->waiting(), 0);
+  QTRY_COMPARE(review()->waiting(), 0);
   QTRY_COMPARE(batchState(), records::BatchState::Done);
   QVERIFY(!screen_->findChild<QPushButton*>("compute")->isVisible());
   key(Qt::Key_Z, Qt::ControlModifier);
   key(Qt::Key_Z, Qt::ControlModifier);
-  QTRY_COMPARE(model()->waiting(), 2);
+  QTRY_COMPARE(review()->waiting(), 2);
   QCOMPARE(batchState(), records::BatchState::Review);
 }
 
@@ -405,7 +410,7 @@ void ReviewWindowTest::aJoinThatWasComputedAndIsTakenBackWantsComputing() {
   QVERIFY(writeFileAtomically(out_.output / "report.json", computed));
   session_->tellBatchChanged("B0001");
   QTRY_VERIFY(!compute->isVisible());
-  QTRY_VERIFY(model()->isOpen());
+  QTRY_VERIFY(review()->batch().isOpen());
   key(Qt::Key_Z, Qt::ControlModifier);
   QTRY_VERIFY(standingOnDisk().empty());
   QTRY_VERIFY(compute->isVisible());

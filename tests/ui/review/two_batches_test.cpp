@@ -36,8 +36,8 @@ class TwoBatchesTest : public ReviewWindow {
   pipeline::SyntheticOut addBatch(const std::string& number);
   std::size_t entered(const std::string& number);
   QString shown() {
-    if (!model()->isOpen()) return {};
-    return QString::fromStdString(model()->live()->output().filename().string());
+    if (!review()->batch().isOpen()) return {};
+    return QString::fromStdString(review()->batch().live()->output().filename().string());
   }
 };
 
@@ -94,7 +94,7 @@ void TwoBatchesTest::aBatchThatDoesNotOpenLeavesNoPairsToDecideOn() {
   screen_->showItem("B0002");
   auto* message = screen_->findChild<QLabel*>("message");
   QTRY_VERIFY2(message->text().contains("candidates.json"), qPrintable(message->text()));
-  QVERIFY(!model()->isOpen());
+  QVERIFY(!review()->batch().isOpen());
   key(Qt::Key_Return);
   QVERIFY(standingOnDisk().empty());
   QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
@@ -110,7 +110,7 @@ void TwoBatchesTest::aBatchThatIsBeingComputedIsNotOpened() {
   screen_->showItem("B0002");
   auto* message = screen_->findChild<QLabel*>("message");
   QTRY_VERIFY2(message->text().contains("not fully processed"), qPrintable(message->text()));
-  QVERIFY(!model()->isOpen());
+  QVERIFY(!review()->batch().isOpen());
   key(Qt::Key_Return);
   QCOMPARE(entered("B0001") + entered("B0002"), std::size_t{0});
   QVERIFY(writeFileAtomically(report, bytes));
@@ -127,9 +127,9 @@ void TwoBatchesTest::aDecisionOnAnotherBatchIsTakenBackThere() {
   const pipeline::SyntheticOut second = addBatch("B0002");
   screen_->showItem("B0002");
   QTRY_COMPARE(shown(), QStringLiteral("B0002"));
-  QTRY_VERIFY(model()->fit().fracture_rms_mm > 0);
+  QTRY_VERIFY(review()->hand().fit().fracture_rms_mm > 0);
   key(Qt::Key_2);
-  QTRY_COMPARE(model()->chosen(), 1);
+  QTRY_COMPARE(review()->hand().chosen(), 1);
   key(Qt::Key_Return);
   QTRY_COMPARE(entered("B0002"), std::size_t{1});
   screen_->showItem("B0001");
@@ -227,7 +227,7 @@ void TwoBatchesTest::whatTheCatalogueMissedIsEnteredWhenTheBatchIsOpened() {
   open(4, true);
   BatchQueue queue;
   queue.setSession(session_.get());
-  for (const review::ReviewCard& card : model()->review().cards) {
+  for (const review::ReviewCard& card : review()->batch().review().cards) {
     if (card.state != review::CardState::Ask) continue;
     decisions::PairDecision confirmed;
     confirmed.by = "AP";

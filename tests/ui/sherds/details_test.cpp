@@ -1,0 +1,350 @@
+// The details of a sherd: what is refused, and what has little room.
+#include "catalogue/places.h"
+#include "sherds/measurements.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
+#include "ui/sherds/sherd_details.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTest>
+#include <QTranslator>
+
+#include "catalogue_window.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "ui/catalogue/catalogue_screen.h"
+#include "ui/frame/elided_button.h"
+#include "ui/sherds/number_delegate.h"
+
+using namespace ostraka;
+using namespace ostraka::ui;
+
+class DetailsTest : public CatalogueWindow {
+  Q_OBJECT
+
+ private slots:
+  void init() { open(); }
+  void cleanup() { close(); }
+
+  void withLargeLettersANumberKeepsItsEndAndTheDetailsTheirWidth() {
+    sample_->addDraft();
+    filter("state:draft");
+    choose(0);
+    QFont large = screen_->font();
+    large.setPointSizeF(1.6 * large.pointSizeF());
+    screen_->setFont(large);
+    auto* give = static_cast<ElidedButton*>(child<QPushButton>("giveNumber"));
+    give->setText("Donner le numéro ARAGATS-T2-000005-000123");
+    screen_->findChild<SherdDetails*>()->setFixedWidth(300);
+    QTRY_VERIFY(give->isVisible() && give->width() <= 300);
+    QCOMPARE(screen_->findChild<SherdDetails*>()->horizontalScrollBar()->maximum(), 0);
+    QVERIFY2(give->shownText().endsWith("0123"), qPrintable(give->shownText()));
+    filter("state:numbered");
+    QStyleOptionViewItem option;
+    NumberDelegate().initStyleOption(&option, table()->model()->index(0, 0));
+    QCOMPARE(option.text, QString("ARM1-T3-0012-0001"));
+    QCOMPARE(option.textElideMode, Qt::ElideLeft);
+  }
+
+  void whatIsRefusedStaysUntilItIsMendedOrGivenUp() {
+    choose(0);
+    const auto type = [&](const char* field, const QString& value) {
+      auto* line = child<QLineEdit>(field);
+      line->setFocus();
+      line->selectAll();
+      QTest::keyClicks(line, value);
+      QTest::keyClick(line, Qt::Key_Tab);
+    };
+    auto* date = child<QLineEdit>("field_date_edtf");
+    const QString before = date->text();
+    type("field_date_edtf", "27-30 AD");
+    type("field_weight_g", "12,75");
+    QCOMPARE(sample_->value(0, "weight_g"), QString("12.75"));
+    QCOMPARE(date->text(), QString("27-30 AD"));
+    QVERIFY(child<QLabel>("refusalText")->isVisible());
+    type("field_munsell_out", "brown");
+    auto* told = child<QLabel>("refusalText");
+    QVERIFY2(told->text().contains("Munsell") && told->text().contains("Not saved yet: date"),
+             qPrintable(told->text()));
+    QTest::keyClick(child<QLineEdit>("field_munsell_out"), Qt::Key_Escape);
+    choose(3);
+    QVERIFY(date->text() != QString("27-30 AD"));
+    choose(0);
+    QCOMPARE(date->text(), QString("27-30 AD"));
+    date->setFocus();
+    QTest::keyClick(date, Qt::Key_Escape);
+    QCOMPARE(date->text(), before);
+    QVERIFY(!child<QLabel>("refusalText")->isVisible());
+    type("field_date_edtf", "0027/0030");
+    QCOMPARE(sample_->value(0, "date_edtf"), QString("0027/0030"));
+  }
+
+  // As when it is typed at the capture.
+  void digitsAreTheRunningNumberInTheSherdsContext() {
+    choose(0);
+    auto* number = child<QLineEdit>("field_number");
+    const auto type = [&](const QString& value) {
+      number->setFocus();
+      number->selectAll();
+      QTest::keyClicks(number, value);
+      QTest::keyClick(number, Qt::Key_Return);
+      return sample_->value(0, "number");
+    };
+    QCOMPARE(type("62"), QString("ARM1-T3-0012-0062"));
+    QCOMPARE(number->text(), QString("ARM1-T3-0012-0062"));
+    QCOMPARE(type("62"), QString("ARM1-T3-0012-0062"));
+    QCOMPARE(number->text(), QString("ARM1-T3-0012-0062"));
+    QVERIFY(number->toolTip().contains("=7"));
+    QCOMPARE(type("=62"), QString("62"));
+    QCOMPARE(type("2"), QString("62"));  // of row 2
+    QVERIFY(child<QLabel>("refusalText")->isVisible());
+    QCOMPARE(number->text(), QString("2"));
+  }
+
+  // In an English window 4,246 is how the window writes thousands itself.
+  void aNumberThatReadsInTwoWaysIsAskedForAgain() {
+    choose(0);
+    const QString before = sample_->value(0, "weight_g");
+    auto* weight = child<QLineEdit>("field_weight_g");
+    const auto type = [&](const QString& value) {
+      weight->setFocus();
+      weight->selectAll();
+      QTest::keyClicks(weight, value);
+      QTest::keyClick(weight, Qt::Key_Return);
+      return sample_->value(0, "weight_g");
+    };
+    QCOMPARE(type("1,250"), before);
+    QVERIFY2(child<QLabel>("refusalText")->text().startsWith("'1,250' can be read as 1250 or as"),
+             qPrintable(child<QLabel>("refusalText")->text()));
+    QCOMPARE(weight->text(), QString("1,250"));
+    QCOMPARE(type("1250"), QString("1250"));
+    QVERIFY(!child<QLabel>("refusalText")->isVisible());
+    QCOMPARE(type("12,75"), QString("12.75"));
+    const QLocale english;
+    QLocale::setDefault(QLocale(QLocale::German));
+    const QString refused = type("1.250"), taken = type("1,250");
+    QLocale::setDefault(english);
+    QCOMPARE(refused, QString("12.75"));
+    QCOMPARE(taken, QString("1.25"));
+  }
+
+  // Keys and buttons that take the cursor out of no field.
+  void whatIsBeingTypedOutlivesUndoAndNumbers() {
+    filter("state:draft");
+    sample_->addDraft();
+    filter("state:draft");
+    choose(0);
+    auto* ware = child<QLineEdit>("field_ware");
+    ware->setFocus();
+    QTest::keyClicks(ware, "grey");
+    QTest::keyClick(ware, Qt::Key_Return);
+    QCOMPARE(sample_->value(40, "ware"), QString("grey"));
+    auto* note = child<QLineEdit>("field_note");
+    note->setFocus();
+    QTest::keyClicks(note, "half a ");
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(40, "ware"), QString());
+    QCOMPARE(ware->text(), QString());
+    QCOMPARE(note->text(), QString("half a "));
+    child<QAction>("giveNumbers")->trigger();
+    QCOMPARE(sample_->value(40, "state"), QString("numbered"));
+    QVERIFY(note->hasFocus());
+    QTest::keyClicks(note, "sentence");
+    QTest::keyClick(note, Qt::Key_Tab);
+    QCOMPARE(sample_->value(40, "note"), QString("half a sentence"));
+  }
+
+  void aSherdIsVoidOnlyWhenAPersonSaysSoOnceMore() {
+    choose(0);
+    auto* line = child<QLineEdit>("field_void_reason");
+    line->setFocus();
+    QTest::keyClicks(line, "x");
+    QTest::keyClick(line, Qt::Key_Tab);  // meant for the note above
+    auto* yes = child<QPushButton>("confirmChange");
+    QVERIFY(yes->isVisible());
+    QCOMPARE(sample_->value(0, "state"), QString("numbered"));
+    line->setFocus();
+    QTest::keyClick(line, Qt::Key_Escape);
+    QVERIFY(!yes->isVisible());
+    QTest::keyClicks(line, "a stone");
+    QTest::keyClick(line, Qt::Key_Return);
+    QTest::mouseClick(yes, Qt::LeftButton);
+    QCOMPARE(sample_->value(0, "state"), QString("void"));
+    QCOMPARE(sample_->value(0, "void_reason"), QString("a stone"));
+    QVERIFY(!yes->isVisible());
+    QCOMPARE(screen_->focusWidget(), line);
+    // Nothing was typed in it since: the shortcut is not the field's.
+    QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
+    undo.ignore();
+    QApplication::sendEvent(line, &undo);
+    QVERIFY(!undo.isAccepted());
+    QTest::keyClicks(line, "x");
+    QApplication::sendEvent(line, &undo);
+    QVERIFY(undo.isAccepted());
+    QTest::keyClick(line, Qt::Key_Escape);
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(0, "state"), QString("numbered"));
+  }
+
+  // 7 for 72: one key of a tired hand.
+  void aSlipOverAComputedLengthIsAskedAboutAndTheComputedOneIsKept() {
+    records::Measurement length;
+    length.sherd = sample_->sherds()[0];
+    length.kind = "length";
+    length.unit = "mm";
+    length.value = 72.39;
+    length.method = "program";
+    // The sample's own length is a person's; only where that is gone the computed one stands.
+    const records::FieldChange clear{length.sherd, "length_mm", "", records::Confirmation::Given};
+    QVERIFY(sherds::SherdChanges(sample_->catalogue()).apply(std::span(&clear, 1), {}).has_value());
+    QVERIFY(sherds::Measurements(sample_->catalogue()).add(length, {}).has_value());
+    choose(0);
+    auto* line = child<QLineEdit>("field_length_mm");
+    const QString computed = line->text();
+    const auto type = [line](const char* text) {
+      line->setFocus();
+      line->selectAll();
+      QTest::keyClicks(line, text);
+      QTest::keyClick(line, Qt::Key_Return);
+    };
+    type("7");
+    auto* yes = child<QPushButton>("confirmChange");
+    QVERIFY(yes->isVisible());
+    const QString question = child<QLabel>("refusalText")->text();
+    QVERIFY2(question.contains("about a tenth") && question.contains("below the width"),
+             qPrintable(question));
+    QCOMPARE(sample_->value(0, "length_mm"), computed);
+    // The question and its button are seen whole, at the end of a small page, too.
+    QTRY_COMPARE(yes->visibleRegion().boundingRect(), yes->rect());
+    QTest::keyClick(line, Qt::Key_Escape);
+    QVERIFY(!yes->isVisible());
+    QCOMPARE(line->text(), computed);
+    type("71.5");  // plausible, and still not without a word
+    QVERIFY(yes->isVisible());
+    QCOMPARE(yes->text(), QString("Replace with measured value"));
+    QTest::mouseClick(yes, Qt::LeftButton);
+    QCOMPARE(sample_->value(0, "length_mm"), QString("71.5"));
+    const auto sherd = sherds::Sherds(sample_->catalogue()).get(sample_->sherds()[0]);
+    QCOMPARE(QString::number(sherd->replaced.at("length")), computed);
+    // Its mark in the table leaves room for the figure.
+    const QAbstractItemModel* rows = table()->model();
+    int marks = 0;
+    for (int column = 1; column < rows->columnCount(); ++column)
+      if (const QVariant mark = rows->index(0, column).data(Qt::DecorationRole); mark.isValid()) {
+        ++marks;
+        QCOMPARE(rows->headerData(column, Qt::Horizontal).toString(), QString("length, mm"));
+        QVERIFY(mark.value<QPixmap>().width() > 0 && mark.value<QPixmap>().width() <= 24);
+      }
+    QCOMPARE(marks, 1);
+  }
+
+  void tabGoesFromTheNumberDownTheForm() {
+    choose(0);
+    auto* number = child<QLineEdit>("field_number");
+    number->setFocus();
+    QTest::keyClick(number, Qt::Key_Tab);
+    QCOMPARE(screen_->focusWidget()->objectName(), QString("field_place"));
+    child<QLineEdit>("field_note")->setFocus();
+    QTest::keyClick(screen_->focusWidget(), Qt::Key_Tab);
+    QCOMPARE(screen_->focusWidget()->objectName(), QString("field_void_reason"));
+  }
+
+  void whoMovesASherdIsToldWhatItLeavesBehind() {
+    putIntoBag4({0});
+    choose(0);
+    auto* place = child<QComboBox>("field_place");
+    place->setFocus();
+    QTest::keyClick(place, Qt::Key_Down);
+    QCOMPARE(sample_->value(0, "context"), QString("0013"));
+    QCOMPARE(sample_->value(0, "bag"), QString());
+    const QString told = child<QLabel>("problem")->text();
+    QVERIFY2(child<QLabel>("problem")->isVisible() && told.contains("old context: 4.") &&
+                 told.contains("a number of the old context: ARM1-T3-0012-0001."),
+             qPrintable(told));
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(0, "context"), QString("0012"));
+    QCOMPARE(sample_->value(0, "bag"), QString("4"));
+  }
+
+  void manyAreMovedByTheSameRule() {
+    putIntoBag4({0, 2});
+    filter("bag:4");
+    QCOMPARE(table()->model()->rowCount(), 2);
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_A, Qt::ControlModifier);
+    auto* field = child<QComboBox>("bulkField");
+    field->setCurrentIndex(field->findData("context"));
+    QTest::keyClicks(child<QLineEdit>("bulkValue"), "0013");
+    auto* summary = child<QLabel>("bulkSummary");
+    QTRY_VERIFY(summary->text().startsWith("2 change, 0 stay unchanged, 0 are rejected."));
+    QVERIFY2(summary->text().contains("old context: 4."), qPrintable(summary->text()));
+    QTest::mouseClick(child<QPushButton>("bulkApply"), Qt::LeftButton);
+    for (const int sherd : {0, 2}) {
+      QCOMPARE(sample_->value(sherd, "context"), QString("0013"));
+      QCOMPARE(sample_->value(sherd, "bag"), QString());
+    }
+    QVERIFY(child<QLabel>("problem")->text().contains("ARM1-T3-0012-0001, ARM1-T3-0012-0002"));
+    QCOMPARE(sample_->session().undo().count(), 1);
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(2, "bag"), QString("4"));
+  }
+
+  void theSameContextChosenAgainKeepsTheBag() {
+    choose(0);
+    auto* place = child<QComboBox>("field_place");
+    const int before = sample_->session().undo().count();
+    emit place->activated(place->currentIndex());
+    QCOMPARE(sample_->session().undo().count(), before);
+  }
+
+  void aRefusalIsInThePersonsLanguage() {
+    class Marks final : public QTranslator {
+      QString translate(const char* context, const char* source, const char*, int) const override {
+        return qstrcmp(context, "ostraka::Error") == 0 ? "<" + QString::fromUtf8(source) + ">"
+                                                       : QString();
+      }
+      bool isEmpty() const override { return false; }
+    } marks;
+    QVERIFY(QCoreApplication::installTranslator(&marks));
+    choose(1);
+    auto* text = child<QLabel>("refusalText");
+    const auto refused = [&](const char* field, const QString& value) {
+      auto* line = child<QLineEdit>(field);
+      line->setFocus();
+      line->selectAll();
+      QTest::keyClicks(line, value);
+      QTest::keyClick(line, Qt::Key_Return);
+      return text->text();
+    };
+    const QString weight = refused("field_weight_g", "abc"), bag = refused("field_bag", "neck"),
+                  number = refused("field_number", "ARM1-T3-0012-0001");
+    QCoreApplication::removeTranslator(&marks);
+    QCOMPARE(weight, QString("<'abc' is not a number; write 12.5 or 12,5, without a unit.>"));
+    QVERIFY2(bag.startsWith("<There is no bag neck in context 0012 yet"), qPrintable(bag));
+    QVERIFY2(number.startsWith("<The number ARM1-T3-0012-0001 belongs to another sherd.>"),
+             qPrintable(number));
+  }
+
+ private:
+  void putIntoBag4(const std::vector<int>& sherds) {
+    records::BagRecord bag;
+    bag.context = SampleProject::must(
+        catalogue::Places(sample_->catalogue()).contextByPlace("ARM1", "T3", "0012"));
+    bag.number = "4";
+    SampleProject::must(catalogue::Places(sample_->catalogue()).save(bag, {}));
+    for (const int sherd : sherds) {
+      const records::FieldChange into{sample_->row(sherd), "bag", "4"};
+      SampleProject::must(
+          sherds::SherdChanges(sample_->catalogue()).apply(std::span(&into, 1), {}));
+    }
+  }
+};
+
+QTEST_MAIN(DetailsTest)
+#include "details_test.moc"

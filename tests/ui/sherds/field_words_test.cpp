@@ -1,0 +1,74 @@
+// The filter knows the fields by the names that the window shows.
+#include "ui/sherds/field_words.h"
+#include "records/sherd.h"
+#include "sherds/sherd_fields.h"
+
+#include <QCoreApplication>
+#include <QTranslator>
+#include <QtTest>
+
+using namespace ostraka::ui;
+
+namespace {
+
+class German final : public QTranslator {
+ public:
+  QString translate(const char* context, const char* source, const char*, int) const override {
+    if (qstrcmp(context, "Fields") != 0) return {};
+    static const QHash<QString, QString> kWords{{"thickness, mm", "Dicke, mm"},
+                                                {"context", "Befund"},
+                                                {"minimum thickness, mm", "Dicke, kleinste, mm"},
+                                                {"date", "Datum"},
+                                                {"ware", "Ware"}};
+    return kWords.value(QString::fromUtf8(source));
+  }
+  bool isEmpty() const override { return false; }
+};
+
+}  // namespace
+
+class FieldWordsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void fieldsAreFoundByTheNamesThatTheWindowShows() {
+    German german;
+    QVERIFY(QCoreApplication::installTranslator(&german));
+    QCOMPARE(withFieldNames("Befund:0100 -dicke>5 rot"), QString("context:0100 -thickness>5 rot"));
+    QCOMPARE(withFieldNames("Datum:*"), QString("date_edtf:*"));
+    QCOMPARE(withFieldNames("\"Befund:0100\" note:\"Dicke>5\""),
+             QString("\"Befund:0100\" note:\"Dicke>5\""));
+    QCOMPARE(withFieldNames("thickness>5 context:0100 Dicke"),
+             QString("thickness>5 context:0100 Dicke"));
+    const auto chips = [](const char* line) {
+      QStringList shown;
+      const auto filter = ostraka::sherds::parseFilter(line);
+      if (!filter) return QString::fromStdString(filter.error().what);
+      for (const auto& condition : filter->conditions) shown << conditionText(condition);
+      return shown.join('|');
+    };
+    QCOMPARE(chips("context:0005 -thickness>6 red \"context:1\" fabric:x"),
+             QString("Befund:0005|-Dicke>6|red|\"context:1\"|fabric:x"));
+    QCoreApplication::removeTranslator(&german);
+    QCOMPARE(chips("context:0005 -thickness>6"), QString("context:0005|-thickness>6"));
+    QCOMPARE(withFieldNames("thickness>5 -ware:grey"), QString("thickness>5 -ware:grey"));
+  }
+
+  void aNumberIsTypedAsTheLanguageWritesIt() {
+    const auto typed = [](const char* field, const char* text) {
+      for (const ostraka::records::SherdField& known : ostraka::sherds::sherdFields())
+        if (std::string(known.name) == field) return typedText(known, text);
+      return QString();
+    };
+    QLocale::setDefault(QLocale("fr_FR"));
+    QCOMPARE(typed("length_mm", "79.84123456"), QString("79,84"));
+    QCOMPARE(typed("area_mm2", "15201.5"), QString("15201,5"));
+    QCOMPARE(typed("weight_g", "12"), QString("12"));
+    QCOMPARE(typed("note", "79.84"), QString("79.84"));
+    QLocale::setDefault(QLocale::c());
+    QCOMPARE(typed("length_mm", "79.84"), QString("79.84"));
+  }
+};
+
+QTEST_GUILESS_MAIN(FieldWordsTest)
+#include "field_words_test.moc"

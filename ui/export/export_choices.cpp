@@ -1,0 +1,170 @@
+#include "ui/export/export_choices.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+
+#include "catalogue/settings.h"
+#include "sherds/filter.h"
+#include "sherds/sherds.h"
+#include "ui/frame/project_session.h"
+#include "ui/sherds/field_words.h"
+#include "ui/words/print_wording.h"
+#include "upkeep/project.h"
+
+namespace ostraka::ui {
+namespace {
+
+using What = ExportSelection::What;
+
+constexpr const char* kChoicesKey = "export.choices";
+
+// The same, or with the first number behind it that no folder has.
+QString freeName(const QString& folder) {
+  static const QRegularExpression counted(QStringLiteral("-\\d+$"));
+  const QString first = QString(folder).remove(counted);
+  QString name = folder;
+  for (int i = 2; QFileInfo::exists(name); ++i) name = QStringLiteral("%1-%2").arg(first).arg(i);
+  return name;
+}
+
+QString proposedTarget(const ProjectSession& session, const QString& parent) {
+  return freeName(QDir(parent).filePath(
+      QString::fromStdString(session.folder().filename().string()) + QStringLiteral("-export")));
+}
+
+}  // namespace
+
+Result<std::vector<store::SherdRow>> rowsOf(const catalogue::Catalogue& catalogue,
+                                            const ExportSelection& selection) {
+  if (selection.what == What::Chosen) return selection.chosen;
+  const Result<sherds::Filter> filter = sherds::parseFilter(
+      selection.what == What::Filtered ? withFieldNames(selection.filter).toStdString()
+                                       : std::string());
+  if (!filter) return filter.error();
+  return sherds::Sherds(catalogue).rows(*filter, {});
+}
+
+ExportChoices::ExportChoices(QObject* parent) : QObject(parent) {}
+
+void ExportChoices::setSession(ProjectSession* session) {
+  session_ = session;
+  selection_ = {};
+  target_.clear();  // another project's
+  if (session_) readChoices();
+}
+
+void ExportChoices::readChoices() {
+  const exchange::ExportOptions usual;
+  forms_ = usual.forms;
+  drawing_scale_ = usual.drawing_scale;
+  deviation_mm_ = usual.deviation_mm;
+  parent_ = QDir::homePath();
+  const Result<std::string> kept =
+      catalogue::Settings(session_->project().catalogue()).value(kChoicesKey);
+  const QJsonObject choices =
+      QJsonDocument::fromJson(QByteArray::fromStdString(kept ? *kept : std::string())).object();
+  if (!choices.isEmpty()) {
+    forms_.clear();
+    for (const QJsonValue& form : choices[QStringLiteral("forms")].toArray())
+      if (form.toInt(-1) >= 0 && form.toInt() <= static_cast<int>(exchange::Form::Views))
+        forms_.insert(static_cast<exchange::Form>(form.toInt()));
+    const double scale = choices[QStringLiteral("drawing_scale")].toDouble();
+    drawing_scale_ = scale > 0 ? std::optional(scale) : std::nullopt;
+    deviation_mm_ = qBound(0.0, choices[QStringLiteral("deviation_mm")].toDouble(), 1.0);
+    const QString parent = choices[QStringLiteral("folder")].toString();
+    if (!parent.isEmpty() && QFileInfo(parent).isDir()) parent_ = parent;
+  }
+  target_ = proposedTarget(*session_, parent_);
+}
+
+void ExportChoices::keepChoices() const {
+  if (!session_) return;
+  QJsonArray forms;
+  for (const exchange::Form form : forms_) forms.append(static_cast<int>(form));
+  const QJsonObject choices{{QStringLiteral("forms"), forms},
+                            {QStringLiteral("drawing_scale"), drawing_scale_.value_or(0)},
+                            {QStringLiteral("deviation_mm"), deviation_mm_},
+                            {QStringLiteral("folder"), parent_}};
+  (void)catalogue::Settings(session_->project().catalogue())
+      .setValue(kChoicesKey, QJsonDocument(choices).toJson(QJsonDocument::Compact).toStdString());
+}
+
+exchange::ExportOptions ExportChoices::options() const {
+  exchange::ExportOptions options;
+  options.target = target_.toStdString();
+  options.forms = forms_;
+  options.drawing_scale = drawing_scale_;
+  options.deviation_mm = deviation_mm_;
+  options.wording = printWording();
+  options.program = ("ostraka " + QCoreApplication::applicationVersion()).trimmed().toStdString();
+  return options;
+}
+
+void ExportChoices::setAll() {
+  selection_.what = What::All;
+  emit contentChanged();
+}
+
+void ExportChoices::setFilter(const QString& line) {
+  selection_.what = What::Filtered;
+  selection_.filter = line;
+  emit contentChanged();
+}
+
+void ExportChoices::setChosen(std::vector<store::SherdRow> sherds) {
+  if (selection_.what == What::Chosen && sherds == selection_.chosen) return;
+  selection_.what = What::Chosen;
+  selection_.chosen = std::move(sherds);
+  emit contentChanged();
+}
+
+void ExportChoices::offerChosen(std::vector<store::SherdRow> sherds) {
+  if (sherds == selection_.chosen) return;
+  selection_.chosen = std::move(sherds);
+  if (selection_.what == What::Chosen)
+    emit contentChanged();
+  else
+    emit offerChanged();
+}
+
+void ExportChoices::setForm(exchange::Form form, bool wanted) {
+  if (wanted)
+    forms_.insert(form);
+  else
+    forms_.erase(form);
+  keepChoices();
+  emit contentChanged();
+}
+
+void ExportChoices::setDrawingScale(std::optional<double> scale) {
+  drawing_scale_ = scale;
+  keepChoices();
+  emit contentChanged();
+}
+
+void ExportChoices::setDeviation(double deviation_mm) {
+  deviation_mm_ = deviation_mm;
+  keepChoices();
+  emit contentChanged();
+}
+
+void ExportChoices::setTarget(const QString& folder) {
+  target_ = folder.trimmed();
+  emit targetChanged();
+}
+
+void ExportChoices::takeFreeTarget() {
+  target_ = freeName(target_);
+}
+
+void ExportChoices::keepTarget() {
+  parent_ = QFileInfo(target_).absolutePath();
+  keepChoices();
+}
+
+}  // namespace ostraka::ui

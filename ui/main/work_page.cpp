@@ -1,0 +1,150 @@
+#include "ui/main/work_page.h"
+
+#include <QFontInfo>
+#include <QHBoxLayout>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "ui/capture/capture_screen.h"
+#include "ui/frame/lines.h"
+#include "ui/frame/look.h"
+#include "ui/frame/page_area.h"
+#include "ui/frame/project_session.h"
+#include "ui/frame/sidebar.h"
+#include "ui/main/main_window.h"
+#include "ui/queue/batch_computation.h"
+#include "ui/queue/batch_queue.h"
+#include "ui/queue/queue_screen.h"
+
+namespace ostraka::ui {
+
+WorkPage::WorkPage(BatchQueue& queue, CaptureScreen& capture, QueueScreen& queue_screen,
+                   QWidget* parent)
+    : QWidget(parent),
+      queue_(queue),
+      capture_(capture),
+      screens_(makeScreens(&capture, &queue_screen, this)) {
+  buildLayout(queue_screen);
+  for (Screen* screen : screens_) {
+    connect(screen, &Screen::said, footer_, &FooterLine::say);
+    connect(screen, &Screen::working, this, [this](const QString& words, double fraction) {
+      other_work_ = words;
+      other_fraction_ = fraction;
+      if (words.isEmpty()) warned_ = false;  // what would have been lost is done
+      followLines();
+    });
+    connect(screen, &Screen::whereChanged, this, &WorkPage::followLines);
+  }
+  connect(sidebar_, &Sidebar::selectedChanged, this, &WorkPage::screenWanted);
+  connect(&queue, &BatchQueue::batchComputed, this, [this](const QString& number) {
+    footer_->say(MainWindow::tr("%1 is ready.").arg(number));
+  });
+  connect(&queue, &BatchQueue::batchFailed, this,
+          [this](const QString& number, const QString& why) {
+            footer_->say(MainWindow::tr("%1 stopped: %2").arg(number, why));
+          });
+  connect(&queue, &BatchQueue::workChanged, this, &WorkPage::followLines);
+  connect(&capture, &CaptureScreen::lineChanged, this, &WorkPage::followLines);
+}
+
+void WorkPage::buildLayout(QueueScreen& queue_screen) {
+  sidebar_ = new Sidebar(this);
+  header_ = new HeaderLine(this);
+  pages_ = new QStackedWidget(this);
+  footer_ = new FooterLine(queue_screen.pauseAction(), queue_screen.logAction(), this);
+  for (Screen* screen : screens_) {
+    pages_->addWidget(new PageArea(screen, pages_));
+    window()->addAction(sidebar_->addScreen(screen));  // its key works on the side pages too
+  }
+  auto* right = new QVBoxLayout;
+  right->setSpacing(0);
+  right->addWidget(header_);
+  right->addWidget(pages_, 1);
+  right->addWidget(footer_);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  row->addWidget(sidebar_);
+  row->addLayout(right, 1);
+}
+
+int WorkPage::shown() const {
+  return pages_->currentIndex();
+}
+
+int WorkPage::screenNamed(const QString& icon_name) const {
+  for (std::size_t i = 0; i < screens_.size(); ++i)
+    if (screens_[i]->iconName() == icon_name) return static_cast<int>(i);
+  return -1;
+}
+
+void WorkPage::openProject(ProjectSession& session, const QString& title) {
+  session_ = &session;
+  title_ = title;
+  for (Screen* screen : screens_) screen->openProject(session);
+  connect(&session, &ProjectSession::batchChanged, this, &WorkPage::followLines);
+}
+
+void WorkPage::closeProject() {
+  for (Screen* screen : screens_) {
+    screen->setInFront(false);
+    screen->closeProject();
+  }
+  session_ = nullptr;
+  warned_ = false;
+}
+
+void WorkPage::bringChosen(int index) {
+  const auto from = static_cast<std::size_t>(shown());
+  const auto to = static_cast<std::size_t>(index);
+  if (from != to) screens_[to]->takeChosen(screens_[from]->chosen());
+}
+
+void WorkPage::showScreen(int index) {
+  pages_->setCurrentIndex(index);
+  sidebar_->select(index);
+  for (std::size_t i = 0; i < screens_.size(); ++i)
+    screens_[i]->setInFront(static_cast<int>(i) == index);
+  followLines();
+}
+
+void WorkPage::rest() {
+  for (Screen* screen : screens_) screen->setInFront(false);
+}
+
+void WorkPage::fit(const QSize& window) {
+  // Where letters are large, less stands in the same height.
+  const double letters = static_cast<double>(QFontInfo(font()).pixelSize()) / Look::kBody;
+  const bool compact = window.height() < Look::kCompactBelow * std::max(1.0, letters);
+  sidebar_->fit(window);
+  header_->setCompact(compact);
+  footer_->setCompact(compact);
+  for (Screen* screen : screens_) screen->setCompact(compact);
+}
+
+bool WorkPage::saysWhatIsLost() {
+  for (std::size_t i = 0; i < screens_.size() && session_ != nullptr; ++i) {
+    const QString loss = screens_[i]->losesByClosing();
+    if (loss.isEmpty()) continue;
+    if (std::exchange(warned_, true)) return false;
+    emit screenWanted(static_cast<int>(i));
+    footer_->say(loss);
+    return true;
+  }
+  return warned_ = false;
+}
+
+void WorkPage::followLines() {
+  const QString queued = queue_.workWords();
+  const bool other = !other_work_.isEmpty() && !queue_.computation()->isBusy();
+  footer_->setWork(other ? other_work_ : queued, other ? other_fraction_ : queue_.workFraction());
+  const QString where = session_ == nullptr
+                            ? QString()
+                            : screens_.at(static_cast<std::size_t>(shown()))->whereWords();
+  header_->setWhere(where.isEmpty() && session_ != nullptr ? title_ : where);
+  header_->setRig(capture_.rigWords(), capture_.isRigReady());
+}
+
+}  // namespace ostraka::ui

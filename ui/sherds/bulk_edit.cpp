@@ -1,0 +1,269 @@
+#include "ui/sherds/bulk_edit.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCompleter>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <set>
+
+#include "intake/sherd_moves.h"
+#include "records/sherd.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
+#include "ui/frame/look.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/job.h"
+#include "ui/sherds/field_words.h"
+#include "ui/words/sentence.h"
+#include "upkeep/project.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kReasons = 3;          // of refusals, above that list
+constexpr std::size_t kShown = 200;  // the preview's list; all are counted
+
+bool isPlace(const std::string& field) {
+  const auto& all = sherds::sherdFields();
+  return std::any_of(all.begin(), all.end(), [&](const records::SherdField& known) {
+    return field == known.name && known.kind == records::FieldKind::Place;
+  });
+}
+
+QString shownValue(const records::ChangePreview& change, const std::string& value,
+                   const TermWords& words) {
+  for (const records::SherdField& field : sherds::sherdFields())
+    if (change.change.field == field.name && field.kind == records::FieldKind::Number)
+      return typedText(field, value);
+  return words.shown(change.change.field, value);
+}
+
+// Whole, since the table has no room for them; mostly it is one for all sherds.
+QStringList reasonsOf(const std::vector<records::ChangePreview>& shown) {
+  QStringList reasons;
+  std::set<std::string> said;
+  for (const records::ChangePreview& change : shown) {
+    if (change.refusal.empty() || !said.insert(change.refusal).second) continue;
+    if (reasons.size() == kReasons) return reasons << QStringLiteral("…");
+    reasons << wordsOf(change.refusal);
+  }
+  return reasons;
+}
+
+}  // namespace
+
+struct BulkEdit::Preview {
+  intake::Move move;  ///< where sherds get another context
+  std::vector<records::ChangePreview> shown;
+  std::vector<records::SherdRecord> records;  ///< of the first kShown
+};
+
+BulkEdit::BulkEdit(QWidget* parent) : QWidget(parent) {
+  buildLayout();
+}
+
+void BulkEdit::buildLayout() {
+  auto* column = new QVBoxLayout(this);
+  heading_ = new QLabel(this);
+  heading_->setFont(scaledFont(*this, Look::kSection, true));
+  field_ = new QComboBox(this);
+  field_->setObjectName("bulkField");
+  field_->setAccessibleName(tr("Field to change"));
+  for (const records::SherdField& field : sherds::sherdFields())
+    if (field.editable && std::string_view(field.name) != "number")
+      field_->addItem(fieldLabel(field.name), QString::fromLatin1(field.name));
+  field_->setCurrentIndex(field_->findData("part"));
+  value_ = new QLineEdit(this);
+  value_->setObjectName("bulkValue");
+  value_->setAccessibleName(tr("New value for all"));
+  value_->setPlaceholderText(tr("new value; empty deletes"));
+  summary_ = new QLabel(this);
+  summary_->setObjectName("bulkSummary");
+  summary_->setWordWrap(true);
+  replace_ = new QCheckBox(tr("Replace with measured value"), this);
+  replace_->setObjectName("bulkReplace");
+  replace_->hide();
+  connect(replace_, &QCheckBox::clicked, this, [this] { preview(); });
+  table_ = new QTableWidget(0, 3, this);
+  table_->setHorizontalHeaderLabels({tr("sherd"), tr("now"), tr("then")});
+  table_->setAccessibleName(tr("What would change"));
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
+  table_->setWordWrap(true);
+  apply_ = new QPushButton(icon("check"), tr("Change"), this);
+  apply_->setObjectName("bulkApply");
+  apply_->setMinimumHeight(controlHeight(*this));
+  numbers_ = new QPushButton(icon("label"), tr("Assign numbers"), this);
+  numbers_->setObjectName("bulkNumbers");
+  numbers_->setMinimumHeight(controlHeight(*this));
+  auto* field_label = new QLabel(tr("Field"), this);
+  field_label->setBuddy(field_);
+  auto* value_label = new QLabel(tr("Value"), this);
+  value_label->setBuddy(value_);
+  for (QWidget* widget : {static_cast<QWidget*>(heading_), static_cast<QWidget*>(field_label),
+                          static_cast<QWidget*>(field_), static_cast<QWidget*>(value_label),
+                          static_cast<QWidget*>(value_), static_cast<QWidget*>(summary_),
+                          static_cast<QWidget*>(replace_)})
+    column->addWidget(widget);
+  column->addWidget(table_, 1);
+  column->addWidget(apply_);
+  column->addWidget(numbers_);
+  bar_ = new QProgressBar(this);
+  bar_->setObjectName("bulkProgress");
+  bar_->setRange(0, 1000);
+  bar_->setAccessibleName(tr("Progress of the changes"));
+  stop_ = new QPushButton(icon("cancel"), tr("Cancel and undo"), this);
+  stop_->setObjectName("bulkStop");
+  stop_->setMinimumHeight(controlHeight(*this));
+  column->addWidget(bar_);
+  column->addWidget(stop_);
+  showProgress(-1);
+  connect(stop_, &QPushButton::clicked, this, &BulkEdit::stopWanted);
+  connect(field_, &QComboBox::currentIndexChanged, this, [this] {
+    offerTerms();
+    replace_->setChecked(false);
+    preview();
+  });
+  connect(value_, &QLineEdit::textEdited, this, [this] {
+    replace_->setChecked(false);  // it was said of another value
+    preview();
+  });
+  connect(apply_, &QPushButton::clicked, this, [this] { emit wanted(good_); });
+  connect(numbers_, &QPushButton::clicked, this, &BulkEdit::numbersWanted);
+}
+
+void BulkEdit::lookAgain() {
+  preview();
+}
+
+void BulkEdit::setSherds(ProjectSession* session, std::vector<store::SherdRow> sherds) {
+  session_ = session;
+  sherds_ = std::move(sherds);
+  heading_->setText(tr("%n sherd(s) chosen", nullptr, static_cast<int>(sherds_.size())));
+  value_->setText({});  // clear() would count as a person's act
+  replace_->setChecked(false);
+  offerTerms();
+  preview();
+}
+
+void BulkEdit::showProgress(double fraction) {
+  const bool busy = fraction >= 0;
+  bar_->setVisible(busy);
+  stop_->setVisible(busy);
+  bar_->setValue(qRound(1000 * fraction));
+  apply_->setVisible(!busy);
+  numbers_->setVisible(!busy);
+  field_->setEnabled(!busy);
+  value_->setEnabled(!busy);
+}
+
+void BulkEdit::offerTerms() {
+  const std::string field = field_->currentData().toString().toStdString();
+  if (session_) words_.read(session_->project().catalogue());
+  QStringList terms;
+  for (const records::SherdField& known : sherds::sherdFields())
+    if (session_ && field == known.name) terms = words_.of(known);
+  auto* completer = new QCompleter(terms, value_);
+  completer->setCaseSensitivity(Qt::CaseInsensitive);
+  delete value_->completer();
+  value_->setCompleter(completer);
+}
+
+void BulkEdit::preview() {
+  delete previewing_.data();  // what was typed before
+  good_.clear();
+  note_.clear();
+  table_->setRowCount(0);
+  apply_->setEnabled(false);
+  apply_->setText(tr("Change"));
+  summary_->clear();
+  if (!session_ || sherds_.empty()) return;
+  if (!value_->isModified()) {
+    replace_->hide();  // an empty line deletes only when a person emptied it
+    summary_->setText(tr("Type a value to see what would change."));
+    return;
+  }
+  const std::string field = field_->currentData().toString().toStdString();
+  if (const QString two_ways = inTwoWays(field, value_->text()); !two_ways.isEmpty())
+    return summary_->setText(two_ways);
+  const auto work = [folder = session_->folder(), sherds = sherds_, field,
+                     value = value_->text().toStdString(),
+                     confirmation = replace_->isChecked() ? records::Confirmation::Given
+                                                          : records::Confirmation::None](
+                        Progress&, std::stop_token) -> Result<Preview> {
+    const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
+    if (!catalogue) return catalogue.error();
+    std::vector<records::FieldChange> changes;
+    for (const store::SherdRow& sherd : sherds)
+      changes.push_back({sherd, field, value, confirmation});
+    Result<intake::Move> move =
+        isPlace(field) ? intake::moveOf(*catalogue, changes) : intake::Move{changes, 0, {}, {}};
+    if (!move) return move.error();
+    Result<std::vector<records::ChangePreview>> shown =
+        sherds::SherdChanges(*catalogue).preview(move->changes);
+    if (!shown) return shown.error();
+    Result<std::vector<records::SherdRecord>> records =
+        sherds::Sherds(*catalogue)
+            .of(std::span(sherds).first(std::min<std::size_t>(sherds.size(), kShown)));
+    if (!records) return records.error();
+    return Preview{std::move(*move), std::move(*shown), std::move(*records)};
+  };
+  previewing_ = session_->jobs().start(makeJob(tr("Preview of a change"), work), this);
+  connect(previewing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    const Result<Preview> preview = outcomeAs<Preview>(outcome);
+    if (preview)
+      showPreview(*preview);
+    else
+      summary_->setText(sentenceOf(preview.error()));
+  });
+}
+
+void BulkEdit::showPreview(const Preview& preview) {
+  int changed = 0, same = 0, refused = 0, asked = 0;
+  bool asks = false;
+  std::size_t sherd = 0;
+  for (const records::ChangePreview& change : preview.shown) {
+    const bool is_same = change.refusal.empty() && change.old_value == change.new_value;
+    asks = asks || !change.findings.empty();
+    if (change.refusal.empty() && !is_same && !change.asks()) good_.push_back(change.change);
+    if (change.change.field != preview.shown.front().change.field) continue;  // comes along
+    const std::size_t i = sherd++;
+    (is_same ? same : !change.refusal.empty() ? refused : change.asks() ? asked : changed) += 1;
+    if (i >= preview.records.size() || is_same) continue;
+    const int row = table_->rowCount();
+    table_->insertRow(row);
+    table_->setItem(row, 0, new QTableWidgetItem(sherdName(preview.records[i])));
+    table_->setItem(row, 1, new QTableWidgetItem(shownValue(change, change.old_value, words_)));
+    auto* then = new QTableWidgetItem(
+        !change.refusal.empty() ? tr("rejected: %1").arg(wordsOf(change.refusal))
+        : change.asks()         ? questionWords(change.findings)
+                                : shownValue(change, change.new_value, words_));
+    then->setToolTip(then->text());
+    if (!change.refusal.empty()) then->setIcon(icon("error"));
+    if (change.asks()) then->setIcon(icon("question"));
+    table_->setItem(row, 2, then);
+  }
+  table_->resizeColumnsToContents();
+  table_->resizeRowsToContents();
+  const QString counts =
+      tr("%1 change, %2 stay unchanged, %3 are rejected.").arg(changed).arg(same).arg(refused);
+  note_ = leftBehindWords(preview.move);
+  QStringList lines = QStringList(counts) + reasonsOf(preview.shown);
+  if (asked > 0) lines << tr("%n value(s) ask for a confirmation.", nullptr, asked);
+  replace_->setVisible(asks);
+  if (!note_.isEmpty()) lines << note_;
+  summary_->setText(lines.join(QLatin1Char('\n')));
+  apply_->setEnabled(!good_.empty());
+  apply_->setText(tr("Change %n sherd(s)", nullptr, changed));
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,109 @@
+#include "ui/sherds/filter_line.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTimer>
+#include <QToolButton>
+
+#include "ui/frame/look.h"
+#include "ui/sherds/field_words.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kTypingPause_ms = 150;
+
+}  // namespace
+
+FilterLine::FilterLine(QWidget* parent)
+    : QWidget(parent),
+      line_(new QLineEdit(this)),
+      typing_(new QTimer(this)),
+      row_(new QHBoxLayout),
+      chips_(new QHBoxLayout),
+      count_(new QLabel(this)) {
+  line_->setObjectName("filter");
+  line_->setAccessibleName(tr("Filter of the catalogue"));
+  line_->setPlaceholderText(tr("rim T3 thickness>6"));
+  line_->setToolTip(
+      tr("Words are looked for everywhere; ware:grey, thickness>6, -burnt, note:* also work."));
+  line_->setClearButtonEnabled(true);
+  line_->setMinimumHeight(controlHeight(*this));
+  line_->addAction(icon("search"), QLineEdit::LeadingPosition);
+  count_->setObjectName("count");
+  typing_->setSingleShot(true);
+  typing_->setInterval(kTypingPause_ms);
+  connect(line_, &QLineEdit::textChanged, typing_, qOverload<>(&QTimer::start));
+  connect(line_, &QLineEdit::returnPressed, this, &FilterLine::ask);
+  connect(typing_, &QTimer::timeout, this, &FilterLine::ask);
+  row_->addWidget(line_, 1);
+  auto* below = new QHBoxLayout;
+  below->addLayout(chips_);
+  below->addStretch();
+  below->addWidget(count_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(row_);
+  column->addLayout(below);
+}
+
+void FilterLine::addButton(QPushButton* button) {
+  button->setMinimumHeight(controlHeight(*this));
+  row_->addWidget(button);
+}
+
+QString FilterLine::text() const {
+  return line_->text();
+}
+
+void FilterLine::setText(const QString& line) {
+  line_->setText(line);
+  ask();
+}
+
+void FilterLine::clear() {
+  line_->clear();
+  typing_->stop();
+  showConditions({});
+}
+
+void FilterLine::takeKeys() {
+  line_->setFocus(Qt::ShortcutFocusReason);
+  line_->selectAll();
+}
+
+void FilterLine::ask() {
+  typing_->stop();
+  emit wanted(line_->text());
+}
+
+void FilterLine::showConditions(const sherds::Filter& filter) {
+  while (QLayoutItem* item = chips_->takeAt(0)) {
+    if (item->widget()) item->widget()->deleteLater();
+    delete item;
+  }
+  for (std::size_t i = 0; i < filter.conditions.size(); ++i) {
+    sherds::Filter fewer = filter;
+    fewer.conditions.erase(fewer.conditions.begin() + static_cast<std::ptrdiff_t>(i));
+    auto* chip = new QToolButton(this);
+    const QString text = conditionText(filter.conditions[i]);
+    chip->setText(text);
+    chip->setIcon(icon("cancel"));
+    chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    chip->setObjectName("chip");
+    chip->setAccessibleName(tr("Remove the condition %1").arg(text));
+    connect(chip, &QToolButton::clicked, this,
+            [this, line = QString::fromStdString(fewer.text())] { setText(line); });
+    chips_->addWidget(chip);
+  }
+}
+
+void FilterLine::showCount(int sherds) {
+  count_->setText(tr("%n sherd(s)", nullptr, sherds));
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,500 @@
+#include "ui/sherds/sherd_details.h"
+
+#include <QComboBox>
+#include <QCompleter>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QStringListModel>
+#include <QTimer>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <set>
+
+#include "catalogue/files.h"
+#include "catalogue/history.h"
+#include "catalogue/places.h"
+#include "sherds/measurements.h"
+#include "sherds/numbers.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
+#include "store/values.h"
+#include "ui/frame/elided_button.h"
+#include "ui/frame/look.h"
+#include "ui/sherds/field_words.h"
+#include "ui/words/sentence.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kSmallPicture = 64;
+
+QTreeWidget* table(const QStringList& columns, const QString& name, QWidget* parent) {
+  auto* tree = new QTreeWidget(parent);
+  tree->setHeaderLabels(columns);
+  tree->setRootIsDecorated(false);
+  tree->setAccessibleName(name);
+  tree->setSelectionMode(QAbstractItemView::NoSelection);
+  tree->setWordWrap(true);
+  tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  return tree;
+}
+
+// As high as its rows, so that only the page scrolls.
+void fitHeight(QTreeWidget* tree) {
+  const int row = tree->topLevelItemCount() > 0 ? tree->sizeHintForRow(0) : 0;
+  tree->setFixedHeight(tree->header()->sizeHint().height() +
+                       row * std::min(tree->topLevelItemCount(), 12) + 2 * tree->frameWidth() + 2);
+}
+
+void setPicture(QLabel* label, const QString& path, int size) {
+  const QPixmap pixmap(path);
+  label->setPixmap(pixmap.isNull()
+                       ? icon("sherd").pixmap(size, size)
+                       : pixmap.scaled(size, size, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+}
+
+QString fileState(records::FileState state) {
+  return state == records::FileState::Missing   ? SherdDetails::tr("missing")
+         : state == records::FileState::Changed ? SherdDetails::tr("changed")
+                                                : SherdDetails::tr("present");
+}
+
+}  // namespace
+
+SherdDetails::SherdDetails(QWidget* parent) : QScrollArea(parent) {
+  buildLayout();
+  clear();
+}
+
+void SherdDetails::buildLayout() {
+  setWidgetResizable(true);
+  setFrameShape(QFrame::NoFrame);
+  setAccessibleName(tr("Details of the sherd"));
+  auto* page = new QWidget(this);
+  auto* column = new QVBoxLayout(page);
+  number_ = new QLabel(page);
+  number_->setFont(scaledFont(*this, Look::kSection, true));
+  number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  number_->setWordWrap(true);
+  number_->setAccessibleName(tr("Number of the sherd"));
+  give_number_ = new ElidedButton(icon("label"), tr("Assign number %1").arg(QString()), page);
+  give_number_->setObjectName("giveNumber");
+  give_number_->setMinimumHeight(controlHeight(*this));
+  connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
+  why_no_number_ = new QLabel(page);
+  why_no_number_->setObjectName("whyNoNumber");
+  why_no_number_->setWordWrap(true);
+  buildRefusal(page);
+  form_ = new QFormLayout;
+  form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+  form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  const auto addField = [&](const records::SherdField& field) {
+    auto* label = new QLabel(fieldLabel(field.name), page);
+    QWidget* editor = editorFor(field);
+    label->setBuddy(editor);
+    form_->addRow(label, editor);
+  };
+  // A context is chosen with its trench and site; what voids a sherd comes last, for Tab too.
+  const std::set<std::string> elsewhere = {"site", "trench", "context", "void_reason"};
+  for (const records::SherdField& field : sherds::sherdFields()) {
+    if (field.name == std::string("site")) addPlace();
+    if (field.editable && !elsewhere.contains(field.name)) addField(field);
+  }
+  for (const records::SherdField& field : sherds::sherdFields())
+    if (field.name == std::string("void_reason")) addField(field);
+  measures_ = table({tr("measure"), tr("value"), tr("from")}, tr("Measurements"), page);
+  history_ = table({tr("when"), tr("who"), tr("what")}, tr("History"), page);
+  files_ = table({tr("file"), tr("kind"), tr("state")}, tr("Files"), page);
+  const auto heading = [&](const QString& text) {
+    auto* label = new QLabel(text, page);
+    label->setFont(scaledFont(*this, Look::kSection, true));
+    return label;
+  };
+  column->addWidget(number_);
+  column->addWidget(give_number_);
+  column->addWidget(why_no_number_);
+  column->addWidget(refusal_);
+  column->addLayout(form_);
+  column->addWidget(heading(tr("Measured")));
+  column->addWidget(measures_);
+  column->addWidget(heading(tr("History")));
+  column->addWidget(history_);
+  column->addWidget(heading(tr("Files")));
+  column->addWidget(files_);
+  column->addStretch();
+  setWidget(page);
+}
+
+void SherdDetails::buildRefusal(QWidget* page) {
+  refusal_ = new QWidget(page);
+  refusal_->setObjectName("refusal");
+  auto* column = new QVBoxLayout(refusal_);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* row = new QHBoxLayout;
+  refusal_picture_ = new QLabel(refusal_);
+  refusal_picture_->setAccessibleName(tr("Picture of the sherd in the way"));
+  refusal_text_ = new QLabel(refusal_);
+  refusal_text_->setWordWrap(true);
+  refusal_text_->setObjectName("refusalText");
+  row->addWidget(refusal_picture_);
+  row->addWidget(refusal_text_, 1);
+  confirm_ = new ElidedButton(icon("check"), tr("Confirm"), refusal_);
+  confirm_->setObjectName("confirmChange");
+  confirm_->setMinimumHeight(targetSize(*this));
+  column->addLayout(row);
+  column->addWidget(confirm_);
+  connect(confirm_, &QPushButton::clicked, this, [this] {
+    editors_.value(asked_field_)->setFocus();
+    if (sherd_) emit confirmed(asked_field_, unsaved_.value(sherd_.value).value(asked_field_));
+  });
+}
+
+void SherdDetails::addPlace() {
+  place_ = new QComboBox(this);
+  place_->setObjectName("field_place");
+  place_->setAccessibleName(tr("Context"));
+  place_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(place_, &QComboBox::activated, this, [this](int index) {
+    const QString place = place_->itemData(index).toString();
+    if (sherd_ && index >= 0 && place != shown_.value("place")) emit edited("place", place);
+  });
+  auto* label = new QLabel(tr("context"), this);
+  label->setBuddy(place_);
+  form_->addRow(label, place_);
+}
+
+QWidget* SherdDetails::editorFor(const records::SherdField& field) {
+  const QString name = QString::fromLatin1(field.name);
+  QWidget* editor = nullptr;
+  const auto told = [this, name](const QString& value) {
+    if (!sherd_) return;
+    // What could not be saved is tried again, or given up by what was there before.
+    if (value != shown_.value(name) || unsaved_.value(sherd_.value).contains(name))
+      emit edited(name, value);
+  };
+  if (field.kind == records::FieldKind::Term) {
+    auto* box = new QComboBox(this);
+    box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    connect(box, &QComboBox::activated, this, [box, told](int) { told(box->currentText()); });
+    editor = box;
+  } else {
+    auto* line = new QLineEdit(this);
+    if (name == QLatin1String("number"))
+      line->setToolTip(
+          tr("7 is the running number in the sherd's context; =7 is the number 7 "
+             "itself."));
+    if (field.kind == records::FieldKind::Terms) {
+      auto* completer = new QCompleter(new QStringListModel(line), line);
+      completer->setCaseSensitivity(Qt::CaseInsensitive);
+      line->setCompleter(completer);
+    }
+    connect(line, &QLineEdit::editingFinished, this, [this, name, line, told] {
+      put_[name] = line->text();
+      told(line->text());
+    });
+    line->installEventFilter(this);
+    editor = line;
+  }
+  editor->setObjectName("field_" + name);
+  editor->setAccessibleName(fieldLabel(field.name));
+  editors_.insert(name, editor);
+  return editor;
+}
+
+void SherdDetails::setVocabularies(const catalogue::Catalogue& catalogue) {
+  words_.read(catalogue);
+  for (const records::SherdField& field : sherds::sherdFields()) {
+    if (std::string_view(field.vocabulary).empty()) continue;
+    const QStringList terms = words_.of(field);
+    QWidget* editor = editors_.value(field.name);
+    if (auto* box = qobject_cast<QComboBox*>(editor)) {
+      box->clear();
+      box->addItem({});
+      box->addItems(terms);
+    } else if (auto* line = qobject_cast<QLineEdit*>(editor)) {
+      qobject_cast<QStringListModel*>(line->completer()->model())->setStringList(terms);
+      line->setPlaceholderText(terms.mid(0, 4).join("; ") + "; …");
+    }
+  }
+}
+
+void SherdDetails::setText(const std::string& field, const QString& text) {
+  const QString name = QString::fromStdString(field);
+  shown_.insert(name, text);
+  QWidget* editor = editors_.value(name);
+  if (auto* box = qobject_cast<QComboBox*>(editor)) {
+    if (box->findText(text) < 0) box->addItem(text);
+    box->setCurrentText(text);
+  } else if (auto* line = qobject_cast<QLineEdit*>(editor); line && !isTyping(name)) {
+    if (line->text() == text && !line->isUndoAvailable()) return;  // what is marked stays marked
+    put(name, text);
+    line->setCursorPosition(0);
+  }
+}
+
+void SherdDetails::put(const QString& field, const QString& text) {
+  auto* line = qobject_cast<QLineEdit*>(editors_.value(field));
+  line->setText(text);
+  put_[field] = line->text();
+}
+
+bool SherdDetails::isTyping(const QString& field) const {
+  const auto* line = qobject_cast<QLineEdit*>(editors_.value(field));
+  return sherd_ && line != nullptr && line->text() != put_.value(field);
+}
+
+// Something else than a person's leaving it takes the sherd away.
+void SherdDetails::keepTyped() {
+  for (auto at = editors_.begin(); at != editors_.end(); ++at) {
+    if (!isTyping(at.key())) continue;
+    put_[at.key()] = qobject_cast<QLineEdit*>(at.value())->text();
+    unsaved_[sherd_.value].insert(at.key(), put_.value(at.key()));
+  }
+}
+
+void SherdDetails::keepUnsaved(const QString& field, const QString& value) {
+  unsaved_[sherd_.value].insert(field, value);
+  showUnsaved();
+}
+
+// In a narrow pane labels stand above their fields, which would have no room beside them.
+void SherdDetails::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  const bool narrow = viewport()->width() < 2 * Look::kLabelColumn;
+  form_->setRowWrapPolicy(narrow ? QFormLayout::WrapAllRows : QFormLayout::WrapLongRows);
+}
+
+// Esc gives up what was typed; Ctrl+Z in a field where nothing was typed is the catalogue's.
+bool SherdDetails::eventFilter(QObject* watched, QEvent* event) {
+  auto* line = qobject_cast<QLineEdit*>(watched);
+  if (line != nullptr && event->type() == QEvent::ShortcutOverride && !line->isUndoAvailable() &&
+      static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo)) {
+    event->ignore();
+    return true;
+  }
+  if (line == nullptr || event->type() != QEvent::KeyPress ||
+      static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+    return QScrollArea::eventFilter(watched, event);
+  const QString name = editors_.key(line), saved = shown_.value(name);
+  if (line->text() == saved && !unsaved_.value(sherd_.value).contains(name)) return false;
+  forgetUnsaved(name);
+  put(name, saved);
+  return true;
+}
+
+void SherdDetails::ask(const QString& field, const QString& value, const QString& question,
+                       const QString& act) {
+  keepUnsaved(field, value);
+  showRefusal(field.toStdString(), question, {}, {});
+  asked_field_ = field;
+  confirm_->setText(act);
+  confirm_->show();
+}
+
+void SherdDetails::forgetUnsaved(const QString& field) {
+  const auto typed = unsaved_.find(sherd_.value);
+  if (typed == unsaved_.end() || !typed->remove(field)) return;
+  if (typed->isEmpty()) unsaved_.erase(typed);
+  refusal_->hide();
+}
+
+void SherdDetails::forgetUnsaved() {
+  unsaved_.clear();
+}
+
+void SherdDetails::showUnsaved() {
+  const QHash<QString, QString> typed = unsaved_.value(sherd_.value);
+  QStringList fields;
+  for (auto at = typed.begin(); at != typed.end(); ++at) {
+    fields << fieldLabel(at.key().toStdString());
+    if (qobject_cast<QLineEdit*>(editors_.value(at.key())) && !isTyping(at.key()))
+      put(at.key(), *at);
+    if (auto* box = qobject_cast<QComboBox*>(editors_.value(at.key()))) box->setCurrentText(*at);
+  }
+  if (fields.isEmpty()) return;
+  fields.sort();
+  placeRefusal(
+      typed.begin().key().toStdString(),
+      tr("Not saved yet: %1. Return in the field saves it.").arg(fields.join(QStringLiteral(", "))),
+      {}, {});
+}
+
+void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
+                             const std::filesystem::path& project, store::SherdRow row) {
+  const Result<records::SherdRecord> sherd = sherds::Sherds(catalogue).get(row);
+  if (!sherd) {
+    clear();
+    return;
+  }
+  if (row != sherd_) keepTyped();
+  sherd_ = row;
+  widget()->setEnabled(true);
+  refusal_->hide();
+  number_->setText(sherdName(*sherd));
+  give_number_->hide();
+  why_no_number_->hide();
+  if (sherd->number.empty()) {
+    const auto proposed = sherds::Numbers(catalogue).propose(std::span(&row, 1));
+    give_number_->setVisible(proposed.has_value());
+    why_no_number_->setVisible(!proposed);
+    if (proposed)
+      give_number_->setText(tr("Assign number %1").arg(QString::fromStdString(proposed->front())));
+    else
+      why_no_number_->setText(wordsOf(proposed.error().what));
+  }
+  for (const records::SherdField& field : sherds::sherdFields())
+    if (field.editable)
+      setText(field.name,
+              words_.shown(field, typedText(field, sherds::textOf(*sherd, field.name))));
+  place_->clear();
+  if (const auto contexts = catalogue::Places(catalogue).contexts())
+    for (const records::ContextRecord& context : *contexts) {
+      const QStringList codes = {QString::fromStdString(context.site_code),
+                                 QString::fromStdString(context.trench_code),
+                                 QString::fromStdString(context.number)};
+      place_->addItem(codes.join(' ').simplified(), codes.join('\n'));
+      if (context.row == sherd->context) place_->setCurrentIndex(place_->count() - 1);
+    }
+  if (!sherd->context) place_->setCurrentIndex(-1);
+  shown_.insert("place", place_->currentData().toString());
+  showUnsaved();
+  showMeasures(catalogue, *sherd);
+  showHistory(catalogue);
+  showFiles(catalogue, project);
+}
+
+void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
+                                const records::SherdRecord& sherd) {
+  measures_->clear();
+  const auto add = [this](const QString& kind, const QString& value, const QString& from) {
+    auto* item = new QTreeWidgetItem(measures_, {kind, value, from});
+    item->setFont(1, tabularFont(font()));
+    item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    return item;
+  };
+  if (const auto all = sherds::Measurements(catalogue).of(sherd_))
+    for (const records::Measurement& m : *all) {
+      const auto computed = sherd.replaced.find(m.kind);
+      auto* item =
+          add(measureLabel(m.kind),
+              m.uncertainty ? tr("%1 ± %2").arg(measureText(m.value), measureText(*m.uncertainty))
+                            : measureText(m.value),
+              sherd.doubtful.contains(m.kind) ? tr("%1; in doubt").arg(methodLabel(m.method))
+                                              : methodLabel(m.method));
+      if (computed == sherd.replaced.end()) continue;
+      item->setIcon(0, icon("measure"));
+      add({}, measureText(computed->second), tr("computed; replaced by the measured value"));
+    }
+  fitHeight(measures_);
+}
+
+void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
+  history_->clear();
+  QHash<qint64, QString> people;
+  if (const auto persons = catalogue::People(catalogue).all())
+    for (const records::PersonRecord& person : *persons)
+      people.insert(person.row.value, QString::fromStdString(person.initials));
+  if (const auto all = catalogue::History(catalogue).of(sherd_))
+    for (const records::HistoryEntry& entry : *all) {
+      const bool measure = !records::unitOf(entry.field).empty();
+      const auto shown = [&](const std::string& value) {
+        const Result<double> number = store::parsedNumber(value);
+        return measure && number ? measureText(*number) : words_.shown(entry.field, value);
+      };
+      const QString old_value = shown(entry.old_value), new_value = shown(entry.new_value);
+      const QString label = measureLabel(entry.field);
+      const QString what =
+          entry.field.empty() ? tr("added")
+          : old_value.isEmpty()
+              ? tr("%1: %2").arg(label, new_value)
+              : tr("%1: %2 → %3")
+                    .arg(label, old_value, new_value.isEmpty() ? tr("nothing") : new_value);
+      auto* item = new QTreeWidgetItem(
+          history_, {when(entry.at_ms), people.value(entry.by.value, tr("program")), what});
+      item->setToolTip(2, what);  // a narrow column cuts it off
+    }
+  fitHeight(history_);
+}
+
+void SherdDetails::showFiles(const catalogue::Catalogue& catalogue,
+                             const std::filesystem::path& project) {
+  files_->clear();
+  if (const auto all = catalogue::Files(catalogue).of(sherd_))
+    for (const records::FileRecord& file : *all) {
+      std::error_code code;
+      const bool there = std::filesystem::exists(project / file.path, code);
+      auto* item = new QTreeWidgetItem(
+          files_, {QString::fromStdString(std::filesystem::path(file.path).filename().string()),
+                   QString::fromStdString(file.role),
+                   fileState(there ? file.state : records::FileState::Missing)});
+      item->setToolTip(0, QString::fromStdString(file.path));
+    }
+  fitHeight(files_);
+}
+
+void SherdDetails::clear() {
+  keepTyped();
+  sherd_ = {};
+  refusal_->hide();
+  give_number_->hide();
+  why_no_number_->hide();
+  number_->setText(tr("Choose a sherd."));
+  place_->clear();
+  for (const records::SherdField& field : sherds::sherdFields())
+    if (field.editable) setText(field.name, {});
+  for (QTreeWidget* tree : {measures_, history_, files_}) {
+    tree->clear();
+    fitHeight(tree);
+  }
+  widget()->setEnabled(false);
+}
+
+void SherdDetails::edit(const std::string& wanted) {
+  QString name = QString::fromStdString(wanted);
+  if (!editors_.contains(name)) name = "part";
+  QWidget* editor = editors_.value(name);
+  ensureWidgetVisible(editor);
+  editor->setFocus(Qt::ShortcutFocusReason);
+  if (auto* line = qobject_cast<QLineEdit*>(editor)) line->selectAll();
+}
+
+// The other fields that were refused before are named along.
+void SherdDetails::showRefusal(const std::string& field, const QString& sentence,
+                               const QString& other, const QString& picture) {
+  QStringList before;
+  const QHash<QString, QString> typed = unsaved_.value(sherd_.value);
+  for (auto at = typed.begin(); at != typed.end(); ++at)
+    if (at.key().toStdString() != field) before << fieldLabel(at.key().toStdString());
+  before.sort();
+  const QString whole = other.isEmpty() ? sentence : tr("%1 It is %2.").arg(sentence, other);
+  const QString text = before.isEmpty() ? whole
+                                        : whole + QLatin1Char('\n') +
+                                              tr("Not saved yet: %1. Return in the field saves it.")
+                                                  .arg(before.join(QStringLiteral(", ")));
+  placeRefusal(field, text, other, picture);
+}
+
+void SherdDetails::placeRefusal(const std::string& field, const QString& sentence,
+                                const QString& other, const QString& picture) {
+  const QString name = QString::fromStdString(field);
+  refusal_text_->setText(sentence);
+  refusal_picture_->setVisible(!other.isEmpty());
+  confirm_->hide();
+  if (!other.isEmpty()) setPicture(refusal_picture_, picture, kSmallPicture);
+  int row = 0;
+  QFormLayout::ItemRole role = QFormLayout::FieldRole;
+  if (form_->indexOf(refusal_) >= 0)
+    delete form_->takeRow(refusal_).fieldItem;  // the item only; the widget is used again
+  else
+    widget()->layout()->removeWidget(refusal_);
+  form_->getWidgetPosition(editors_.value(name), &row, &role);
+  form_->insertRow(row + 1, refusal_);
+  refusal_->show();
+  QTimer::singleShot(0, refusal_, [this] { ensureWidgetVisible(refusal_); });  // in its height
+}
+
+}  // namespace ostraka::ui

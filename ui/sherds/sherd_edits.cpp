@@ -1,0 +1,220 @@
+#include "ui/sherds/sherd_edits.h"
+
+#include <QUndoCommand>
+#include <QUndoStack>
+#include <memory>
+
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/many_changes.h"
+#include "sherds/numbers.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherds.h"
+#include "ui/frame/project_session.h"
+#include "ui/words/sentence.h"
+#include "upkeep/project.h"
+
+namespace ostraka::ui {
+namespace {
+
+using Changes = std::vector<records::FieldChange>;
+
+// Numbers for those that can have one; the others lack a part of it, mostly their context.
+struct Numbers {
+  Changes changes;
+  int left = 0;
+  Error why_left{};
+};
+
+Result<Numbers> numbersFor(const catalogue::Catalogue& catalogue,
+                           const std::vector<store::SherdRow>& sherds) {
+  const Result<std::vector<records::SherdRecord>> records = sherds::Sherds(catalogue).of(sherds);
+  if (!records) return records.error();
+  std::vector<store::SherdRow> drafts;
+  for (const records::SherdRecord& sherd : *records)
+    if (sherd.state == records::SherdState::Draft) drafts.push_back(sherd.row);
+  Numbers made;
+  if (drafts.empty()) return made;
+  const int wanted = static_cast<int>(drafts.size());
+  Result<std::vector<std::string>> numbers = sherds::Numbers(catalogue).propose(drafts);
+  if (!numbers) {
+    std::erase_if(drafts, [&](const store::SherdRow& draft) {
+      const auto alone = sherds::Numbers(catalogue).propose(std::span(&draft, 1));
+      if (!alone) made.why_left = alone.error();
+      return !alone.has_value();
+    });
+    if (drafts.empty()) return numbers.error();
+    made.left = wanted - static_cast<int>(drafts.size());
+    numbers = sherds::Numbers(catalogue).propose(drafts);
+    if (!numbers) return numbers.error();
+  }
+  for (std::size_t i = 0; i < drafts.size(); ++i)
+    made.changes.push_back({drafts[i], "number", (*numbers)[i]});
+  return made;
+}
+
+}  // namespace
+
+/// Ids and values only; what undoes it comes from the catalogue each time.
+class SherdEditCommand final : public QUndoCommand {
+ public:
+  SherdEditCommand(SherdEdits& edits, const QString& title, Changes done, Changes undo)
+      : QUndoCommand(title), edits_(edits), redo_(std::move(done)), undo_(std::move(undo)) {}
+
+  void redo() override {
+    if (first_)
+      first_ = false;  // it was saved before the command was made
+    else
+      apply(redo_);
+  }
+  void undo() override { apply(undo_); }
+
+ private:
+  void apply(const Changes& changes) {
+    if (edits_.isBusy()) {
+      emit edits_.failed(edits_.busyWords());
+      return;
+    }
+    if (changes.size() > SherdEdits::kAtOnce) {
+      // Refused or stopped, the values stay as they are; undoing and redoing say the same again.
+      edits_.changeMany(
+          text(), [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
+          [](const SherdEdits::Made&) {});
+      return;
+    }
+    const auto done = sherds::SherdChanges(edits_.session_.project().catalogue())
+                          .apply(changes, edits_.provenance());
+    if (!done) {
+      setObsolete(true);
+      emit edits_.failed(sentenceOf(done.error()));
+      return;
+    }
+    edits_.tell(changes);
+  }
+
+  SherdEdits& edits_;
+  Changes redo_, undo_;
+  bool first_ = true;
+};
+
+SherdEdits::SherdEdits(ProjectSession& session, QObject* parent)
+    : QObject(parent), session_(session) {}
+
+records::Provenance SherdEdits::provenance() const {
+  return session_.provenance();
+}
+
+QString SherdEdits::busyWords() const {
+  return tr("Other changes are still being saved; wait for them, or stop them.");
+}
+
+void SherdEdits::tell(const Changes& changes) {
+  std::vector<store::SherdRow> sherds;
+  for (const records::FieldChange& change : changes) sherds.push_back(change.sherd);
+  emit changed(sherds);
+  session_.tellSherdsChanged();
+}
+
+QString SherdEdits::change(const QString& title, const Changes& changes, const QString& note) {
+  if (isBusy()) return busyWords();
+  if (changes.size() > kAtOnce) {
+    changeMany(
+        title, [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
+        [this, title, note](const Made& made) {
+          if (made.undo.empty()) return;
+          session_.undo().push(new SherdEditCommand(*this, title, made.done, made.undo));
+          if (!note.isEmpty()) emit noted(note);
+        });
+    return {};
+  }
+  const auto undo =
+      sherds::SherdChanges(session_.project().catalogue()).apply(changes, provenance());
+  if (!undo) return sentenceOf(undo.error());
+  if (undo->empty()) return {};
+  session_.undo().push(new SherdEditCommand(*this, title, changes, *undo));
+  tell(changes);
+  if (!note.isEmpty()) emit noted(note);
+  return {};
+}
+
+void SherdEdits::took(const QString& title, const Changes& done, const Changes& undo) {
+  if (!undo.empty()) session_.undo().push(new SherdEditCommand(*this, title, done, undo));
+  session_.tellSherdsChanged();
+}
+
+QString SherdEdits::assignNumbers(const std::vector<store::SherdRow>& sherds) {
+  if (isBusy()) return busyWords();
+  const QString nothing = tr("The sherds that are chosen have their numbers.");
+  const auto title = [](const Changes& changes) {
+    return tr("numbering of %n sherd(s)", nullptr, static_cast<int>(changes.size()));
+  };
+  const auto leftWords = [](const Numbers& numbers) {
+    if (numbers.left == 0) return QString();
+    return tr("%n sherd(s) got no number: %1", nullptr, numbers.left)
+        .arg(sentenceOf(numbers.why_left));
+  };
+  if (sherds.size() > kAtOnce) {
+    const auto left = std::make_shared<Numbers>();  // written before the job ends, read after it
+    changeMany(
+        tr("Numbers"),
+        [sherds, left](const catalogue::Catalogue& catalogue) -> Result<Changes> {
+          Result<Numbers> numbers = numbersFor(catalogue, sherds);
+          if (!numbers) return numbers.error();
+          *left = *numbers;
+          return std::move(numbers->changes);
+        },
+        [this, title, nothing, left, leftWords](const Made& made) {
+          if (made.undo.empty()) return emit failed(nothing);
+          session_.undo().push(new SherdEditCommand(*this, title(made.done), made.done, made.undo));
+          if (left->left > 0) emit failed(leftWords(*left));
+        });
+    return {};
+  }
+  const Result<Numbers> numbers = numbersFor(session_.project().catalogue(), sherds);
+  if (!numbers) return sentenceOf(numbers.error());
+  if (numbers->changes.empty()) return nothing;
+  const QString refused = change(title(numbers->changes), numbers->changes);
+  return refused.isEmpty() ? leftWords(*numbers) : refused;
+}
+
+void SherdEdits::changeMany(const QString& title, const Making& making,
+                            std::function<void(const Made&)> then) {
+  stop_ = std::stop_source();
+  const auto work =
+      [folder = session_.folder(), making, provenance = provenance(), stop = stop_.get_token()](
+          Progress& progress, std::stop_token) -> Result<std::shared_ptr<const Made>> {
+    Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
+    if (!catalogue) return catalogue.error();
+    Result<Changes> changes = making(*catalogue);
+    if (!changes) return changes.error();
+    Result<Changes> undo = sherds::changeMany(*catalogue, *changes, provenance, progress, stop);
+    if (!undo) return undo.error();
+    return std::make_shared<const Made>(Made{std::move(*changes), std::move(*undo)});
+  };
+  session_.undo().setActive(false);  // until it is known what there is to undo
+  Job job = makeJob(title, work);
+  job.is_promised = true;
+  job_ = session_.jobs().start(std::move(job), this);
+  connect(job_, &JobHandle::progressed, this, &SherdEdits::busyChanged);
+  connect(job_, &JobHandle::finished, this, [this, then](const JobOutcome& outcome) {
+    job_->deleteLater();
+    job_.clear();
+    session_.undo().setActive(true);
+    const auto made = outcomeAs<std::shared_ptr<const Made>>(outcome);
+    emit busyChanged();
+    if (!made) {
+      emit failed(made.error().code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was changed.")
+                                                            : sentenceOf(made.error()));
+      return;
+    }
+    tell((*made)->done);
+    then(**made);  // what it says stays
+  });
+  emit busyChanged();
+}
+
+void SherdEdits::stop() {
+  stop_.request_stop();
+}
+
+}  // namespace ostraka::ui

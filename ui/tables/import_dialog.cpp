@@ -1,0 +1,275 @@
+#include "ui/tables/import_dialog.h"
+
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "ui/frame/big_button.h"
+#include "ui/frame/look.h"
+#include "ui/tables/column_table.h"
+
+namespace ostraka::ui {
+namespace {
+
+QString wordOf(tables::RowFate fate) {
+  switch (fate) {
+    case tables::RowFate::Fresh:
+      return ImportDialog::tr("new");
+    case tables::RowFate::Changed:
+      return ImportDialog::tr("updated");
+    case tables::RowFate::Refused:
+      return ImportDialog::tr("rejected");
+    case tables::RowFate::Asked:
+      return ImportDialog::tr("to confirm");
+    case tables::RowFate::Same:
+      break;
+  }
+  return ImportDialog::tr("unchanged");
+}
+
+QIcon iconOf(tables::RowFate fate) {
+  switch (fate) {
+    case tables::RowFate::Fresh:
+      return icon("plus");
+    case tables::RowFate::Changed:
+      return icon("edit");
+    case tables::RowFate::Refused:
+      return icon("error");
+    case tables::RowFate::Asked:
+      return icon("question");
+    case tables::RowFate::Same:
+      break;
+  }
+  return icon("check");
+}
+
+}  // namespace
+
+ImportDialog::ImportDialog(ImportModel& model, QWidget* parent) : QDialog(parent), model_(model) {
+  setObjectName("importDialog");
+  setWindowTitle(tr("Import into the catalogue"));
+  buildLayout();
+  connect(&model_, &ImportModel::changed, this, &ImportDialog::refresh);
+  connect(this, &QDialog::rejected, &model_, &ImportModel::cancel);
+  resize(fontMetrics().averageCharWidth() * 110, fontMetrics().height() * 32);
+  refresh();
+}
+
+void ImportDialog::buildLayout() {
+  const auto button = [this](const char* name, const char* picture, const QString& text) {
+    auto* made = new QPushButton(icon(picture), text, this);
+    made->setObjectName(name);
+    made->setMinimumHeight(controlHeight(*this));
+    return made;
+  };
+  choose_table_ = button("importTable", "table", tr("Table (CSV)…"));
+  choose_export_ = button("importExport", "folder", tr("Export folder…"));
+  connect(choose_table_, &QPushButton::clicked, this, &ImportDialog::chooseTable);
+  connect(choose_export_, &QPushButton::clicked, this, &ImportDialog::chooseExport);
+  source_ = new QLabel(this);
+  source_->setObjectName("importSource");
+  source_->setWordWrap(true);
+  places_ =
+      new QCheckBox(tr("Make sites, trenches, contexts and bags that are not there yet"), this);
+  places_->setObjectName("importPlaces");
+  places_->setMinimumHeight(controlHeight(*this));
+  connect(places_, &QCheckBox::toggled, &model_, &ImportModel::setMakesPlaces);
+  summary_ = new QLabel(this);
+  summary_->setObjectName("importSummary");
+  summary_->setFont(scaledFont(*this, Look::kSection, true));
+  problem_ = new QLabel(this);
+  problem_->setObjectName("importProblem");
+  problem_->setWordWrap(true);
+  table_ = new QTableWidget(this);
+  table_->setObjectName("importRows");
+  table_->setAccessibleName(tr("Effect of each row"));
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setTabKeyNavigation(false);
+  table_->verticalHeader()->hide();
+  connect(table_, &QTableWidget::itemChanged, this, &ImportDialog::confirmed);
+  columns_ = new ColumnTable(model_, this);
+  tabs_ = new QTabWidget(this);
+  tabs_->setObjectName("importTabs");
+  tabs_->addTab(table_, tr("Rows"));
+  tabs_->addTab(columns_, tr("Columns"));
+  bar_ = new QProgressBar(this);
+  bar_->setRange(0, 1000);
+  bar_->setAccessibleName(tr("Progress of the import"));
+  refusals_ = button("importRefusals", "export", tr("Save rejected rows…"));
+  connect(refusals_, &QPushButton::clicked, this, &ImportDialog::saveRefusals);
+  confirm_ = button("importConfirm", "check", {});
+  connect(confirm_, &QPushButton::clicked, &model_, &ImportModel::confirmAll);
+  cancel_ = button("importCancel", "cancel", {});
+  connect(cancel_, &QPushButton::clicked, this, &ImportDialog::leave);
+  auto* enter = new BigButton(this);
+  enter->setObjectName("importEnter");
+  enter->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  enter->setDefault(true);
+  enter_ = enter;
+  connect(enter_, &QPushButton::clicked, &model_, &ImportModel::enter);
+  auto* first = new QHBoxLayout;
+  first->addWidget(choose_table_);
+  first->addWidget(choose_export_);
+  first->addWidget(source_, 1);
+  auto* last = new QHBoxLayout;
+  last->addWidget(refusals_);
+  last->addWidget(confirm_);
+  last->addStretch();
+  last->addWidget(cancel_);
+  last->addWidget(enter_);
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(first);
+  column->addWidget(places_);
+  column->addWidget(summary_);
+  column->addWidget(problem_);
+  column->addWidget(tabs_, 1);
+  column->addWidget(bar_);
+  column->addLayout(last);
+}
+
+// What was stopped says here how far it came.
+void ImportDialog::leave() {
+  if (model_.state() == ImportModel::State::Entering) return model_.cancel();
+  reject();
+}
+
+void ImportDialog::chooseTable() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Which table?"), {},
+                                                    tr("Tables (*.csv *.tsv *.txt);;All (*)"));
+  if (!file.isEmpty()) model_.setSource(file);
+}
+
+void ImportDialog::chooseExport() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Which export?"));
+  if (!folder.isEmpty()) model_.setSource(folder);
+}
+
+void ImportDialog::saveRefusals() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save rejected rows"),
+                                                    tr("rejected.csv"), tr("Tables (*.csv)"));
+  if (file.isEmpty()) return;
+  const QString why = model_.saveRefusals(file);
+  problem_->setText(why.isEmpty() ? tr("Saved: %1").arg(file) : why);
+  problem_->show();
+}
+
+// A row that asks enters once its box is checked.
+void ImportDialog::confirmed(QTableWidgetItem* item) {
+  if (item->column() == 1 && item->flags().testFlag(Qt::ItemIsUserCheckable))
+    model_.setConfirmed(table_->item(item->row(), 0)->text().toInt(),
+                        item->checkState() == Qt::Checked);
+}
+
+void ImportDialog::fill() {
+  const QSignalBlocker quiet(table_);
+  const std::vector<ImportModel::Row>& rows = model_.rows();
+  const QStringList head = QStringList{tr("Line"), tr("Action"), tr("Reason")} + model_.columns();
+  table_->setColumnCount(static_cast<int>(head.size()));
+  table_->setHorizontalHeaderLabels(head);
+  table_->setRowCount(static_cast<int>(rows.size()));
+  for (int r = 0; r < table_->rowCount(); ++r) {
+    const ImportModel::Row& row = rows[static_cast<std::size_t>(r)];
+    auto* line = new QTableWidgetItem(QString::number(row.line));
+    line->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    table_->setItem(r, 0, line);
+    auto* fate = new QTableWidgetItem(iconOf(row.fate), wordOf(row.fate));
+    const bool asks = row.fate == tables::RowFate::Asked;
+    fate->setFlags(fate->flags().setFlag(Qt::ItemIsUserCheckable, asks));
+    if (asks) fate->setCheckState(Qt::Unchecked);
+    table_->setItem(r, 1, fate);
+    auto* why = new QTableWidgetItem(row.refusal);
+    why->setToolTip(row.refusal);
+    table_->setItem(r, 2, why);
+    for (int c = 0; c < row.values.size() && c + 3 < table_->columnCount(); ++c)
+      table_->setItem(r, c + 3, new QTableWidgetItem(row.values[c]));
+  }
+  // First: a hidden column has no width to keep.
+  const bool reasons =
+      model_.report() && (model_.report()->refused > 0 || model_.report()->asked > 0);
+  table_->setColumnHidden(2, !reasons);
+  table_->resizeColumnsToContents();
+  const int most = fontMetrics().averageCharWidth() * 60;
+  for (int c = 0; c < table_->columnCount(); ++c)
+    table_->setColumnWidth(c, std::min(table_->columnWidth(c), most));
+}
+
+// The columns come first where one of them has to be checked.
+void ImportDialog::showColumns() {
+  const tables::TableMapping mapping =
+      model_.report() ? model_.report()->mapping : tables::TableMapping();
+  const int to_check = ColumnTable::toCheck(mapping);
+  tabs_->setTabVisible(1, !mapping.columns.empty());
+  tabs_->setTabText(1,
+                    to_check == 0 ? tr("Columns") : tr("Columns (%n to check)", nullptr, to_check));
+  if (mapping.columns.empty() || shown_ == model_.source()) return;
+  shown_ = model_.source();
+  tabs_->setCurrentIndex(to_check > 0 ? 1 : 0);
+}
+
+void ImportDialog::refresh() {
+  using State = ImportModel::State;
+  const State state = model_.state();
+  const bool works = state == State::Looking || state == State::Entering;
+  source_->setText(model_.source().isEmpty()
+                       ? tr("A table of sherds has a column with their numbers; one of contexts "
+                            "has columns for site and context. Their names may be in any of the "
+                            "program's languages.")
+                       : model_.source());
+  {
+    const QSignalBlocker quiet(places_);
+    places_->setChecked(model_.makesPlaces());
+  }
+  places_->setEnabled(!works && state != State::Done);
+  choose_table_->setEnabled(state != State::Entering);
+  choose_export_->setEnabled(state != State::Entering);
+  places_->setVisible(!model_.isOfContexts());  // such a table is there to make them
+  summary_->setText(state == State::Looking ? tr("Reading…")
+                    : state == State::Done  ? tr("Imported: %1").arg(model_.summary())
+                                            : model_.summary());
+  QStringList words = model_.warnings();
+  if (!model_.problem().isEmpty()) words.prepend(model_.problem());
+  problem_->setText(words.join('\n'));
+  problem_->setVisible(!words.isEmpty());
+  const void* rows = model_.rows().empty() ? nullptr : model_.rows().data();
+  if (rows != filled_ || rows == nullptr) {
+    fill();
+    columns_->fill();
+  }
+  filled_ = rows;
+  showColumns();
+  {
+    const QSignalBlocker quiet(table_);
+    for (int r = 0; r < table_->rowCount(); ++r) {
+      QTableWidgetItem* fate = table_->item(r, 1);
+      if (!fate->flags().testFlag(Qt::ItemIsUserCheckable)) continue;
+      const bool taken = model_.isConfirmed(table_->item(r, 0)->text().toInt());
+      fate->setCheckState(taken ? Qt::Checked : Qt::Unchecked);
+      if (state != State::Done) continue;
+      fate->setText(wordOf(taken ? tables::RowFate::Changed : tables::RowFate::Refused));
+      fate->setIcon(iconOf(taken ? tables::RowFate::Changed : tables::RowFate::Refused));
+    }
+  }
+  bar_->setVisible(works);
+  bar_->setValue(qRound(1000 * model_.fraction()));
+  refusals_->setVisible(model_.report() && model_.report()->refused > 0);
+  const int asked = model_.report() ? model_.report()->asked : 0;
+  confirm_->setVisible(asked > 0 && state == State::Ready);
+  confirm_->setText(tr("Confirm %n row(s)", nullptr, asked));
+  cancel_->setText(state == State::Done ? tr("Close") : works ? tr("Stop") : tr("Cancel"));
+  const int count = model_.entering();
+  enter_->setText(count == 0 && model_.canEnter() ? tr("Keep the other versions")
+                                                  : tr("Import %n row(s)", nullptr, count));
+  enter_->setEnabled(model_.canEnter());
+  enter_->setVisible(state != State::Done);
+}
+
+}  // namespace ostraka::ui

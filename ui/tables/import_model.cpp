@@ -1,0 +1,352 @@
+#include "ui/tables/import_model.h"
+
+#include <QFileInfo>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "base/limits.h"
+#include "exchange/read_back.h"
+#include "files/files.h"
+#include "records/records.h"
+#include "tables/csv.h"
+#include "ui/frame/project_session.h"
+#include "ui/words/sentence.h"
+#include "upkeep/project.h"
+
+namespace ostraka::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostRows = 1000;
+constexpr std::size_t kLargest = limits::kTableBytes.most;
+
+using Bytes = std::shared_ptr<const std::string>;
+
+struct Task {
+  fs::path source;
+  Bytes bytes;  // of a table; none for an export folder
+  tables::ImportOptions options;
+  records::Provenance provenance;
+};
+
+Result<tables::ImportReport> run(upkeep::Project& project, const Task& task, Progress& progress,
+                                 std::stop_token stop) {
+  if (!task.bytes)
+    return exchange::readBack(project, task.source, task.options.mode, task.provenance, progress,
+                              stop);
+  if (task.options.mode == tables::ImportMode::Enter)
+    if (const auto saved = project.backUp(); !saved) return saved.error();
+  return tables::importTable(project.catalogue(), *task.bytes, task.source.string(), task.options,
+                             task.provenance, progress, stop);
+}
+
+Result<Bytes> tableBytes(const fs::path& source) {
+  if (fs::is_directory(source)) return Bytes();
+  Result<std::string> bytes = readFile(source, kLargest);
+  if (!bytes) return bytes.error();
+  return std::make_shared<const std::string>(std::move(*bytes));
+}
+
+// On a copy: a preview does everything and takes it back, and nobody should wait meanwhile.
+Result<tables::ImportReport> runOnCopy(const fs::path& folder, const Task& task, Progress& progress,
+                                       std::stop_token stop) {
+  const QTemporaryDir copy;
+  if (!copy.isValid())
+    return Error{ErrorCode::CannotWrite, "There is no room for a copy of the catalogue.",
+                 copy.path().toStdString()};
+  const fs::path there = copy.path().toStdString();
+  {
+    const Result<catalogue::Catalogue> original = upkeep::Project::connect(folder);
+    if (!original) return original.error();
+    if (const auto copied = original->backup(there / "catalogue.sqlite"); !copied)
+      return copied.error();
+  }
+  Result<upkeep::Project> project = upkeep::Project::open(there);
+  if (!project) return project.error();
+  return run(*project, task, progress, stop);
+}
+
+QString text(const std::string& value) {
+  return QString::fromStdString(value);
+}
+
+}  // namespace
+
+struct ImportModel::Look {
+  Bytes bytes;
+  tables::ImportReport report;
+  QStringList columns;
+  std::vector<Row> rows;
+};
+
+ImportModel::ImportModel(QObject* parent) : QObject(parent) {}
+
+void ImportModel::openProject(ProjectSession* session) {
+  // What is being entered goes on: its report and its undo would be lost.
+  if (state_ == State::Entering && session == session_) return emit changed();
+  delete job_.data();
+  session_ = session;
+  state_ = State::Choosing;
+  source_.clear();
+  bytes_.reset();
+  problem_.clear();
+  rows_.clear();
+  report_.reset();
+  emit changed();
+}
+
+void ImportModel::setSource(const QString& path) {
+  if (state_ == State::Entering) return;
+  source_ = path;
+  bytes_.reset();
+  chosen_.clear();
+  confirmed_.clear();
+  look();
+}
+
+void ImportModel::setMakesPlaces(bool make) {
+  if (make == make_places_ || state_ == State::Entering) return;
+  make_places_ = make;
+  if (!source_.isEmpty()) look();
+}
+
+void ImportModel::setColumn(int column, const QString& field, const QString& unit) {
+  if (state_ != State::Ready || !report_) return;
+  chosen_ = report_->mapping.columns;  // what is seen is what holds
+  tables::ColumnChoice& choice = chosen_[static_cast<std::size_t>(column)];
+  choice.field = field.toStdString();
+  choice.unit = unit.toStdString();
+  for (tables::ColumnChoice& other : chosen_)  // the field is this column's now
+    if (&other != &choice && !choice.field.empty() && other.field == choice.field) {
+      other.field = "extra." + other.column;
+      other.unit.clear();
+    }
+  // A unit that was guessed for others is guessed again.
+  for (tables::ColumnChoice& other : chosen_)
+    if (&other != &choice && other.unit_guessed) other.unit.clear();
+  look();
+}
+
+void ImportModel::setConfirmed(int line, bool confirmed) {
+  if (state_ != State::Ready) return;
+  if (confirmed)
+    confirmed_.insert(line);
+  else
+    confirmed_.erase(line);
+  emit changed();
+}
+
+void ImportModel::confirmAll() {
+  if (state_ != State::Ready || !report_) return;
+  for (const tables::Refusal& question : report_->questions) confirmed_.insert(question.line);
+  emit changed();
+}
+
+int ImportModel::entering() const {
+  return report_ ? report_->fresh + report_->changed + static_cast<int>(confirmed_.size()) : 0;
+}
+
+tables::ImportOptions ImportModel::options() const {
+  tables::ImportOptions options;
+  options.unknown_places =
+      make_places_ ? tables::UnknownPlaces::Make : tables::UnknownPlaces::Refuse;
+  options.columns = chosen_;
+  return options;
+}
+
+namespace {
+
+// The rows of a table with their fates; of an export folder only what is refused is listed.
+std::vector<ImportModel::Row> rowsOf(const tables::ImportReport& report,
+                                     const tables::CsvTable* table) {
+  std::map<int, QString> refusals;
+  std::vector<tables::Refusal> all = report.refusals;
+  all.insert(all.end(), report.questions.begin(), report.questions.end());
+  for (const tables::Refusal& refusal : all) {
+    QString why = wordsOf(refusal.reason);
+    if (!refusal.column.empty())
+      why = ImportModel::tr("%1 '%2': %3").arg(text(refusal.column), text(refusal.value), why);
+    refusals[refusal.line] = why;
+  }
+  std::vector<ImportModel::Row> rows;
+  if (table == nullptr) {
+    for (const auto& [line, why] : refusals)
+      rows.push_back({line, tables::RowFate::Refused, {}, why});
+    return rows;
+  }
+  std::map<int, const tables::CsvRow*> by_line;
+  for (const tables::CsvRow& row : table->rows) by_line[row.line] = &row;
+  using tables::RowFate;
+  const auto take = [&](const std::set<RowFate>& fates) {
+    for (const auto& [line, fate] : report.rows) {
+      if (rows.size() == kMostRows) return;
+      if (!fates.contains(fate)) continue;
+      ImportModel::Row row{line, fate, {}, refusals[line]};
+      if (const auto read = by_line.find(line); read != by_line.end())
+        for (const std::string& value : read->second->values)
+          row.values << text(tables::unguarded(value));
+      rows.push_back(std::move(row));
+    }
+  };
+  take({RowFate::Refused});
+  take({RowFate::Asked});
+  take({RowFate::Fresh, RowFate::Changed, RowFate::Same});
+  return rows;
+}
+
+}  // namespace
+
+void ImportModel::look() {
+  delete job_.data();
+  problem_.clear();
+  rows_.clear();
+  columns_.clear();
+  report_.reset();
+  fraction_ = 0;
+  if (!session_ || source_.isEmpty()) return;
+  state_ = State::Looking;
+  Task task{source_.toStdString(), bytes_, options(), session_->provenance()};
+  task.provenance.source = "import";
+  const auto work = [folder = session_->folder(), task](
+                        Progress& progress,
+                        std::stop_token stop) -> Result<std::shared_ptr<const Look>> {
+    auto look = std::make_shared<Look>();
+    const Result<Bytes> bytes = task.bytes ? task.bytes : tableBytes(task.source);
+    if (!bytes) return bytes.error();
+    look->bytes = *bytes;
+    Task read = task;
+    read.bytes = look->bytes;
+    Result<tables::ImportReport> report = runOnCopy(folder, read, progress, stop);
+    if (!report) return report.error();
+    if (look->bytes) {
+      const Result<tables::CsvTable> table =
+          tables::parseCsv(*look->bytes, task.source.filename().string());
+      if (!table) return table.error();
+      for (const std::string& column : table->columns) look->columns << text(column);
+      look->rows = rowsOf(*report, &*table);
+    } else {
+      look->rows = rowsOf(*report, nullptr);
+    }
+    look->report = std::move(*report);
+    return std::shared_ptr<const Look>(std::move(look));
+  };
+  job_ = session_->jobs().start(makeJob(tr("Preview of an import"), work), this);
+  connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
+    fraction_ = progress.fraction;
+    emit changed();
+  });
+  connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    const auto look = outcomeAs<std::shared_ptr<const Look>>(outcome);
+    job_->deleteLater();
+    job_.clear();
+    if (look) return took(**look);
+    state_ = State::Choosing;
+    if (look.error().code == ErrorCode::Cancelled) return emit changed();
+    if (!chosen_.empty()) {  // what was chosen does not fit: what was proposed is shown again
+      chosen_.clear();
+      this->look();
+    }
+    problem_ = sentenceOf(look.error());
+    emit changed();
+  });
+  emit changed();
+}
+
+void ImportModel::took(const Look& look) {
+  state_ = State::Ready;
+  bytes_ = look.bytes;
+  report_ = look.report;
+  confirmed_.clear();  // the rows may mean something else now
+  columns_ = look.columns;
+  rows_ = look.rows;
+  emit changed();
+}
+
+QString ImportModel::summary() const {
+  if (!report_) return {};
+  const QString counts = tr("%1 new, %2 updated, %3 unchanged, %4 rejected.")
+                             .arg(report_->fresh)
+                             .arg(report_->changed)
+                             .arg(report_->same)
+                             .arg(report_->refused);
+  return report_->asked == 0 ? counts
+                             : counts + QLatin1Char(' ') +
+                                   tr("%n row(s) ask for a confirmation.", nullptr, report_->asked);
+}
+
+QStringList ImportModel::warnings() const {
+  QStringList all;
+  if (report_)
+    for (const std::string& warning : report_->warnings) all << wordsOf(warning);
+  return all;
+}
+
+bool ImportModel::isOfContexts() const {
+  return report_ && report_->mapping.of_contexts;
+}
+
+bool ImportModel::canEnter() const {
+  // Of an export, other versions are kept beside sherds that count as refused.
+  return session_ && state_ == State::Ready && report_ &&
+         (entering() > 0 || !report_->undo.empty());
+}
+
+void ImportModel::enter() {
+  if (!canEnter()) return;
+  state_ = State::Entering;
+  fraction_ = 0;
+  Task task{source_.toStdString(), bytes_, options(), session_->provenance()};
+  task.options.mode = tables::ImportMode::Enter;
+  task.options.columns = report_->mapping.columns;
+  task.options.confirmed_lines = confirmed_;
+  task.provenance.source = "import";
+  const auto work = [folder = session_->folder(), task](
+                        Progress& progress, std::stop_token stop) -> Result<tables::ImportReport> {
+    Result<upkeep::Project> project = upkeep::Project::open(folder);
+    if (!project) return project.error();
+    return run(*project, task, progress, stop);
+  };
+  job_ = session_->jobs().start(makeJob(tr("Import"), work), this);
+  connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
+    fraction_ = progress.fraction;
+    emit changed();
+  });
+  connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
+    const auto report = outcomeAs<tables::ImportReport>(outcome);
+    job_->deleteLater();
+    job_.clear();
+    if (!report) {
+      state_ = State::Ready;
+      problem_ = report.error().code == ErrorCode::Cancelled
+                     ? tr("Cancelled. Nothing was imported.")
+                     : sentenceOf(report.error());
+      return emit changed();
+    }
+    state_ = State::Done;
+    problem_ =
+        report->not_reached == 0
+            ? QString()
+            : tr("Cancelled: %n row(s) were not imported. Import the table again for the rest.",
+                 nullptr, report->not_reached);
+    report_ = *report;
+    emit changed();
+    emit entered(source_, *report);
+  });
+  emit changed();
+}
+
+void ImportModel::cancel() {
+  if (job_) job_->cancel();
+}
+
+QString ImportModel::saveRefusals(const QString& file) const {
+  if (!report_) return {};
+  const Result<void> written =
+      writeFileAtomically(file.toStdString(), tables::refusalsCsv(*report_));
+  return written ? QString() : sentenceOf(written.error());
+}
+
+}  // namespace ostraka::ui

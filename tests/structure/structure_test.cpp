@@ -23,9 +23,10 @@ const std::vector<std::string> kOrder = {
     "rendering",    "virtualrig", "store",   "records",   "catalogue",  "sherds",   "upkeep",
     "intake",       "archive",    "tables",  "exchange"};
 // The window's folders likewise; all of them may use core.
-const std::vector<std::string> kUiOrder = {
-    "words",  "jobs", "frame",  "viewport", "capture",   "masks",  "queue",    "pairs",
-    "review", "map",  "sherds", "tables",   "catalogue", "export", "settings", "main"};
+const std::vector<std::string> kUiOrder = {"words",     "jobs",   "look",     "widgets", "frame",
+                                           "viewport",  "import", "capture",  "masks",   "queue",
+                                           "pairs",     "review", "map",      "sherds",  "tables",
+                                           "catalogue", "export", "settings", "main"};
 constexpr int kMostLines = 500, kMostHeaderLines = 150;
 
 fs::path root() {
@@ -213,8 +214,7 @@ TEST(Structure, NoFolderHoldsMoreThanThirtyFilesOrThreeAndAHalfThousandLines) {
   struct Size {
     int files = 30, lines = 3500;
   };
-  const std::map<std::string, Size> too_large = {
-      {"ui/capture", {51, 5250}}, {"ui/frame", {45, 3500}}};
+  const std::map<std::string, Size> too_large = {{"ui/capture", {40, 4100}}};
   for (const char* top : {"core", "ui"})
     for (const fs::directory_entry& entry : fs::directory_iterator(root() / top)) {
       if (!entry.is_directory()) continue;

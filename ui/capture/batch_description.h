@@ -3,7 +3,7 @@
 #include <QPointer>
 #include <QStringList>
 
-#include "ui/capture/place_text.h"
+#include "ui/import/place_text.h"
 
 namespace ostraka::ui {
 

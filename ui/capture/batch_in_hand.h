@@ -10,7 +10,7 @@
 #include "batch/batch.h"
 #include "records/records.h"
 #include "ui/capture/capture_facts.h"
-#include "ui/capture/place_text.h"
+#include "ui/import/place_text.h"
 
 namespace ostraka::ui {
 

@@ -7,11 +7,11 @@
 #include "ui/capture/batch_description.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/count_edit.h"
-#include "ui/capture/place_edit.h"
 #include "ui/capture/side_progress.h"
-#include "ui/frame/big_button.h"
-#include "ui/frame/look.h"
-#include "ui/frame/tool_row.h"
+#include "ui/import/place_edit.h"
+#include "ui/look/look.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/tool_row.h"
 
 namespace ostraka::ui {
 

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "ui/capture/capture_text.h"
-#include "ui/frame/side_by_side.h"
+#include "ui/widgets/side_by_side.h"
 
 class QAbstractButton;
 class QAction;

@@ -10,16 +10,11 @@
 #include "batch/batch.h"
 #include "catalogue/settings.h"
 #include "ui/capture/batch_description.h"
-#include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_foot.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/capture/count_edit.h"
 #include "ui/capture/fact_list.h"
-#include "ui/capture/import_ask.h"
-#include "ui/capture/import_chooser.h"
-#include "ui/capture/import_line.h"
 #include "ui/capture/number_edit.h"
-#include "ui/capture/place_edit.h"
 #include "ui/capture/plate_pictures.h"
 #include "ui/capture/plate_view.h"
 #include "ui/capture/rig_connection.h"
@@ -27,13 +22,19 @@
 #include "ui/capture/rig_renewal.h"
 #include "ui/capture/sherd_numbers.h"
 #include "ui/capture/side_progress.h"
-#include "ui/capture/sides_view.h"
 #include "ui/capture/stop_board.h"
-#include "ui/frame/look.h"
-#include "ui/frame/message_panel.h"
-#include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/thumbnails.h"
+#include "ui/import/batch_importer.h"
+#include "ui/import/import_ask.h"
+#include "ui/import/import_chooser.h"
+#include "ui/import/import_line.h"
+#include "ui/import/place_edit.h"
+#include "ui/import/sides_view.h"
+#include "ui/look/look.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_area.h"
+#include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -115,13 +116,9 @@ void CaptureScreen::buildImport(QVBoxLayout* all) {
   connect(import_ask_, &ImportAsk::confirmed, importer_, &BatchImporter::start);
   connect(import_ask_, &ImportAsk::confirmed, this, qOverload<>(&QWidget::setFocus));
   connect(import_ask_, &ImportAsk::left, this, qOverload<>(&QWidget::setFocus));
-  const auto showPlace = [this](bool shown) {  // one field for a bag at a time
-    place_->setVisible(shown);
-    place_->follow();
-  };
-  connect(import_ask_, &ImportAsk::asked, this, [showPlace] { showPlace(false); });
-  connect(import_ask_, &ImportAsk::confirmed, this, [showPlace] { showPlace(true); });
-  connect(import_ask_, &ImportAsk::left, this, [showPlace] { showPlace(true); });
+  connect(import_ask_, &ImportAsk::asked, this, &CaptureScreen::follow);
+  connect(import_ask_, &ImportAsk::confirmed, this, &CaptureScreen::follow);
+  connect(import_ask_, &ImportAsk::left, this, &CaptureScreen::follow);
   all->addWidget(import_ask_);
   all->addWidget(new ImportLine(importer_, this));
 }
@@ -330,7 +327,7 @@ void CaptureScreen::closeProject() {
   import_ask_->sides()->setThumbnails(nullptr);
   renewal_->forget();
   board_->setThumbnails(nullptr);
-  if (!import_ask_->isHidden()) import_ask_->leave();
+  if (import_ask_->isAsking()) import_ask_->leave();
   for (PlaceEdit* place : {place_, import_ask_->place()}) {
     place->setNews({});
     place->setReader({});
@@ -348,6 +345,7 @@ void CaptureScreen::setInFront(bool in_front) {
 }
 
 QAbstractButton* CaptureScreen::primary() const {
+  if (import_ask_->isAsking()) return import_ask_->import();
   if (!rig_page_->isHidden()) return rig_page_->primary();
   return fault_->act() != nullptr ? fault_->act() : foot_->button();
 }
@@ -396,13 +394,17 @@ void CaptureScreen::follow() {
   headline_->setFont(scaledFont(*this, headlineSize(), true));
   instruction_->setText(text_.instruction());
   instruction_->setVisible(!compact_ && !instruction_->text().isEmpty());
+  // While an import asks, it is the one thing to do: its bag, its button, and no key of the rig.
+  const bool importing = import_ask_->isAsking();
+  foot_->setVisible(!importing || wizard_->isShooting());
   foot_->follow();
+  place_->setVisible(!importing);
   place_->follow();
-  next_->setEnabled(no_rig || wizard_->canGoOn());
+  next_->setEnabled(!importing && (no_rig || wizard_->canGoOn()));
   stop_->setEnabled(wizard_->isShooting());
   change_rig_->setEnabled(!wizard_->isShooting());
   set_aside_->setEnabled(wizard_->canSetAside());
-  again_->setEnabled(!wizard_->rig()->isBusy() &&
+  again_->setEnabled(!importing && !wizard_->rig()->isBusy() &&
                      (phase == CapturePhase::Flip || phase == CapturePhase::Done));
   count_sherds_->setEnabled(wizard_->canDescribe());
   for (std::size_t i = 0; i < cameras_.size(); ++i) {

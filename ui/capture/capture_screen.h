@@ -2,9 +2,9 @@
 #include <QPointer>
 
 #include "ui/capture/capture_text.h"
-#include "ui/capture/import_batch.h"
 #include "ui/capture/rig_source.h"
 #include "ui/frame/screen.h"
+#include "ui/import/import_batch.h"
 
 class QAction;
 class QLabel;

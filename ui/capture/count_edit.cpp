@@ -6,7 +6,7 @@
 #include <QLineEdit>
 #include <QSpinBox>
 
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 
 namespace ostraka::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <QLineEdit>
 
 #include "ui/capture/sherd_numbers.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 
 namespace ostraka::ui {
 

@@ -6,7 +6,7 @@
 #include <QPainterPath>
 #include <cmath>
 
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 
 namespace ostraka::ui {
 namespace {

@@ -8,10 +8,10 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "ui/frame/big_button.h"
-#include "ui/frame/form_rows.h"
-#include "ui/frame/look.h"
-#include "ui/frame/message_panel.h"
+#include "ui/look/look.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/form_rows.h"
+#include "ui/widgets/message_panel.h"
 
 namespace ostraka::ui {
 

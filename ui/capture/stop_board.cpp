@@ -6,9 +6,9 @@
 #include "batch/batch.h"
 #include "ui/capture/rig_connection.h"
 #include "ui/capture/side_progress.h"
-#include "ui/frame/look.h"
-#include "ui/frame/state_colours.h"
-#include "ui/frame/thumbnails.h"
+#include "ui/look/look.h"
+#include "ui/look/state_colours.h"
+#include "ui/widgets/thumbnails.h"
 
 namespace ostraka::ui {
 

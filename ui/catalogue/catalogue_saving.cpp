@@ -61,6 +61,14 @@ void CatalogueScreen::saveField(const QString& field, const QString& value) {
   if (previews && shown.old_value == shown.new_value) showSelection();  // 7 was 0012-0007 already
 }
 
+QString CatalogueScreen::losesByClosing() const {
+  const QStringList fields = details_->unsaved().labels();
+  return fields.isEmpty()
+             ? QString()
+             : tr("Not saved yet: %1. Return in the field saves it; closing again discards it.")
+                   .arg(fields.join(QStringLiteral(", ")));
+}
+
 void CatalogueScreen::keepField(const QString& field, const QString& value,
                                 records::Confirmation confirmation) {
   if (!edits_) return;

@@ -38,6 +38,7 @@ class CatalogueScreen final : public Screen {
   QString manualPage() const override { return "catalogue"; }
   void openProject(ProjectSession& session) override;
   void closeProject() override;
+  QString losesByClosing() const override;
   void setInFront(bool in_front) override;
   QAbstractButton* primary() const override;
   void setCompact(bool compact) override;

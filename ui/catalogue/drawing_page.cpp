@@ -17,13 +17,14 @@
 
 #include "catalogue/settings.h"
 #include "drawing/drawing_files.h"
+#include "files/output_place.h"
 #include "store/names.h"
 #include "store/values.h"
 #include "ui/catalogue/sheet_view.h"
-#include "ui/frame/form_rows.h"
-#include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
+#include "ui/look/look.h"
+#include "ui/widgets/form_rows.h"
 #include "ui/words/print_wording.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -366,7 +367,10 @@ void DrawingPage::print() {
     const QString file = printer->outputFileName();
     write(
         drawn, tr("Printing"),
-        [printer](const std::vector<Page>& pages) { return printSheets(*printer, pages); },
+        [printer, file](const std::vector<Page>& pages) {
+          const Result<void> good = checkOutputPlace(file.toStdString());  // a printer has no file
+          return good ? printSheets(*printer, pages) : good;
+        },
         file.isEmpty() ? tr("The drawing is sent to the printer; print it at 100 %.")
                        : tr("Saved: %1").arg(file));
   });

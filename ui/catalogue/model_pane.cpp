@@ -11,10 +11,10 @@
 
 #include "cloud/ply.h"
 #include "model/model.h"
-#include "ui/frame/look.h"
-#include "ui/frame/thumbnails.h"
 #include "ui/jobs/job.h"
+#include "ui/look/look.h"
 #include "ui/viewport/sherd_view.h"
+#include "ui/widgets/thumbnails.h"
 
 namespace ostraka::ui {
 namespace {

@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "paper/sheet.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 
 namespace ostraka::ui {
 namespace {

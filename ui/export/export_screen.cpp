@@ -18,10 +18,10 @@
 #include <algorithm>
 
 #include "ui/export/export_choices.h"
-#include "ui/frame/big_button.h"
-#include "ui/frame/look.h"
-#include "ui/frame/page_area.h"
-#include "ui/frame/side_by_side.h"
+#include "ui/look/look.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/page_area.h"
+#include "ui/widgets/side_by_side.h"
 
 namespace ostraka::ui {
 

@@ -13,9 +13,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/frame/elided_label.h"
-#include "ui/frame/look.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/look.h"
+#include "ui/look/state_colours.h"
+#include "ui/widgets/elided_label.h"
 
 namespace ostraka::ui {
 namespace {

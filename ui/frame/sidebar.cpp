@@ -6,8 +6,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/frame/look.h"
 #include "ui/frame/screen.h"
+#include "ui/look/look.h"
 
 namespace ostraka::ui {
 namespace {

@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 
 // A static library's resources are linked in only when somebody asks for them.
 static void initialiseManual() {

@@ -12,11 +12,8 @@
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
 #include "ui/frame/lines.h"
-#include "ui/frame/message_panel.h"
-#include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/sidebar.h"
-#include "ui/frame/thumbnails.h"
 #include "ui/main/catalogue_repair.h"
 #include "ui/main/file_watch.h"
 #include "ui/main/help_page.h"
@@ -30,6 +27,9 @@
 #include "ui/queue/queue_screen.h"
 #include "ui/settings/settings_page.h"
 #include "ui/viewport/sherd_view.h"
+#include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_area.h"
+#include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -44,6 +44,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
     : QMainWindow(parent),
       runner_(runner),
       settings_(readSettings()),
+      known_(settings_),
       undo_(new QUndoGroup(this)),
       queue_(new BatchQueue(this)),
       wizard_(new CaptureWizard(this)),
@@ -159,12 +160,12 @@ void MainWindow::showProject() {
   work_->openProject(*session(), shown);
   settings_page_->setSession(session());
   settings_.remember(QString::fromStdString(folder.string()), title);
-  writeSettings(settings_);
+  keepSettings();
   setWindowTitle(tr("%1 - Ostraka").arg(shown));
   all_->setCurrentWidget(work_);
   connect(session(), &ProjectSession::initialsChanged, this, [this](const QString& who) {
     settings_.initials = who;
-    writeSettings(settings_);
+    keepSettings();
   });
   connect(session(), &ProjectSession::personRefused, work_->footer(), &FooterLine::say);
   if (read_only)
@@ -271,7 +272,13 @@ void MainWindow::applySettings(const WindowSettings& settings) {
   if (look) applyLook(*qApp, settings.theme, settings.text_percent);
   queue_->computation()->setThreads(settings.threads);
   if (session() != nullptr) session()->setInitials(settings.initials);
+  keepSettings();
+}
+
+void MainWindow::keepSettings() {
+  settings_ = merged(known_, settings_, readSettings());
   writeSettings(settings_);
+  known_ = settings_;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -280,7 +287,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   const int selected = work_->sidebar()->selected();
   if (session() != nullptr)
     settings_.screen = selected < 0 ? QString() : screens().at(selected)->iconName();
-  writeSettings(settings_);
+  keepSettings();
   closeProject();
   if (!queue_->computation()->isLeaving()) return event->accept();
   start_->showError({ErrorCode::Cancelled,

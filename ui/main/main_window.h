@@ -71,10 +71,11 @@ class MainWindow final : public QMainWindow {
   void showProject();
   void tryVirtualRig();
   void applySettings(const WindowSettings& settings);
+  void keepSettings();
   void findProject(const QString& lost, const QString& found);
 
   JobRunner& runner_;
-  WindowSettings settings_;
+  WindowSettings settings_, known_;  ///< known_: as last read or written
   QUndoGroup* undo_;
   BatchQueue* queue_;
   CaptureWizard* wizard_;

@@ -6,12 +6,12 @@
 #include <QTranslator>
 #include <cstdio>
 
-#include "ui/frame/look.h"
-#include "ui/frame/wheel_guard.h"
 #include "ui/jobs/job.h"
+#include "ui/look/look.h"
 #include "ui/main/main_window.h"
 #include "ui/settings/window_settings.h"
 #include "ui/viewport/sherd_view.h"
+#include "ui/widgets/wheel_guard.h"
 
 namespace ostraka::ui {
 namespace {

@@ -16,13 +16,13 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "ui/frame/big_button.h"
-#include "ui/frame/form_rows.h"
 #include "ui/frame/lines.h"
-#include "ui/frame/look.h"
-#include "ui/frame/message_panel.h"
-#include "ui/frame/page_area.h"
-#include "ui/frame/thumbnails.h"
+#include "ui/look/look.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/form_rows.h"
+#include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_area.h"
+#include "ui/widgets/thumbnails.h"
 
 namespace ostraka::ui {
 namespace {

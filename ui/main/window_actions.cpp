@@ -6,8 +6,8 @@
 #include <QUndoGroup>
 
 #include "ui/frame/lines.h"
-#include "ui/frame/look.h"
 #include "ui/frame/sidebar.h"
+#include "ui/look/look.h"
 #include "ui/main/main_window.h"
 
 namespace ostraka::ui {

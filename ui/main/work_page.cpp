@@ -9,14 +9,14 @@
 
 #include "ui/capture/capture_screen.h"
 #include "ui/frame/lines.h"
-#include "ui/frame/look.h"
-#include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/sidebar.h"
+#include "ui/look/look.h"
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/queue/queue_screen.h"
+#include "ui/widgets/page_area.h"
 
 namespace ostraka::ui {
 

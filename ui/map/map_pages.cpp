@@ -10,8 +10,8 @@
 #include <numeric>
 
 #include "ui/frame/free_tr.h"
-#include "ui/frame/look.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/look.h"
+#include "ui/look/state_colours.h"
 #include "ui/map/qr_code.h"
 
 namespace ostraka::ui {

@@ -17,14 +17,15 @@
 #include <utility>
 
 #include "catalogue/batches.h"
+#include "files/output_place.h"
 #include "ui/frame/batch_place.h"
-#include "ui/frame/big_button.h"
-#include "ui/frame/look.h"
-#include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/thumbnails.h"
+#include "ui/look/look.h"
 #include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/message_panel.h"
+#include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -59,6 +60,12 @@ QString printedWords(const QPrinter& printer, const QString& sent) {
   return printer.outputFileName().isEmpty()
              ? sent
              : MapScreen::tr("Saved: %1").arg(printer.outputFileName());
+}
+
+bool mayPrint(const QPrinter& printer, QString* why) {
+  const Result<void> good = checkOutputPlace(printer.outputFileName().toStdString());
+  if (!good) *why = sentenceOf(good.error());
+  return good.has_value();
 }
 
 }  // namespace
@@ -318,6 +325,7 @@ void MapScreen::print() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this, [this](QPrinter* printer) {
     QString why;
+    if (!mayPrint(*printer, &why)) return say(why);
     say(printMap(*printer, view_->picture(), labels(), pageTitle(), &why)
             ? printedWords(*printer, tr("Map and labels are sent to the printer."))
             : why);
@@ -349,6 +357,7 @@ void MapScreen::printBags() {
   connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this,
           [this, labels](QPrinter* printer) {
             QString why;
+            if (!mayPrint(*printer, &why)) return say(why);
             const QString sent = tr("%n label(s) are sent to the printer.", nullptr,
                                     static_cast<int>(labels.size()));
             say(printLabels(*printer, labels, &why) ? printedWords(*printer, sent) : why);

@@ -5,7 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 
 namespace ostraka::ui {
 

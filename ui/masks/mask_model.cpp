@@ -10,8 +10,8 @@
 #include "base/text.h"
 #include "intake/settle_batch.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/thumbnails.h"
 #include "ui/jobs/job.h"
+#include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {

@@ -9,11 +9,11 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
-#include "ui/frame/big_button.h"
-#include "ui/frame/look.h"
-#include "ui/frame/tool_row.h"
+#include "ui/look/look.h"
 #include "ui/masks/mask_model.h"
 #include "ui/masks/mask_view.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/tool_row.h"
 
 namespace ostraka::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 
 namespace ostraka::ui {
 namespace {

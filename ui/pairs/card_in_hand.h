@@ -38,6 +38,7 @@ class CardInHand final : public QObject {
   const review::LiveFit& fit() const { return fit_; }
   bool isMeasured() const;  ///< fit() is of the pose on trial
   bool isSettling() const { return busy_; }
+  bool isFetching() const { return scene_job_ != nullptr; }  ///< sceneFetched follows
   const std::vector<double>& settlingRms() const { return settling_rms_; }  ///< so far, mm
   QString reason() const;       ///< why the card is doubtful, or what is tried on it
   QString figuresText() const;  ///< fracture RMS and overlap of the trial, in words

@@ -4,7 +4,7 @@
 
 #include "review/live_pairs.h"
 #include "review/review.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/state_colours.h"
 #include "ui/pairs/trial.h"
 
 /// The review's codes and values in words.

@@ -7,10 +7,10 @@
 #include <algorithm>
 
 #include "ui/frame/lines.h"
-#include "ui/frame/look.h"
-#include "ui/frame/pill.h"
-#include "ui/frame/thumbnails.h"
+#include "ui/look/look.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/widgets/pill.h"
+#include "ui/widgets/thumbnails.h"
 
 namespace ostraka::ui {
 namespace {

@@ -12,11 +12,11 @@
 #include "intake/settle_batch.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/lines.h"
-#include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_failure.h"
 #include "ui/queue/queue_switches.h"
+#include "ui/widgets/message_panel.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 

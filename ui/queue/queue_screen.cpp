@@ -12,18 +12,18 @@
 #include <QVBoxLayout>
 
 #include "ui/frame/batch_place.h"
-#include "ui/frame/big_button.h"
-#include "ui/frame/look.h"
-#include "ui/frame/message_panel.h"
-#include "ui/frame/page_area.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/thumbnails.h"
-#include "ui/frame/tool_row.h"
+#include "ui/look/look.h"
 #include "ui/masks/mask_page.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_delegate.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/queue/queue_switches.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_area.h"
+#include "ui/widgets/thumbnails.h"
+#include "ui/widgets/tool_row.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {

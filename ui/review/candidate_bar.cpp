@@ -4,12 +4,12 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "ui/frame/flow_row.h"
-#include "ui/frame/look.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/look.h"
+#include "ui/look/state_colours.h"
 #include "ui/pairs/free_words.h"
 #include "ui/pairs/pair_review.h"
 #include "ui/pairs/review_words.h"
+#include "ui/widgets/flow_row.h"
 
 namespace ostraka::ui {
 namespace {

@@ -4,8 +4,8 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "ui/frame/look.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/look.h"
+#include "ui/look/state_colours.h"
 #include "ui/pairs/card_role.h"
 #include "ui/pairs/review_words.h"
 

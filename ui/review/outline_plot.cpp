@@ -5,8 +5,8 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "ui/frame/look.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/look.h"
+#include "ui/look/state_colours.h"
 
 namespace ostraka::ui {
 namespace {

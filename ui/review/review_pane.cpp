@@ -10,23 +10,25 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/frame/big_button.h"
-#include "ui/frame/look.h"
-#include "ui/frame/page_area.h"
-#include "ui/frame/tool_row.h"
+#include "ui/look/look.h"
+#include "ui/pairs/free_words.h"
+#include "ui/pairs/pair_review.h"
+#include "ui/pairs/review_words.h"
 #include "ui/review/candidate_bar.h"
 #include "ui/review/card_list.h"
-#include "ui/pairs/free_words.h"
 #include "ui/review/join_mode.h"
 #include "ui/review/outline_plot.h"
-#include "ui/pairs/pair_review.h"
 #include "ui/review/picture_pair.h"
-#include "ui/pairs/review_words.h"
 #include "ui/viewport/sherd_view.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/page_area.h"
+#include "ui/widgets/tool_row.h"
 
 namespace ostraka::ui {
 namespace {
 
+// So long the pair before may be seen: at once would flicker where pictures come fast.
+constexpr int kBlankAfter_ms = 150;
 constexpr double kFractureScale_mm = 0.5;  // twice a good fracture's RMS has the full colour
 
 ShownScan shownScan(const review::ScanCloud& cloud) {
@@ -70,6 +72,10 @@ ReviewPane::ReviewPane(PairReview& review, QWidget* parent)
             scene_ = scene;
             showScene(*scene);
           });
+  connect(&hand_, &CardInHand::sceneFetched, this, &ReviewPane::showFigures);
+  blanking_.setSingleShot(true);
+  blanking_.setInterval(kBlankAfter_ms);
+  connect(&blanking_, &QTimer::timeout, this, &ReviewPane::blankOther);
   connect(&hand_, &CardInHand::modelFetched, this, [this](const MeshPtr& mesh) {
     mesh ? view_->showModel(*mesh) : closed_->setChecked(false);
     forgetMeasured();
@@ -306,16 +312,33 @@ void ReviewPane::showCard() {
   if (!review_.batch().isOpen()) {
     cut_->setChecked(false);  // what is opened next is asked anew
     joining_->leave();
-    view_->clear();
-    plot_->clear();
-    pictures_->setPictures({}, {}, {});
+    blankOther();
   }
+  if (showsOther()) blanking_.start();
   showFigures();
+}
+
+bool ReviewPane::showsOther() const {
+  return scene_ && (scene_->front != hand_.front() || scene_->back != hand_.trial().back);
+}
+
+// Nobody can judge a pair whose pictures are on their way.
+bool ReviewPane::isUnseen() const {
+  return hand_.isFetching() && (!scene_ || showsOther());
+}
+
+void ReviewPane::blankOther() {
+  if (review_.batch().isOpen() && !showsOther()) return;
+  scene_.reset();
+  view_->clear();
+  plot_->clear();
+  pictures_->setPictures({}, {}, {});
 }
 
 void ReviewPane::acceptMarked() {
   if (pictures_->isCutting()) return pictures_->cutHere();
-  joining_->isOn() ? joining_->takeMarked() : review_.accept();
+  if (joining_->isOn()) return joining_->takeMarked();
+  if (!isUnseen()) review_.accept();
 }
 
 void ReviewPane::next() {
@@ -365,7 +388,8 @@ void ReviewPane::showFigures() {
   figures_->setText(hand_.isSettling() ? tr("Comparing the fractures… Esc stops.")
                                        : hand_.figuresText());
   // A missing name is said by the click, not by a dead button.
-  accept_->setEnabled(review_.batch().isOpen() && hand_.front() >= 0 && hand_.trial().back >= 0);
+  accept_->setEnabled(review_.batch().isOpen() && hand_.front() >= 0 && hand_.trial().back >= 0 &&
+                      !isUnseen());
   accept_->setToolTip(review_.whyNotAccept());
   if (review_.batch().isOpen() && !closed_->isChecked())
     view_->setPose(hand_.trial().front_from_back);

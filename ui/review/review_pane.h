@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <QTimer>
 #include <QWidget>
 #include <memory>
 #include <vector>
@@ -51,6 +52,9 @@ class ReviewPane final : public QWidget {
   QAction* toggle(const char* name, const QString& picture, const QString& text,
                   const QKeySequence& key);
   void showCard();
+  bool showsOther() const;  ///< what is seen is not of the pair in hand
+  bool isUnseen() const;    ///< the pair in hand is still fetched
+  void blankOther();
   void markCard();
   void acceptMarked();
   void next();
@@ -78,7 +82,8 @@ class ReviewPane final : public QWidget {
   QAction *mirror_ = nullptr, *apart_ = nullptr, *section_ = nullptr, *measure_ = nullptr,
           *along_fracture_ = nullptr, *closed_ = nullptr, *cut_ = nullptr, *join_ = nullptr;
   JoinMode* joining_ = nullptr;
-  std::shared_ptr<const PairScene> scene_;
+  std::shared_ptr<const PairScene> scene_;  ///< what is seen; null: nothing
+  QTimer blanking_;
   std::vector<Eigen::Vector3d> measured_;
   Eigen::Isometry3d measured_at_ = Eigen::Isometry3d::Identity();  ///< the back's pose then
 };

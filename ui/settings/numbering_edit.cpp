@@ -8,9 +8,9 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "ui/frame/form_rows.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 #include "ui/settings/numbering_model.h"
+#include "ui/widgets/form_rows.h"
 
 namespace ostraka::ui {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "catalogue/settings.h"
-#include "ui/frame/form_rows.h"
-#include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
+#include "ui/look/look.h"
+#include "ui/widgets/form_rows.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 

@@ -11,11 +11,11 @@
 #include <QThread>
 #include <QVBoxLayout>
 
-#include "ui/frame/form_rows.h"
-#include "ui/frame/page_area.h"
 #include "ui/settings/numbering_edit.h"
 #include "ui/settings/rights_edit.h"
 #include "ui/settings/vocabulary_edit.h"
+#include "ui/widgets/form_rows.h"
+#include "ui/widgets/page_area.h"
 
 namespace ostraka::ui {
 

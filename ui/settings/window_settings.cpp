@@ -32,6 +32,28 @@ void WindowSettings::moved(const QString& from, const QString& to) {
   titles[to] = titles.take(from);
 }
 
+WindowSettings merged(const WindowSettings& known, const WindowSettings& mine,
+                      const WindowSettings& stored) {
+  WindowSettings both = mine;
+  const auto take = [&](auto member) {
+    if (mine.*member == known.*member) both.*member = stored.*member;
+  };
+  take(&WindowSettings::theme);
+  take(&WindowSettings::text_percent);
+  take(&WindowSettings::language);
+  take(&WindowSettings::initials);
+  take(&WindowSettings::threads);
+  take(&WindowSettings::geometry);
+  take(&WindowSettings::screen);
+  for (const QString& project : stored.recent) {
+    if (mine.recent.contains(project) || known.recent.contains(project)) continue;
+    both.recent.append(project);
+    both.titles[project] = stored.titles.value(project);
+  }
+  while (both.recent.size() > kMostRecentProjects) both.titles.remove(both.recent.takeLast());
+  return both;
+}
+
 WindowSettings readSettings() {
   const Store kept;
   WindowSettings settings;

@@ -4,7 +4,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 
 namespace ostraka::ui {
 
@@ -23,6 +23,11 @@ struct WindowSettings {
   void remember(const QString& project, const QString& title);
   void moved(const QString& from, const QString& to);  ///< a project's folder
 };
+
+/// mine, with what another window changed meanwhile: known is what both began from, stored what
+/// that window wrote. What both changed is as mine; both windows' projects are recent.
+WindowSettings merged(const WindowSettings& known, const WindowSettings& mine,
+                      const WindowSettings& stored);
 
 inline constexpr int kMostRecentProjects = 8;
 

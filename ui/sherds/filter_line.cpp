@@ -9,7 +9,7 @@
 #include <QTimer>
 #include <QToolButton>
 
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 
 namespace ostraka::ui {

@@ -22,9 +22,9 @@
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
 #include "store/values.h"
-#include "ui/frame/elided_button.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
+#include "ui/widgets/elided_button.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -61,6 +61,11 @@ QString fileState(records::FileState state) {
   return state == records::FileState::Missing   ? SherdDetails::tr("missing")
          : state == records::FileState::Changed ? SherdDetails::tr("changed")
                                                 : SherdDetails::tr("present");
+}
+
+QString unsavedWords(const QStringList& fields) {
+  return SherdDetails::tr("Not saved yet: %1. Return in the field saves it.")
+      .arg(fields.join(QStringLiteral(", ")));
 }
 
 }  // namespace
@@ -144,12 +149,13 @@ void SherdDetails::buildRefusal(QWidget* page) {
   row->addWidget(refusal_text_, 1);
   confirm_ = new ElidedButton(icon("check"), tr("Confirm"), refusal_);
   confirm_->setObjectName("confirmChange");
+  confirm_->setFocusPolicy(Qt::TabFocus);  // a press that took the focus would move it away
   confirm_->setMinimumHeight(targetSize(*this));
   column->addLayout(row);
   column->addWidget(confirm_);
   connect(confirm_, &QPushButton::clicked, this, [this] {
     editors_.value(asked_field_)->setFocus();
-    if (sherd_) emit confirmed(asked_field_, unsaved_.value(sherd_.value).value(asked_field_));
+    if (sherd_) emit confirmed(asked_field_, unsaved_.of(sherd_).value(asked_field_));
   });
 }
 
@@ -173,8 +179,7 @@ QWidget* SherdDetails::editorFor(const records::SherdField& field) {
   const auto told = [this, name](const QString& value) {
     if (!sherd_) return;
     // What could not be saved is tried again, or given up by what was there before.
-    if (value != shown_.value(name) || unsaved_.value(sherd_.value).contains(name))
-      emit edited(name, value);
+    if (value != shown_.value(name) || unsaved_.of(sherd_).contains(name)) emit edited(name, value);
   };
   if (field.kind == records::FieldKind::Term) {
     auto* box = new QComboBox(this);
@@ -252,12 +257,12 @@ void SherdDetails::keepTyped() {
   for (auto at = editors_.begin(); at != editors_.end(); ++at) {
     if (!isTyping(at.key())) continue;
     put_[at.key()] = qobject_cast<QLineEdit*>(at.value())->text();
-    unsaved_[sherd_.value].insert(at.key(), put_.value(at.key()));
+    unsaved_.keep(sherd_, at.key(), put_.value(at.key()));
   }
 }
 
 void SherdDetails::keepUnsaved(const QString& field, const QString& value) {
-  unsaved_[sherd_.value].insert(field, value);
+  unsaved_.keep(sherd_, field, value);
   showUnsaved();
 }
 
@@ -280,7 +285,7 @@ bool SherdDetails::eventFilter(QObject* watched, QEvent* event) {
       static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
     return QScrollArea::eventFilter(watched, event);
   const QString name = editors_.key(line), saved = shown_.value(name);
-  if (line->text() == saved && !unsaved_.value(sherd_.value).contains(name)) return false;
+  if (line->text() == saved && !unsaved_.of(sherd_).contains(name)) return false;
   forgetUnsaved(name);
   put(name, saved);
   return true;
@@ -296,31 +301,19 @@ void SherdDetails::ask(const QString& field, const QString& value, const QString
 }
 
 void SherdDetails::forgetUnsaved(const QString& field) {
-  const auto typed = unsaved_.find(sherd_.value);
-  if (typed == unsaved_.end() || !typed->remove(field)) return;
-  if (typed->isEmpty()) unsaved_.erase(typed);
+  if (!unsaved_.forget(sherd_, field)) return;
   refusal_->hide();
 }
 
-void SherdDetails::forgetUnsaved() {
-  unsaved_.clear();
-}
-
 void SherdDetails::showUnsaved() {
-  const QHash<QString, QString> typed = unsaved_.value(sherd_.value);
-  QStringList fields;
+  const QHash<QString, QString> typed = unsaved_.of(sherd_);
   for (auto at = typed.begin(); at != typed.end(); ++at) {
-    fields << fieldLabel(at.key().toStdString());
     if (qobject_cast<QLineEdit*>(editors_.value(at.key())) && !isTyping(at.key()))
       put(at.key(), *at);
     if (auto* box = qobject_cast<QComboBox*>(editors_.value(at.key()))) box->setCurrentText(*at);
   }
-  if (fields.isEmpty()) return;
-  fields.sort();
-  placeRefusal(
-      typed.begin().key().toStdString(),
-      tr("Not saved yet: %1. Return in the field saves it.").arg(fields.join(QStringLiteral(", "))),
-      {}, {});
+  if (!typed.isEmpty())
+    placeRefusal(typed.begin().key().toStdString(), unsavedWords(labelsOf(typed)), {}, {});
 }
 
 void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
@@ -465,16 +458,11 @@ void SherdDetails::edit(const std::string& wanted) {
 // The other fields that were refused before are named along.
 void SherdDetails::showRefusal(const std::string& field, const QString& sentence,
                                const QString& other, const QString& picture) {
-  QStringList before;
-  const QHash<QString, QString> typed = unsaved_.value(sherd_.value);
-  for (auto at = typed.begin(); at != typed.end(); ++at)
-    if (at.key().toStdString() != field) before << fieldLabel(at.key().toStdString());
-  before.sort();
+  QHash<QString, QString> before = unsaved_.of(sherd_);
+  before.remove(QString::fromStdString(field));
   const QString whole = other.isEmpty() ? sentence : tr("%1 It is %2.").arg(sentence, other);
-  const QString text = before.isEmpty() ? whole
-                                        : whole + QLatin1Char('\n') +
-                                              tr("Not saved yet: %1. Return in the field saves it.")
-                                                  .arg(before.join(QStringLiteral(", ")));
+  const QString text =
+      before.isEmpty() ? whole : whole + QLatin1Char('\n') + unsavedWords(labelsOf(before));
   placeRefusal(field, text, other, picture);
 }
 

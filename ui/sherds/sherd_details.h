@@ -6,6 +6,7 @@
 #include "catalogue/catalogue.h"
 #include "records/sherd.h"
 #include "ui/frame/term_words.h"
+#include "ui/sherds/unsaved_values.h"
 
 class QComboBox;
 class QFormLayout;
@@ -34,8 +35,9 @@ class SherdDetails final : public QScrollArea {
   /// What was typed stays at its sherd until it is saved, whatever is shown meanwhile: it was
   /// refused, the disk was full, or the catalogue busy.
   void keepUnsaved(const QString& field, const QString& value);
-  void forgetUnsaved(const QString& field);  ///< it is being saved
-  void forgetUnsaved();                      ///< of all sherds: another project
+  void forgetUnsaved(const QString& field);   ///< it is being saved
+  void forgetUnsaved() { unsaved_.clear(); }  ///< of all sherds: another project
+  const UnsavedValues& unsaved() const { return unsaved_; }
   /// Saves nothing before a person says so: confirmed().
   void ask(const QString& field, const QString& value, const QString& question, const QString& act);
   /// In place, beside the field: what was wrong; with the picture of the sherd in the way.
@@ -76,9 +78,9 @@ class SherdDetails final : public QScrollArea {
   QComboBox* place_ = nullptr;
   QHash<QString, QWidget*> editors_;
   TermWords words_;
-  QHash<QString, QString> shown_;                   ///< what the catalogue says
-  QHash<QString, QString> put_;                     ///< into the lines; what is other is typed
-  QHash<qint64, QHash<QString, QString>> unsaved_;  ///< sherd -> field -> what was typed
+  QHash<QString, QString> shown_;  ///< what the catalogue says
+  QHash<QString, QString> put_;    ///< into the lines; what is other is typed
+  UnsavedValues unsaved_;
   QWidget* refusal_ = nullptr;
   QLabel* refusal_text_ = nullptr;
   QLabel* refusal_picture_ = nullptr;

@@ -6,8 +6,8 @@
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
-#include "ui/frame/look.h"
 #include "ui/jobs/job.h"
+#include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 #include "ui/words/sentence.h"
 

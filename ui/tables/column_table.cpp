@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "tables/column_names.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 
 namespace ostraka::ui {

@@ -12,9 +12,9 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include "ui/frame/big_button.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 #include "ui/tables/column_table.h"
+#include "ui/widgets/big_button.h"
 
 namespace ostraka::ui {
 namespace {

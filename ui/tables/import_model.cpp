@@ -9,6 +9,7 @@
 #include "base/limits.h"
 #include "exchange/read_back.h"
 #include "files/files.h"
+#include "files/output_place.h"
 #include "records/records.h"
 #include "tables/csv.h"
 #include "ui/frame/project_session.h"
@@ -119,7 +120,8 @@ void ImportModel::setColumn(int column, const QString& field, const QString& uni
   tables::ColumnChoice& choice = chosen_[static_cast<std::size_t>(column)];
   choice.field = field.toStdString();
   choice.unit = unit.toStdString();
-  for (tables::ColumnChoice& other : chosen_)  // the field is this column's now
+  choice.unit_guessed = choice.unit_idle = false;  // now a person says it
+  for (tables::ColumnChoice& other : chosen_)      // the field is this column's now
     if (&other != &choice && !choice.field.empty() && other.field == choice.field) {
       other.field = "extra." + other.column;
       other.unit.clear();
@@ -301,6 +303,7 @@ void ImportModel::enter() {
   Task task{source_.toStdString(), bytes_, options(), session_->provenance()};
   task.options.mode = tables::ImportMode::Enter;
   task.options.columns = report_->mapping.columns;
+  task.options.guessed_units = tables::GuessedUnits::Enter;  // each was shown as a guess
   task.options.confirmed_lines = confirmed_;
   task.provenance.source = "import";
   const auto work = [folder = session_->folder(), task](
@@ -344,8 +347,8 @@ void ImportModel::cancel() {
 
 QString ImportModel::saveRefusals(const QString& file) const {
   if (!report_) return {};
-  const Result<void> written =
-      writeFileAtomically(file.toStdString(), tables::refusalsCsv(*report_));
+  Result<void> written = checkOutputPlace(file.toStdString());
+  if (written) written = writeFileAtomically(file.toStdString(), tables::refusalsCsv(*report_));
   return written ? QString() : sentenceOf(written.error());
 }
 

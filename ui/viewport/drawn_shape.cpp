@@ -19,7 +19,7 @@
 
 #include "base/median.h"
 #include "cloud/level_of_detail.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/state_colours.h"
 
 namespace ostraka::ui {
 namespace {

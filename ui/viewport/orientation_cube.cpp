@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "ui/frame/state_colours.h"
+#include "ui/look/state_colours.h"
 
 namespace ostraka::ui {
 namespace {

@@ -7,8 +7,8 @@
 #include <QColor>
 #include <string>
 
-#include "ui/frame/distance_scale.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/distance_scale.h"
+#include "ui/look/state_colours.h"
 
 namespace ostraka::ui {
 namespace {

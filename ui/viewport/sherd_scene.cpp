@@ -17,8 +17,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/frame/distance_scale.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/distance_scale.h"
+#include "ui/look/state_colours.h"
 #include "ui/viewport/drawn_shape.h"
 
 namespace ostraka::ui {

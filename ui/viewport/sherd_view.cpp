@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/frame/distance_scale.h"
+#include "ui/look/distance_scale.h"
 #include "ui/viewport/gl_canvas.h"
 #include "ui/viewport/sherd_scene.h"
 #include "ui/viewport/view_overlay.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "ui/frame/look.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/look.h"
+#include "ui/look/state_colours.h"
 
 namespace ostraka::ui {
 namespace {

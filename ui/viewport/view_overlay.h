@@ -2,7 +2,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "ui/frame/distance_scale.h"
+#include "ui/look/distance_scale.h"
 #include "ui/viewport/orientation_cube.h"
 
 namespace ostraka::ui {

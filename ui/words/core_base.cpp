@@ -209,12 +209,21 @@ Sentences sentencesOfBase() {
                         "A file of this name already exists; it is not overwritten."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The folder already contains files; choose a new or empty one."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "This location belongs to the archive or export '%1', which new files "
+                        "would make invalid; choose a location outside it."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "This location belongs to the project '%1'; choose a location outside it."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "This location belongs to the project '%1'; choose a folder directly in "
+                        "'%2', or one outside the project."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "This folder is a mount point or the current folder; choose a new folder inside it."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "This folder is needed for unfinished files but contains others; move it elsewhere."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "This photograph is identical to %1; it is left out."),
   };
   return kAll;
 }

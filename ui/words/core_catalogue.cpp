@@ -196,6 +196,8 @@ Sentences sentencesOfCatalogue() {
       QT_TRANSLATE_NOOP("ostraka::Error", "The field %1 is read-only: the program sets it."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A void sherd keeps its number."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A number cannot contain a line break, a tab or '%'."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "A number or code cannot contain invisible characters; type it again."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A number has at most 120 characters."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The number %1 would be assigned twice."),
       QT_TRANSLATE_NOOP("ostraka::Error",
@@ -272,6 +274,18 @@ Sentences sentencesOfCatalogue() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Another program has this project open; close it there, then repair "
                         "it."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "These results were made from the photographs of %1, not of %2; process %3 itself."),
+      QT_TRANSLATE_NOOP(
+          "ostraka::Error",
+          "These results were not made from the photographs of %1; process it again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Photographs recorded for this batch are missing from its folder (%1): %2 "
+                        "and %3 more. Put them back and reprocess the batch."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Photographs recorded for this batch are missing from its folder (%1): %2. "
+                        "Put them back and reprocess the batch."),
   };
   return kAll;
 }

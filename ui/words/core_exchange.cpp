@@ -9,7 +9,6 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP("ostraka::Error", "New sites and trenches: %1; check for typos."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The drawing needs a scale."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The preview was undone."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "An archive must be outside the project's folder."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Restoring a project needs a new or empty folder; choose another name."),
       QT_TRANSLATE_NOOP("ostraka::Error",
@@ -78,7 +77,11 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP("ostraka::Error", "No pictures with masks and poses of %1: %2"),
       QT_TRANSLATE_NOOP("ostraka::Error", "No sherds to export; select some first."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The row has neither a number nor a uuid."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "This appears in two rows of the table."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "This appears in more than one row of the table, in the lines %1."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "Check the unit: %1 is unusual for a sherd."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Check the unit: %1 is far from the other values of this column."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Not a uuid."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The number and the uuid belong to different sherds."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A new sherd needs its context."),
@@ -116,6 +119,9 @@ Sentences sentencesOfExchange() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The archive contains a journal of its catalogue, which an Ostraka archive "
                         "never does; nothing was written."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The catalogue's tables, indexes and triggers are not as Ostraka makes "
+                        "them; nothing was written."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "%1 rows in total, %2 imported; run the same import again for the others."),
   };

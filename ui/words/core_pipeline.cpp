@@ -269,6 +269,12 @@ Sentences sentencesOfPipeline() {
           "ostraka::Error",
           "The output folder is gone: it was moved or deleted while Ostraka was writing to it. The "
           "photographs are untouched; run the same command again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The file has changed since the batch's processing began; nothing made "
+                        "from it is kept. Process the batch again."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The markers have sides of %1 mm in this file, but --marker-mm says %2 mm. "
+                        "Measure one; then correct the file, or leave the option out."),
   };
   return kAll;
 }

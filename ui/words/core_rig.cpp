@@ -282,6 +282,14 @@ Sentences sentencesOfRig() {
       QT_TRANSLATE_NOOP("ostraka::Error", "The dictionary %1 has too few markers for this plate."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The measured ruler length must be in mm and within the plate."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "This file describes another plate, or this plate with another ruler "
+                        "length; choose another folder."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "This file describes another calibration board; choose another folder."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "This folder contains photographs, and a new plate.json would describe the "
+                        "sheet under their sherds; choose another folder."),
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. Print "

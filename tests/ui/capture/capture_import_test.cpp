@@ -12,12 +12,12 @@
 #include <QtTest>
 
 #include "catalogue/batches.h"
-#include "ui/capture/batch_importer.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/capture_wizard.h"
-#include "ui/capture/import_ask.h"
-#include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
+#include "ui/import/batch_importer.h"
+#include "ui/import/import_ask.h"
+#include "ui/widgets/message_panel.h"
 #include "upkeep/project.h"
 #include "virtualrig/batch_files.h"
 #include "virtualrig/simulate.h"
@@ -87,6 +87,8 @@ class CaptureImportTest : public QObject {
     auto* start = child<QPushButton>("importStart");
     auto* where = child<QSlider>("importDivide");
     QVERIFY(!start->isEnabled());
+    QCOMPARE(screen_->primary(), start);
+    QVERIFY2(!screen_->findChild<QAction*>("captureNext")->isEnabled(), "Space starts the rig");
     QVERIFY(child<QLabel>("importFlip")->text().contains("No pause"));
     QVERIFY(child<QLabel>("importSheet")->text().contains("no scale"));
     QCOMPARE(where->minimum(), 3);

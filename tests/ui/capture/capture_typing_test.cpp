@@ -9,8 +9,8 @@
 #include "flat_rig.h"
 #include "sherds/typed_numbers.h"
 #include "ui/capture/capture_screen.h"
-#include "ui/frame/big_button.h"
-#include "ui/frame/message_panel.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/message_panel.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

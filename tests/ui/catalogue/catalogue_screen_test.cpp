@@ -25,7 +25,7 @@
 #include "store/database.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/model_pane.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 #include "ui/sherds/sherd_edits.h"
 #include "ui/viewport/sherd_view.h"
 

@@ -19,7 +19,7 @@
 #include "sample_project.h"
 #include "sherds/sherds.h"
 #include "ui/catalogue/sheet_view.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

@@ -13,7 +13,7 @@
 #include <QTest>
 
 #include "sample_project.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;

@@ -5,10 +5,10 @@
 #include <QTranslator>
 
 #include "person.h"
-#include "ui/frame/look.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
+#include "ui/look/look.h"
 #include "ui/main/main_window.h"
 #include "ui/main/new_project.h"
 

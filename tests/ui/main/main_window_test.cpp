@@ -15,7 +15,6 @@
 #include "person.h"
 #include "records/sherd.h"
 #include "sherds/sherds.h"
-#include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
@@ -24,6 +23,7 @@
 #include "ui/main/start_screen.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/widgets/message_panel.h"
 #include "upkeep/project.h"
 
 using namespace ostraka;

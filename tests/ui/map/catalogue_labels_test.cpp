@@ -16,7 +16,7 @@
 #include "sherds/filter.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
-#include "ui/capture/place_text.h"
+#include "ui/import/place_text.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {

@@ -9,11 +9,11 @@
 #include "catalogue/batches.h"
 #include "files/files.h"
 #include "synthetic_out.h"
-#include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/map/map_screen.h"
 #include "ui/map/map_view.h"
 #include "ui/map/qr_code.h"
+#include "ui/widgets/message_panel.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {

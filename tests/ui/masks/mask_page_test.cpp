@@ -121,6 +121,7 @@ class MaskPageTest : public QObject {
                                 R"({"decisions":[],"stages":[]})")
                 .has_value());
     records::BatchRecord batch;
+    batch.number = "B0001";
     batch.state = records::BatchState::Done;
     QVERIFY(catalogue::Batches(made->catalogue()).add(batch, {}).has_value());
     ProjectSession session(std::make_shared<upkeep::Project>(std::move(*made)), project, jobs_);

@@ -10,10 +10,10 @@
 #include <thread>
 
 #include "catalogue/batches.h"
-#include "ui/frame/message_panel.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/widgets/message_panel.h"
 #include "upkeep/project.h"
 
 using namespace ostraka;

@@ -1,4 +1,5 @@
 // The pair in three dimensions: its closed model, and lengths on it.
+#include <QAbstractButton>
 #include <QApplication>
 #include <QLabel>
 #include <QLocale>
@@ -21,6 +22,7 @@ class ReviewPictureTest : public ReviewWindow {
   void cleanup() { close(); }
   void theClosedModelIsShownOfItsOwnPairOnly();
   void aLengthIsForgottenWhenWhatWasMeasuredMoves();
+  void aPairIsNotAcceptedBeforeItIsSeen();
   void aBatchWithoutAnyLengthIsNotMeasuredInMillimetres();
 };
 
@@ -77,6 +79,18 @@ void ReviewPictureTest::aLengthIsForgottenWhenWhatWasMeasuredMoves() {
   QVERIFY(view.isApart());
   QVERIFY2(!view.isMeasuring(), "sides that lie apart are not measured across");
   QVERIFY(length().isEmpty());
+}
+
+void ReviewPictureTest::aPairIsNotAcceptedBeforeItIsSeen() {
+  open(4);
+  QTRY_VERIFY(screen_->primary()->isEnabled());
+  review()->select(review()->hand().front() == 0 ? 1 : 0);
+  QVERIFY(!screen_->primary()->isEnabled());
+  key(Qt::Key_Return);
+  QVERIFY(!std::filesystem::exists(out_.output / "decisions.json"));
+  QTRY_VERIFY(screen_->primary()->isEnabled());
+  key(Qt::Key_Return);
+  QTRY_VERIFY(std::filesystem::exists(out_.output / "decisions.json"));
 }
 
 void ReviewPictureTest::aBatchWithoutAnyLengthIsNotMeasuredInMillimetres() {

@@ -14,7 +14,7 @@
 #include "intake/piece_decisions.h"
 #include "review_window.h"
 #include "sherds/sherds.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/review/card_delegate.h"
 #include "ui/review/picture_pair.h"

@@ -41,6 +41,29 @@ class WindowSettingsTest : public QObject {
     QCOMPARE(back.titles, (QMap<QString, QString>{{"/b", "Other"}, {"/new/a", "Aragats"}}));
   }
 
+  void whatAnotherWindowChangedMeanwhileStays() {
+    WindowSettings known;
+    known.remember("/a", "Aragats");
+    WindowSettings mine = known, stored = known;
+    mine.theme = Theme::Dark;
+    stored.theme = Theme::Sunlight;
+    stored.language = QStringLiteral("de");
+    stored.remember("/b", "Other");
+    const WindowSettings both = merged(known, mine, stored);
+    QCOMPARE(both.theme, Theme::Dark);
+    QCOMPARE(both.language, QString("de"));
+    QCOMPARE(both.recent, (QStringList{"/a", "/b"}));
+    QCOMPARE(both.titles.value("/b"), QString("Other"));
+  }
+
+  void aProjectThatWasForgottenHereDoesNotComeBack() {
+    WindowSettings known;
+    known.remember("/a", "Aragats");
+    WindowSettings mine = known;
+    mine.recent.clear();
+    QVERIFY(merged(known, mine, known).recent.isEmpty());
+  }
+
   void valuesOutOfRangeBecomeTheDefault() {
     QSettings raw(QSettings::IniFormat, QSettings::UserScope, "ostraka", "window");
     raw.setValue("text_percent", 5000);

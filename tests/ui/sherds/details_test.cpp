@@ -19,8 +19,8 @@
 #include "records/records.h"
 #include "records/sherd.h"
 #include "ui/catalogue/catalogue_screen.h"
-#include "ui/frame/elided_button.h"
 #include "ui/sherds/number_delegate.h"
+#include "ui/widgets/elided_button.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -174,7 +174,9 @@ class DetailsTest : public CatalogueWindow {
     QVERIFY(!yes->isVisible());
     QTest::keyClicks(line, "a stone");
     QTest::keyClick(line, Qt::Key_Return);
-    QTest::mouseClick(yes, Qt::LeftButton);
+    QTest::mousePress(yes, Qt::LeftButton);
+    QVERIFY2(line->hasFocus(), "the question is asked anew, and its button moves off the pointer");
+    QTest::mouseRelease(yes, Qt::LeftButton);
     QCOMPARE(sample_->value(0, "state"), QString("void"));
     QCOMPARE(sample_->value(0, "void_reason"), QString("a stone"));
     QVERIFY(!yes->isVisible());
@@ -220,6 +222,8 @@ class DetailsTest : public CatalogueWindow {
     QVERIFY2(question.contains("about a tenth") && question.contains("below the width"),
              qPrintable(question));
     QCOMPARE(sample_->value(0, "length_mm"), computed);
+    QVERIFY2(screen_->losesByClosing().contains("length", Qt::CaseInsensitive),
+             qPrintable(screen_->losesByClosing()));
     // The question and its button are seen whole, at the end of a small page, too.
     QTRY_COMPARE(yes->visibleRegion().boundingRect(), yes->rect());
     QTest::keyClick(line, Qt::Key_Escape);

@@ -19,7 +19,7 @@
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
 #include "ui/catalogue/catalogue_screen.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 #include "ui/tables/import_dialog.h"
 
 using namespace ostraka;

@@ -5,9 +5,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "ui/frame/distance_scale.h"
-#include "ui/frame/look.h"
-#include "ui/frame/state_colours.h"
+#include "ui/look/distance_scale.h"
+#include "ui/look/look.h"
+#include "ui/look/state_colours.h"
 #include "ui/viewport/gl_canvas.h"
 #include "ui/viewport/shading.h"
 #include "ui/viewport/sherd_view.h"

@@ -1,0 +1,92 @@
+#include "ui/import/import_ask.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "ui/import/place_edit.h"
+#include "ui/import/sides_view.h"
+#include "ui/look/look.h"
+#include "ui/widgets/big_button.h"
+
+namespace ostraka::ui {
+
+ImportAsk::ImportAsk(QWidget* parent)
+    : QWidget(parent),
+      words_(new QLabel(this)),
+      sides_(new SidesView(this)),
+      place_(new PlaceEdit(this)) {
+  setObjectName(QStringLiteral("importAsk"));
+  words_->setWordWrap(true);
+  import_ = new BigButton(this);
+  import_->setText(tr("Import"));
+  import_->setObjectName(QStringLiteral("importStart"));
+  auto* leave = new QPushButton(tr("Cancel import"), this);
+  leave->setObjectName(QStringLiteral("importLeave"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(place_, 1);
+  for (QPushButton* button : {static_cast<QPushButton*>(import_), leave}) {
+    button->setMinimumHeight(targetSize(*this));
+    row->addWidget(button);
+  }
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(words_);
+  column->addWidget(sides_);
+  column->addLayout(row);
+  column->addWidget(place_->note());
+  connect(import_, &QPushButton::clicked, this, &ImportAsk::confirm);
+  connect(leave, &QPushButton::clicked, this, &ImportAsk::leave);
+  connect(place_, &PlaceEdit::entered, this, &ImportAsk::confirm);
+  connect(place_, &PlaceEdit::edited, this, [this] { import_->setEnabled(isReady()); });
+  connect(sides_, &SidesView::changed, this, [this] { import_->setEnabled(isReady()); });
+  hide();
+}
+
+void ImportAsk::ask(const QString& folder, ImportKind kind) {
+  sides_->hide();
+  open(folder, kind);
+}
+
+void ImportAsk::askSides(const SidesPlan& plan) {
+  sides_->show();
+  sides_->setPlan(plan);
+  open(plan.from, ImportKind::Photographs);
+}
+
+bool ImportAsk::isReady() const {
+  return place_->isUsable() && (sides_->isHidden() || sides_->plan().isDecided());
+}
+
+void ImportAsk::open(const QString& folder, ImportKind kind) {
+  folder_ = folder;
+  kind_ = kind;
+  words_->setText(tr("Which bag do the sherds of %1 come from?").arg(folder));
+  place_->setText({});  // the bag on the turntable is another, mostly
+  import_->setEnabled(isReady());
+  show();
+  emit asked();
+  place_->choose();
+}
+
+void ImportAsk::confirm() {
+  if (!isVisible() || !isReady()) return;
+  hide();
+  std::optional<ImportSides> sides;
+  if (!sides_->isHidden()) sides = sides_->plan().sides();
+  emit confirmed(folder_, kind_, place_->place(), sides);
+}
+
+void ImportAsk::leave() {
+  hide();
+  emit left();
+}
+
+void ImportAsk::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) return leave();
+  QWidget::keyPressEvent(event);
+}
+
+}  // namespace ostraka::ui

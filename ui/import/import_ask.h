@@ -1,0 +1,55 @@
+#pragma once
+#include <QWidget>
+
+#include "ui/import/import_batch.h"
+#include "ui/import/place_text.h"
+
+class QLabel;
+
+namespace ostraka::ui {
+
+class BigButton;
+class PlaceEdit;
+class SidesView;
+
+/// Asks where the sherds of a folder come from before it is imported; without a bag they get no
+/// numbers, and no context but by hand.
+class ImportAsk final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ImportAsk(QWidget* parent = nullptr);
+  PlaceEdit* place() const { return place_; }
+  SidesView* sides() const { return sides_; }
+  BigButton* import() const { return import_; }
+  bool isAsking() const { return !isHidden(); }
+  /// Until confirmed() or left().
+  void ask(const QString& folder, ImportKind kind);
+  /// The same of photographs by hand, whose sides are confirmed, too.
+  void askSides(const SidesPlan& plan);
+  void leave();
+
+ signals:
+  void asked();  ///< this is the one field for a bag now
+  void confirmed(const QString& folder, ostraka::ui::ImportKind kind,
+                 const ostraka::ui::PlaceText& place,
+                 const std::optional<ostraka::ui::ImportSides>& sides);
+  void left();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void open(const QString& folder, ImportKind kind);
+  void confirm();
+  bool isReady() const;
+
+  QString folder_;
+  ImportKind kind_ = ImportKind::Photographs;
+  QLabel* words_;
+  SidesView* sides_;
+  PlaceEdit* place_;
+  BigButton* import_;
+};
+
+}  // namespace ostraka::ui

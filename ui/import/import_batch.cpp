@@ -1,0 +1,268 @@
+#include "ui/import/import_batch.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "batch/batch.h"
+#include "batch/exif.h"
+#include "batch/photographs.h"
+#include "files/files.h"
+#include "pipeline/no_plate.h"
+#include "pipeline/proposed_sheet.h"
+#include "rig/plate_print.h"
+
+namespace ostraka::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kCopy = "import.partial";  // no batch's number
+
+// A file and its place in the batch.
+struct Taken {
+  fs::path file, as;
+};
+
+bool isScan(const fs::path& file) {
+  return file.extension() == ".ply" || file.extension() == ".PLY";
+}
+
+Result<std::vector<Taken>> scansIn(const fs::path& folder) {
+  std::vector<Taken> files;
+  for (const char* side : {"front", "back"}) {
+    const std::size_t before = files.size();
+    std::error_code error;
+    for (fs::directory_iterator at(folder / side, error), end; !error && at != end;
+         at.increment(error))
+      if (isScan(at->path())) files.push_back({at->path(), side / at->path().filename()});
+    if (files.size() == before)
+      return Error{ErrorCode::UnusableInput,
+                   QCoreApplication::translate("ImportBatch",
+                                               "There are no scans (*.ply) in its folder %1/. "
+                                               "Choose a folder that holds front/ and back/.")
+                       .arg(QLatin1String(side))
+                       .toStdString(),
+                   folder.string()};
+  }
+  return files;
+}
+
+Result<std::vector<Taken>> batchIn(const fs::path& folder, Progress& progress) {
+  const Result<batch::Batch> batch = batch::readBatch(folder, {}, progress);
+  if (!batch) return batch.error();
+  // Better now than at the end of an hour in the queue.
+  if (const auto masks = pipeline::maskSource("auto", *batch); !masks) return masks.error();
+  std::vector<Taken> files;
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    if (at->is_directory() && at->path().filename() == "truth") {
+      at.disable_recursion_pending();
+      continue;
+    }
+    if (at->is_regular_file()) files.push_back({at->path(), fs::relative(at->path(), folder)});
+  }
+  if (error)
+    return Error{
+        ErrorCode::UnusableInput,
+        QCoreApplication::translate("ImportBatch", "This folder cannot be read to its end: %1.")
+            .arg(QString::fromStdString(error.message()))
+            .toStdString(),
+        folder.string()};
+  return files;
+}
+
+// Those photographs that are used, and what describes the sheet.
+Result<std::vector<Taken>> sidesOf(const ImportSides& sides, Progress& progress) {
+  batch::ReadBatchOptions options;
+  options.sheet = sides.sheet;
+  std::vector<batch::FreeSide> free;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    const std::vector<fs::path>& files = side == batch::Side::Front ? sides.front : sides.back;
+    if (!files.empty()) free.push_back({side, files, files.front().parent_path(), {}});
+  }
+  const Result<batch::Batch> batch = batch::freeCameraBatch(free, {}, {}, options, progress);
+  if (!batch) return batch.error();
+  if (const auto masks = pipeline::maskSource("auto", *batch); !masks) return masks.error();
+  std::vector<Taken> files;
+  for (const batch::Shot& shot : batch->shots)
+    files.push_back({shot.file, batch::name(shot.side) / shot.file.filename()});
+  if (!batch->plate_file.empty()) files.push_back({batch->plate_file, "plate.json"});
+  return files;
+}
+
+// Where the size of a marker was said, the sheet is sought in the copies and described beside them.
+Result<void> describeSheet(const fs::path& copy, double marker_mm, Progress& progress,
+                           const std::stop_token& stop) {
+  Result<batch::Batch> batch = batch::readBatch(copy, {}, progress);
+  if (!batch) return batch.error();
+  pipeline::ProcessOptions options;
+  options.marker_mm = marker_mm;
+  if (Result<void> found = pipeline::proposeMissingSheet(*batch, options, progress, stop); !found)
+    return found;
+  return batch->plate ? rig::writePlate(copy / "plate.json", *batch->plate) : Result<void>();
+}
+
+// What was photographed or scanned, by size; the same picture has the same size.
+using BySize = std::multimap<std::uintmax_t, fs::path>;
+
+BySize takenIn(const fs::path& folder) {
+  BySize files;
+  for (const char* side : {"front", "back"}) {
+    std::error_code error;
+    for (fs::directory_iterator at(folder / side, error), end; !error && at != end;
+         at.increment(error))
+      if (at->is_regular_file(error)) files.emplace(at->file_size(error), at->path());
+  }
+  return files;
+}
+
+std::string hashOf(const fs::path& file) {
+  const Result<std::string> bytes = readFile(file);
+  return bytes ? sha256(*bytes) : std::string();
+}
+
+BySize takenFor(const ImportOptions& options) {
+  if (!options.sides) return takenIn(options.from);
+  BySize files;
+  for (const std::vector<fs::path>* side : {&options.sides->front, &options.sides->back})
+    for (const fs::path& file : *side) {
+      std::error_code error;
+      const std::uintmax_t size = fs::file_size(file, error);
+      if (!error) files.emplace(size, file);
+    }
+  return files;
+}
+
+// Names may be others by now, and some files missing: most of them are enough. Only files of one
+// size are read.
+Result<Imported> batchWithTheSame(const ImportOptions& options, const std::stop_token& stop) {
+  const BySize fresh = takenFor(options);
+  std::map<fs::path, std::string> hashes;
+  std::error_code error;
+  for (fs::directory_iterator at(options.project / "batches", error), end; !error && at != end;
+       at.increment(error)) {
+    if (at->path().extension() == ".partial") continue;
+    std::size_t same = 0;
+    std::set<std::string> there;
+    for (const auto& [size, file] : takenIn(at->path()))
+      if (fresh.contains(size)) {
+        if (stop.stop_requested()) return Error::cancelled();
+        there.insert(hashOf(file));
+      }
+    if (there.size() * 2 <= fresh.size()) continue;
+    for (const auto& [size, file] : fresh) {
+      if (stop.stop_requested()) return Error::cancelled();
+      std::string& hash = hashes[file];
+      if (hash.empty()) hash = hashOf(file);
+      same += there.contains(hash) ? 1 : 0;
+    }
+    if (same * 2 <= fresh.size()) continue;
+    Imported there_already;
+    there_already.same_as = at->path().filename().string();
+    there_already.same = static_cast<int>(same);
+    there_already.files = static_cast<int>(fresh.size());
+    return there_already;
+  }
+  return Imported();
+}
+
+Error anotherImport(const fs::path& folder) {
+  return {ErrorCode::CannotWrite,
+          "Another run is writing to this folder; wait until it ends, or choose another folder.",
+          folder.string()};
+}
+
+// An empty folder, marked and held.
+Result<void> beginCopy(const fs::path& project, Imported& imported) {
+  const fs::path folder = project / "batches" / kCopy;
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(folder, ignored))) {  // of an import that was killed
+    const std::optional<Hold> left = Hold::take(folder);
+    if (!left) return anotherImport(folder);
+    fs::remove_all(folder, ignored);
+  }
+  if (Result<void> made = writeFileAtomically(folder / kImportMark, {}); !made) {
+    fs::remove(folder, ignored);
+    return made;
+  }
+  std::optional<Hold> hold = Hold::take(folder);
+  if (!hold) return anotherImport(folder);
+  imported.folder = folder;
+  imported.hold = std::make_shared<const Hold>(std::move(*hold));
+  return {};
+}
+
+Result<void> copyFiles(const std::vector<Taken>& files, Imported& imported, Progress& progress,
+                       const std::stop_token& stop) {
+  for (const auto& [file, as] : files) {
+    if (stop.stop_requested()) return Error::cancelled();
+    progress.report(imported.files, static_cast<std::int64_t>(files.size()));
+    const Result<std::string> bytes = readFile(file);
+    if (!bytes) return bytes.error();
+    if (Result<void> written = writeFileAtomically(imported.folder / as, *bytes); !written)
+      return written;
+    ++imported.files;
+    const std::optional<std::int64_t> taken_ms = batch::exifIn(*bytes).takenMs();
+    if (!taken_ms) continue;
+    imported.first_taken_ms = std::min(imported.first_taken_ms.value_or(*taken_ms), *taken_ms);
+    imported.last_taken_ms = std::max(imported.last_taken_ms.value_or(*taken_ms), *taken_ms);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std::stop_token stop) {
+  Result<std::vector<Taken>> files = options.kind == ImportKind::Scans ? scansIn(options.from)
+                                     : options.sides ? sidesOf(*options.sides, progress)
+                                                     : batchIn(options.from, progress);
+  if (!files) return files.error();
+  std::sort(files->begin(), files->end(),
+            [](const Taken& a, const Taken& b) { return a.as < b.as; });
+  Imported imported;
+  if (!options.twice) {
+    Result<Imported> same = batchWithTheSame(options, stop);
+    if (!same || !same->same_as.empty()) return same;
+  }
+  if (Result<void> begun = beginCopy(options.project, imported); !begun) return begun.error();
+  const Result<void> copied = [&]() -> Result<void> {
+    if (Result<void> all = copyFiles(*files, imported, progress, stop); !all) return all;
+    if (!options.sides || !options.sides->marker_mm) return {};
+    const Result<void> described =
+        describeSheet(imported.folder, *options.sides->marker_mm, progress, stop);
+    return described ? described
+                     : Error{described.error().code, described.error().what, options.from.string()};
+  }();
+  if (copied) return imported;
+  std::error_code ignored;
+  fs::remove_all(imported.folder, ignored);
+  return copied.error();
+}
+
+void removeLeftImports(const fs::path& project,
+                       const std::function<bool(const std::string&)>& isBatch) {
+  std::vector<fs::path> marked;
+  std::error_code failed;
+  for (fs::directory_iterator at(project / "batches", failed), end; !failed && at != end;
+       at.increment(failed))
+    if (std::error_code code;
+        at->path().filename() == kCopy || fs::exists(at->path() / kImportMark, code))
+      marked.push_back(at->path());
+  for (const fs::path& folder : marked) {
+    const std::optional<Hold> hold = Hold::take(folder);
+    if (!hold) continue;
+    if (isBatch(folder.filename().string()))
+      fs::remove(folder / kImportMark, failed);
+    else
+      fs::remove_all(folder, failed);
+  }
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,119 @@
+#include "ui/import/import_chooser.h"
+
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QMimeData>
+#include <QUrl>
+#include <QWidget>
+
+#include "catalogue/settings.h"
+#include "ui/frame/project_session.h"
+#include "ui/import/import_ask.h"
+#include "ui/import/sides_view.h"
+#include "ui/jobs/job.h"
+#include "upkeep/project.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr const char* kSheetKey = "import.sheet";
+constexpr const char* kMarkerKey = "import.marker_mm";
+
+QStringList pathsOf(const QMimeData* data) {
+  QStringList paths;
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile()) paths << url.toLocalFile();
+  return paths;
+}
+
+}  // namespace
+
+ImportChooser::ImportChooser(QWidget* screen, ImportAsk* ask)
+    : QObject(screen), screen_(screen), ask_(ask) {
+  screen_->installEventFilter(this);
+  connect(ask_->sides(), &SidesView::sheetChosen, this, [this](const QString& file) {
+    if (session_ != nullptr)
+      (void)catalogue::Settings(session_->project().catalogue())
+          .setValue(kSheetKey, file.toStdString());
+  });
+  connect(ask_->sides(), &SidesView::markerChosen, this, [this](double side_mm) {
+    if (session_ != nullptr)
+      (void)catalogue::Settings(session_->project().catalogue())
+          .setValue(kMarkerKey, QByteArray::number(side_mm).toStdString());
+  });
+}
+
+void ImportChooser::setSession(ProjectSession* session) {
+  if (job_ != nullptr) job_->drop();
+  session_ = session;
+  screen_->setAcceptDrops(session != nullptr);
+}
+
+std::filesystem::path ImportChooser::lastSheet() const {
+  const Result<std::string> kept =
+      catalogue::Settings(session_->project().catalogue()).value(kSheetKey);
+  return kept ? std::filesystem::path(*kept) : std::filesystem::path();
+}
+
+std::optional<double> ImportChooser::lastMarker() const {
+  const Result<std::string> kept =
+      catalogue::Settings(session_->project().catalogue()).value(kMarkerKey);
+  const double side_mm = kept ? QByteArray::fromStdString(*kept).toDouble() : 0;
+  return side_mm > 0 ? std::optional(side_mm) : std::nullopt;
+}
+
+void ImportChooser::choose(ImportKind kind) {
+  auto* dialog = new QFileDialog(screen_, kind == ImportKind::Scans
+                                              ? tr("Folder with front/ and back/ scans")
+                                              : tr("Folder of a batch, or with photographs"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  dialog->setOption(QFileDialog::ShowDirsOnly);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, kind](const QString& folder) {
+    if (kind == ImportKind::Scans)
+      ask_->ask(folder, kind);
+    else
+      take({folder});
+  });
+  dialog->open();
+}
+
+void ImportChooser::take(const QStringList& paths) {
+  if (session_ == nullptr || paths.isEmpty()) return;
+  if (job_ != nullptr) job_->drop();
+  job_ = session_->jobs().start(makeJob(tr("Photographs of %1").arg(paths.front()),
+                                        [paths, last = lastSheet()](Progress&, std::stop_token) {
+                                          return planSides(paths, last);
+                                        }),
+                                this);
+  connect(job_, &JobHandle::finished, this, [this, paths](const JobOutcome& outcome) {
+    job_->deleteLater();
+    job_ = nullptr;
+    auto plan = outcomeAs<std::optional<SidesPlan>>(outcome);
+    if (!plan) return emit failed(plan.error());
+    if (*plan) {
+      (*plan)->marker_mm = lastMarker();
+      ask_->askSides(**plan);
+    } else
+      ask_->ask(paths.front(), ImportKind::Photographs);
+  });
+}
+
+bool ImportChooser::eventFilter(QObject* watched, QEvent* event) {
+  if (session_ == nullptr) return false;
+  if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
+    auto* drag = static_cast<QDragMoveEvent*>(event);
+    if (pathsOf(drag->mimeData()).isEmpty()) return false;
+    drag->acceptProposedAction();
+    return true;
+  }
+  if (event->type() == QEvent::Drop) {
+    auto* drop = static_cast<QDropEvent*>(event);
+    drop->acceptProposedAction();
+    take(pathsOf(drop->mimeData()));
+    return true;
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,42 @@
+#include "ui/import/import_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+
+#include "ui/import/batch_importer.h"
+#include "ui/look/look.h"
+
+namespace ostraka::ui {
+
+ImportLine::ImportLine(BatchImporter* importer, QWidget* parent)
+    : QWidget(parent), words_(new QLabel(this)), bar_(new QProgressBar(this)) {
+  bar_->setObjectName(QStringLiteral("importProgress"));
+  bar_->setAccessibleName(tr("How far the import is"));
+  bar_->setRange(0, 100);
+  auto* stop = new QPushButton(tr("Stop the import"), this);
+  stop->setObjectName(QStringLiteral("importStop"));
+  stop->setMinimumHeight(targetSize(*this));
+  stop->setFocusPolicy(Qt::TabFocus);  // Space stays the next thing
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(words_);
+  row->addWidget(bar_, 1);
+  row->addWidget(stop);
+  connect(stop, &QPushButton::clicked, importer, &BatchImporter::cancel);
+  connect(importer, &BatchImporter::started, this, [this](const QString& title) {
+    words_->setText(title);
+    showProgress(0);
+    show();
+  });
+  connect(importer, &BatchImporter::progressed, this, &ImportLine::showProgress);
+  connect(importer, &BatchImporter::ended, this, &QWidget::hide);
+  hide();
+}
+
+void ImportLine::showProgress(double fraction) {
+  bar_->setValue(qRound(100 * fraction));
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,142 @@
+#include "ui/import/import_sides.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "batch/flip.h"
+#include "batch/photograph.h"
+#include "batch/photographs.h"
+#include "batch/raw_image.h"
+
+namespace ostraka::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kNoPhotographs = QT_TRANSLATE_NOOP(
+    "ImportSides", "There are no photographs in this folder; choose one that holds them.");
+
+Error refused(const char* sentence, const fs::path& where) {
+  return Error::unusable(QCoreApplication::translate("ImportSides", sentence).toStdString(),
+                         where.string());
+}
+
+bool isFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+// The two folders within that hold photographs; none where there are more or fewer.
+std::vector<fs::path> twoWithin(const fs::path& folder) {
+  std::vector<fs::path> within;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+    if (isFolder(at->path()) && !batch::photographsIn(at->path()).empty())
+      within.push_back(at->path());
+  std::sort(within.begin(), within.end());
+  return within.size() == 2 ? within : std::vector<fs::path>();
+}
+
+std::optional<fs::path> sheetBeside(const std::vector<fs::path>& folders) {
+  std::vector<fs::path> places = folders;
+  for (const fs::path& folder : folders)
+    if (folder.parent_path() == folders.front().parent_path())
+      places.push_back(folder.parent_path());
+  std::error_code ignored;
+  for (const fs::path& place : places)
+    if (fs::is_regular_file(place / "plate.json", ignored)) return place / "plate.json";
+  return {};
+}
+
+void divide(SidesPlan& plan, std::vector<fs::path> files) {
+  batch::Series series = batch::seriesOf(std::move(files));
+  plan.files = std::move(series.files);
+  plan.first_second = series.first_back;
+  plan.divisible = plan.files.size() >= 2 * kLeastOfASide;
+  plan.one_side = !plan.divisible;
+  plan.flip_found = series.flip_found;
+}
+
+// Whose clock began later holds the backs; without clocks, the one that is called so.
+void join(SidesPlan& plan, const fs::path& first, const fs::path& second) {
+  const std::vector<fs::path> one = batch::photographsIn(first),
+                              other = batch::photographsIn(second);
+  plan.files = one;
+  plan.files.insert(plan.files.end(), other.begin(), other.end());
+  plan.first_second = one.size();
+  const batch::Series series = batch::seriesOf({one.front(), other.front()});
+  const auto backs = [](const fs::path& folder) {
+    return QString::fromStdString(folder.filename().string())
+        .contains(QLatin1String("back"), Qt::CaseInsensitive);
+  };
+  plan.backs_first =
+      backs(first) != backs(second) ? backs(first) : series.files.front() == other.front();
+}
+
+}  // namespace
+
+ImportSides SidesPlan::sides() const {
+  const auto middle = files.begin() + static_cast<std::ptrdiff_t>(first_second);
+  ImportSides all;
+  all.sheet = sheet;
+  if (!sheet) all.marker_mm = marker_mm;
+  if (one_side)
+    all.front = files;
+  else {
+    all.front = {files.begin(), middle};
+    all.back = {middle, files.end()};
+    if (backs_first) std::swap(all.front, all.back);
+  }
+  return all;
+}
+
+Result<std::optional<SidesPlan>> planSides(const QStringList& dropped, const fs::path& last_sheet) {
+  std::vector<fs::path> paths;
+  for (const QString& path : dropped)
+    paths.push_back(fs::absolute(path.toStdString()).lexically_normal());
+  for (fs::path& path : paths)
+    if (!path.has_filename()) path = path.parent_path();
+  if (paths.empty()) return std::optional<SidesPlan>();
+  if (paths.size() == 1 && batch::isBatchFolder(paths.front())) return std::optional<SidesPlan>();
+  SidesPlan plan;
+  plan.from = dropped.join(QStringLiteral(", "));
+  if (paths.size() == 1 && batch::photographsIn(paths.front()).empty())
+    if (const std::vector<fs::path> two = twoWithin(paths.front()); !two.empty()) paths = two;
+  if (!std::all_of(paths.begin(), paths.end(), isFolder)) {
+    if (std::any_of(paths.begin(), paths.end(), isFolder))
+      return refused(
+          QT_TRANSLATE_NOOP("ImportSides", "Drop either folders or photographs, not both."),
+          paths.front());
+    const fs::path folder = paths.front().parent_path();
+    std::erase_if(paths, [](const fs::path& path) {
+      std::error_code ignored;
+      return !fs::is_regular_file(path, ignored) ||
+             !(batch::hasPhotographEnding(path) || batch::hasRawEnding(path));
+    });
+    if (paths.empty()) return refused(kNoPhotographs, folder);
+    plan.from = QString::fromStdString(folder.string());
+    plan.sheet = sheetBeside({folder});
+    divide(plan, paths);
+  } else {
+    if (paths.size() > 2)
+      return refused(
+          QT_TRANSLATE_NOOP("ImportSides",
+                            "These are more than two folders; drop that of the fronts and "
+                            "that of the backs."),
+          paths.front());
+    for (const fs::path& folder : paths)
+      if (batch::photographsIn(folder).empty()) return refused(kNoPhotographs, folder);
+    plan.sheet = sheetBeside(paths);
+    if (paths.size() == 1)
+      divide(plan, batch::photographsIn(paths.front()));
+    else
+      join(plan, paths[0], paths[1]);
+  }
+  std::error_code ignored;
+  if (!plan.sheet && fs::is_regular_file(last_sheet, ignored)) plan.sheet = last_sheet;
+  return std::optional<SidesPlan>(std::move(plan));
+}
+
+}  // namespace ostraka::ui

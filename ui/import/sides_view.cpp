@@ -1,0 +1,202 @@
+#include "ui/import/sides_view.h"
+
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include "ui/look/look.h"
+#include "ui/widgets/elided_label.h"
+#include "ui/widgets/thumbnails.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr int kPicture = 2 * Look::kThumbnail;
+constexpr double kLargestMarker_mm = 500;
+
+}  // namespace
+
+SidesView::SidesView(QWidget* parent)
+    : QWidget(parent),
+      parts_{buildPart(QStringLiteral("importFront")), buildPart(QStringLiteral("importBack"))},
+      flip_(new QLabel(this)),
+      where_(new QSlider(Qt::Horizontal, this)),
+      one_side_(new QCheckBox(tr("One side only"), this)),
+      swap_(new QPushButton(tr("Swap sides"), this)),
+      sheet_(new ElidedLabel(this)),
+      clear_sheet_(new QPushButton(tr("Clear sheet"), this)),
+      marker_label_(new QLabel(tr("Side of a marker's &black square"), this)),
+      marker_(new QDoubleSpinBox(this)) {
+  flip_->setObjectName(QStringLiteral("importFlip"));
+  flip_->setWordWrap(true);
+  where_->setObjectName(QStringLiteral("importDivide"));
+  where_->setAccessibleName(tr("First photograph of the second side"));
+  where_->setMinimumHeight(controlHeight(*this));
+  one_side_->setObjectName(QStringLiteral("importOneSide"));
+  swap_->setObjectName(QStringLiteral("importSwap"));
+  sheet_->setObjectName(QStringLiteral("importSheet"));
+  auto* choose = new QPushButton(tr("Choose sheet…"), this);
+  choose->setObjectName(QStringLiteral("importChooseSheet"));
+  clear_sheet_->setObjectName(QStringLiteral("importClearSheet"));
+  for (QPushButton* button : {swap_, choose, clear_sheet_})
+    button->setMinimumHeight(controlHeight(*this));
+  marker_->setObjectName(QStringLiteral("importMarker"));
+  marker_->setRange(0, kLargestMarker_mm);
+  marker_->setDecimals(2);
+  marker_->setSpecialValueText(tr("Unknown"));
+  marker_->setSuffix(tr(" mm"));
+  marker_->setMinimumHeight(controlHeight(*this));
+  marker_label_->setBuddy(marker_);
+  auto* pictures = new QHBoxLayout;
+  for (const Part& part : parts_) {
+    auto* pair = new QHBoxLayout;
+    for (QLabel* picture : part.pictures) pair->addWidget(picture);
+    pair->addStretch(1);
+    auto* column = new QVBoxLayout;
+    column->addWidget(part.words);
+    column->addLayout(pair);
+    pictures->addLayout(column, 1);
+  }
+  auto* dividing = new QHBoxLayout;
+  dividing->addWidget(where_, 1);
+  dividing->addWidget(one_side_);
+  dividing->addWidget(swap_);
+  dividing->addStretch();
+  auto* beneath = new QHBoxLayout;
+  beneath->addWidget(sheet_, 1);
+  beneath->addWidget(marker_label_);
+  beneath->addWidget(marker_);
+  beneath->addWidget(clear_sheet_);
+  beneath->addWidget(choose);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addLayout(pictures);
+  column->addWidget(flip_);
+  column->addLayout(dividing);
+  column->addLayout(beneath);
+  connect(where_, &QSlider::valueChanged, this, [this](int at) {
+    plan_.first_second = static_cast<std::size_t>(at);
+    plan_.flip_found = true;  // a person said so
+    follow();
+  });
+  connect(one_side_, &QCheckBox::toggled, this, [this](bool on) {
+    plan_.one_side = on;
+    follow();
+  });
+  connect(swap_, &QPushButton::clicked, this, [this] {
+    plan_.backs_first = !plan_.backs_first;
+    follow();
+  });
+  connect(choose, &QPushButton::clicked, this, &SidesView::chooseSheet);
+  connect(clear_sheet_, &QPushButton::clicked, this, [this] { useSheet({}); });
+  connect(marker_, &QDoubleSpinBox::valueChanged, this, [this](double side_mm) {
+    plan_.marker_mm = side_mm > 0 ? std::optional(side_mm) : std::nullopt;
+    follow();
+    emit markerChosen(side_mm);
+  });
+}
+
+SidesView::Part SidesView::buildPart(const QString& name) {
+  Part part{new ElidedLabel(this), {new QLabel(this), new QLabel(this)}};
+  part.words->setObjectName(name);
+  for (QLabel* picture : part.pictures) {
+    picture->setFixedSize(kPicture, kPicture * 3 / 4);
+    picture->setAlignment(Qt::AlignCenter);
+    picture->setPalette(mattePalette());
+    picture->setAutoFillBackground(true);
+  }
+  return part;
+}
+
+void SidesView::setThumbnails(Thumbnails* thumbnails) {
+  thumbnails_ = thumbnails;
+  if (thumbnails_ != nullptr)
+    connect(thumbnails_, &Thumbnails::ready, this, [this] {
+      if (isVisible()) follow();
+    });
+}
+
+void SidesView::setPlan(const SidesPlan& plan) {
+  plan_ = plan;
+  const QSignalBlocker quiet(where_), silent(one_side_), still(marker_);
+  marker_->setValue(plan.marker_mm.value_or(0));
+  const auto least = static_cast<int>(kLeastOfASide);
+  if (plan.divisible) where_->setRange(least, static_cast<int>(plan.files.size()) - least);
+  where_->setValue(static_cast<int>(plan.first_second));
+  where_->setVisible(plan.divisible);
+  one_side_->setChecked(plan.one_side);
+  one_side_->setVisible(plan.divisible);
+  follow();
+}
+
+void SidesView::chooseSheet() {
+  auto* dialog = new QFileDialog(this, tr("Sheet under the sherds"), {}, tr("Sheet (*.json)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &SidesView::useSheet);
+  dialog->open();
+}
+
+void SidesView::useSheet(const QString& file) {
+  plan_.sheet.reset();
+  if (!file.isEmpty()) plan_.sheet = file.toStdString();
+  follow();
+  emit sheetChosen(file);
+}
+
+void SidesView::follow() {
+  const ImportSides sides = plan_.sides();
+  showPart(parts_[0], tr("Front"), sides.front);
+  showPart(parts_[1], tr("Back"), sides.back);
+  where_->setEnabled(!plan_.one_side);
+  swap_->setVisible(!plan_.one_side);
+  flip_->setVisible(plan_.divisible && !plan_.one_side);
+  flip_->setText(
+      plan_.flip_found
+          ? tr("The series is divided where the sherds were turned over.")
+          : tr("No pause stands out between the photographs. Move the slider to where the "
+               "sherds were turned over."));
+  clear_sheet_->setVisible(plan_.sheet.has_value());
+  for (QWidget* widget : {static_cast<QWidget*>(marker_label_), static_cast<QWidget*>(marker_)})
+    widget->setVisible(!plan_.sheet);
+  if (plan_.sheet)
+    sheet_->setText(tr("Sheet: %1").arg(QString::fromStdString(plan_.sheet->string())));
+  else if (plan_.marker_mm)
+    sheet_->setText(tr("The sheet will be found in the photographs."));
+  else
+    sheet_->setText(tr("No sheet file (plate.json) and no marker size: the result has no scale."));
+  emit changed();
+}
+
+void SidesView::showPart(const Part& part, const QString& side,
+                         const std::vector<std::filesystem::path>& files) {
+  for (QLabel* picture : part.pictures) picture->setVisible(!files.empty());
+  if (files.empty()) return part.words->setText(tr("%1: none").arg(side));
+  const auto name = [](const std::filesystem::path& file) {
+    return QString::fromStdString(file.filename().string());
+  };
+  part.words->setText(tr("%1: %n photograph(s), %2 to %3", nullptr, static_cast<int>(files.size()))
+                          .arg(side, name(files.front()), name(files.back())));
+  showPicture(part.pictures[0], files.front());
+  showPicture(part.pictures[1], files.back());
+}
+
+void SidesView::showPicture(QLabel* label, const std::filesystem::path& file) {
+  const QString path = QString::fromStdString(file.string());
+  label->setAccessibleName(path);
+  label->setToolTip(path);
+  const qreal ratio = devicePixelRatioF();
+  QPixmap picture = thumbnails_ == nullptr
+                        ? QPixmap()
+                        : thumbnails_->get(path, (QSizeF(label->size()) * ratio).toSize());
+  picture.setDevicePixelRatio(ratio);
+  label->setPixmap(picture);
+}
+
+}  // namespace ostraka::ui

@@ -1,0 +1,96 @@
+#include "ui/widgets/big_button.h"
+
+#include <QPainter>
+#include <QStyleOptionButton>
+
+#include "ui/look/look.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr double kLetters = Look::kSection, kLeastLetters = 0.85;  // of the body's
+
+}  // namespace
+
+BigButton::BigButton(QWidget* parent) : QPushButton(parent) {
+  setPrimary(true);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setFocusPolicy(Qt::StrongFocus);
+}
+
+void BigButton::setKeyHint(const QString& key) {
+  key_ = key;
+  setAccessibleDescription(key.isEmpty() ? QString() : tr("Key: %1").arg(key));
+  update();
+}
+
+void BigButton::setPrimary(bool primary) {
+  primary_ = primary;
+  setProperty("primary", primary);
+  update();
+}
+
+QSize BigButton::sizeHint() const {
+  const QFontMetrics large(scaledFont(*this, kLetters)), small(font());
+  const int height = targetSize(*this);
+  return {large.horizontalAdvance(text()) + small.horizontalAdvance(key_) + height * 2, height};
+}
+
+// Long words of another language go into two lines before they make the window wider.
+QSize BigButton::minimumSizeHint() const {
+  const QFontMetrics large(scaledFont(*this, kLetters));
+  int longest = 0;
+  for (const QString& word : text().split(QLatin1Char(' ')))
+    longest = qMax(longest, large.horizontalAdvance(word));
+  const int whole = large.horizontalAdvance(text());
+  return sizeHint() - QSize(whole - qMax(longest, whole * 6 / 10), 0);
+}
+
+void BigButton::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Colours& colours = coloursOf(palette());
+  const bool enabled = isEnabled(), filled = enabled && primary_;
+  QColor ground = filled ? colours.accent : colours.raised;
+  if (isDown() || (enabled && underMouse())) ground = ground.darker(isDown() ? 125 : 108);
+  const QColor ink = filled ? colours.on_accent : enabled ? colours.text : colours.disabled;
+  const double line = Look::kFocus, edge = colours.border_width;
+  const QRectF frame = QRectF(rect()).adjusted(edge / 2, edge / 2, -edge / 2, -edge / 2);
+  painter.setPen(filled ? QPen(Qt::NoPen)
+                        : QPen(enabled ? colours.control : colours.disabled, edge,
+                               enabled ? Qt::SolidLine : Qt::DashLine));
+  painter.setBrush(ground);
+  painter.drawRoundedRect(frame, Look::kCorner, Look::kCorner);
+  if (hasFocus()) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(filled ? ink : colours.accent, line));
+    painter.drawRoundedRect(frame.adjusted(line * 1.5, line * 1.5, -line * 1.5, -line * 1.5),
+                            Look::kCorner - line, Look::kCorner - line);
+  }
+  painter.setPen(ink);
+  QRectF words = frame.adjusted(Look::kGap, 0, -Look::kGap, 0);
+  if (!key_.isEmpty() && enabled) {
+    painter.setFont(font());
+    const QFontMetricsF metrics(font());
+    const double width = metrics.horizontalAdvance(key_) + metrics.height();
+    const QRectF cap(words.right() - width, words.center().y() - metrics.height() * 0.75, width,
+                     metrics.height() * 1.5);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(ink, edge));
+    painter.drawRoundedRect(cap, metrics.height() / 4, metrics.height() / 4);
+    painter.drawText(cap, Qt::AlignCenter, key_);
+    words.setRight(cap.left() - metrics.height() / 2);
+  }
+  // Two lines in large letters are cut above and below where smaller ones fit.
+  const auto needs = [&](double factor) {
+    return QFontMetricsF(scaledFont(*this, factor))
+        .boundingRect(words, Qt::AlignCenter | Qt::TextWordWrap, text())
+        .height();
+  };
+  double factor = kLetters;
+  while (factor > kLeastLetters && needs(factor) > words.height()) factor -= 0.05;
+  painter.setFont(scaledFont(*this, factor, true));
+  painter.drawText(words, Qt::AlignCenter | Qt::TextWordWrap, text());
+}
+
+}  // namespace ostraka::ui

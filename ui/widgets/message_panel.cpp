@@ -1,0 +1,169 @@
+#include "ui/widgets/message_panel.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/look/look.h"
+#include "ui/look/state_colours.h"
+#include "ui/widgets/big_button.h"
+#include "ui/widgets/flow_row.h"
+#include "ui/words/sentence.h"
+
+namespace ostraka::ui {
+
+MessagePanel::MessagePanel(QWidget* parent)
+    : QFrame(parent),
+      picture_(new QLabel(this)),
+      headline_(new QLabel(this)),
+      words_(new QLabel(this)),
+      act_(new BigButton(this)),
+      second_(new QPushButton(this)) {
+  setFrameShape(QFrame::StyledPanel);
+  setAutoFillBackground(true);
+  setObjectName(QStringLiteral("message"));
+  headline_->setWordWrap(true);
+  headline_->setTextFormat(Qt::PlainText);
+  words_->setWordWrap(true);
+  words_->setTextFormat(Qt::PlainText);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  words_->setAccessibleName(tr("What happened"));
+  act_->setObjectName(QStringLiteral("messageAct"));
+  second_->setObjectName(QStringLiteral("messageSecondAct"));
+  second_->setText(tr("Dismiss"));
+  second_->hide();
+  act_->setText(tr("OK"));
+  auto* text = new QVBoxLayout;
+  text->addWidget(headline_);
+  text->addWidget(words_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(picture_, 0, Qt::AlignTop);
+  row->addLayout(text, 1);
+  row->addWidget(second_, 0, Qt::AlignVCenter);
+  row->addWidget(act_, 0, Qt::AlignVCenter);
+  setLayout(row);
+  connect(act_, &QPushButton::clicked, this, &MessagePanel::acted);
+  connect(second_, &QPushButton::clicked, this, &MessagePanel::actedSecond);
+  lay();
+}
+
+void MessagePanel::showError(const Error& error, const QString& act, const QString& key) {
+  failed_ = error.code != ErrorCode::Cancelled;
+  showWords(error.where.empty() ? QString() : QString::fromStdString(error.where),
+            wordsOf(error.what), act, key);
+}
+
+void MessagePanel::showWords(const QString& headline, const QString& words, const QString& act,
+                             const QString& key) {
+  headline_->setText(headline);
+  headline_->setVisible(!headline.isEmpty());
+  words_->setText(words);
+  act_->setText(act);
+  act_->setKeyHint(key);
+  act_->setVisible(!act.isEmpty());
+  setAccessibleName(headline.isEmpty() ? words : headline + QStringLiteral(": ") + words);
+  lay();
+  show();
+}
+
+void MessagePanel::setSecondAct(const QString& act) {
+  second_->setText(act);
+  second_->setVisible(!act.isEmpty());
+}
+
+void MessagePanel::setBesidePrimary() {
+  act_->setPrimary(false);
+}
+
+QAbstractButton* MessagePanel::act() const {
+  return isHidden() || act_->isHidden() ? nullptr : act_;
+}
+
+void MessagePanel::setCompact(bool compact) {
+  compact_ = compact;
+  lay();
+}
+
+QString MessagePanel::headline() const {
+  return headline_->text();
+}
+
+QString MessagePanel::words() const {
+  return words_->text();
+}
+
+void MessagePanel::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::ApplicationPaletteChange)
+    lay();
+}
+
+void MessagePanel::lay() {
+  const StateColours colours(QApplication::palette());
+  QPalette ground;  // the one colour only: buttons on it follow the theme
+  ground.setColor(QPalette::Window, colours.behind(failed_ ? State::Failed : State::Ask));
+  if (ground.color(QPalette::Window) != palette().color(QPalette::Window)) setPalette(ground);
+  headline_->setFont(scaledFont(*this, Look::kSection, true));
+  words_->setFont(scaledFont(*this, compact_ ? 1 : Look::kSection));
+  const int size = Look::kIcon * (compact_ ? 1 : 2);
+  const State state = failed_ ? State::Failed : State::Ask;
+  picture_->setPixmap(
+      icon(failed_ ? QStringLiteral("error") : QStringLiteral("warning"), colours.of(state))
+          .pixmap(size, size));
+}
+
+EmptyState::EmptyState(const QString& icon_name, const QString& headline, const QString& words,
+                       QWidget* parent)
+    : QWidget(parent), icon_name_(icon_name) {
+  picture_ = new QLabel(this);
+  picture_->setAlignment(Qt::AlignCenter);
+  auto* title = new QLabel(headline, this);
+  title->setFont(scaledFont(*this, Look::kTitle, true));
+  title->setAlignment(Qt::AlignCenter);
+  title->setWordWrap(true);
+  words_ = new QLabel(words, this);
+  words_->setAlignment(Qt::AlignCenter);
+  words_->setWordWrap(true);
+  auto* acts = new FlowRow;
+  acts->setCentred(true);
+  acts_ = acts;
+  auto* column = new QVBoxLayout(this);
+  column->addStretch(2);
+  column->addWidget(picture_);
+  column->addWidget(title);
+  column->addWidget(words_, 0, Qt::AlignHCenter);
+  column->addSpacing(Look::kGap);
+  column->addLayout(acts);
+  column->addStretch(3);
+  lay();
+}
+
+void EmptyState::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) lay();
+}
+
+// A layout would give the words a column's width or a line's height.
+void EmptyState::lay() {
+  const int width = fontMetrics().averageCharWidth() * 65;
+  words_->setFixedSize(width, words_->heightForWidth(width));
+  const QColor ink = coloursOf(palette()).secondary;
+  picture_->setPixmap(icon(icon_name_, ink).pixmap(Look::kEmptyIcon, Look::kEmptyIcon));
+}
+
+QPushButton* EmptyState::addAct(const QString& text, const QString& object_name) {
+  QPushButton* button = nullptr;
+  if (acts_->count() == 0)
+    button = new BigButton(this);
+  else
+    button = new QPushButton(this);
+  button->setText(text);
+  button->setObjectName(object_name);
+  if (acts_->count() > 0) button->setMinimumHeight(targetSize(*this));
+  acts_->addWidget(button);
+  return button;
+}
+
+}  // namespace ostraka::ui

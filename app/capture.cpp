@@ -15,6 +15,7 @@
 #include "capture/manifest.h"
 #include "capture/rig_devices.h"
 #include "command.h"
+#include "files/output_place.h"
 #include "virtualrig/virtual_camera.h"
 
 namespace ostraka::app {
@@ -198,6 +199,8 @@ int runCapture(const CaptureArguments& arguments, Session& session) {
                           "A person has to turn the sherds over in between: photograph the front, "
                           "then the back.",
                           {}});
+  if (const Result<void> good = checkOutputPlace(arguments.output, "batches"); !good)
+    return fail(session, good.error());
   Result<RigDevices> devices = openDevices(arguments, session);
   if (!devices) return fail(session, devices.error());
   std::vector<batch::Side> sides;

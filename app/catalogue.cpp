@@ -1,19 +1,18 @@
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "archive/archive.h"
-#include "base/limits.h"
+#include "base/text.h"
 #include "catalogue/batches.h"
+#include "catalogue_commands.h"
 #include "command.h"
 #include "damage.h"
 #include "exchange/export_folder.h"
-#include "exchange/read_back.h"
-#include "files/files.h"
 #include "intake/enter_results.h"
 #include "sherds/filter.h"
 #include "sherds/sherds.h"
@@ -29,138 +28,15 @@ using exchange::Form;
 using upkeep::Project;
 
 constexpr const char* kProgram = "ostraka " OSTRAKA_VERSION;
-const records::Provenance kAct = {{}, "command line", {}};
 
 struct Options {
-  fs::path project, other, output, refusals;
+  fs::path project, other, output;
   std::string filter, batch;
   records::ProjectRecord record;
   std::vector<Form> forms;
-  std::vector<std::string> columns, confirmed;
   double lighter_mm = 0;
-  bool enter = false, make_places = false, quick = false, with_damage = false;
+  bool quick = false, with_damage = false;
 };
-
-int said(Session& session, nlohmann::ordered_json json, const std::string& words) {
-  session.finishProgress();
-  json.emplace("exit_status", static_cast<int>(Whole));
-  if (session.json)
-    printJson(json);
-  else
-    std::printf("%s\n", words.c_str());
-  return json["exit_status"];
-}
-
-const char* chosenBy(tables::ChosenBy by) {
-  switch (by) {
-    case tables::ChosenBy::Name:
-      return "by its name";
-    case tables::ChosenBy::Earlier:
-      return "as in the last table with these columns";
-    case tables::ChosenBy::Person:
-      return "as --map says";
-    case tables::ChosenBy::Nobody:
-      break;
-  }
-  return "a custom field";
-}
-
-// What was mapped, a line a column.
-void printMapping(const tables::TableMapping& mapping) {
-  for (const tables::ColumnChoice& choice : mapping.columns) {
-    const std::string unit = choice.unit.empty() ? std::string() : " in " + choice.unit;
-    std::fprintf(stderr, "column '%s': %s%s (%s%s)\n", choice.column.c_str(),
-                 choice.field.empty() ? "left out" : choice.field.c_str(), unit.c_str(),
-                 chosenBy(choice.by), choice.unit_guessed ? "; the unit by the values" : "");
-  }
-}
-
-nlohmann::ordered_json mappingJson(const tables::TableMapping& mapping) {
-  nlohmann::ordered_json columns = nlohmann::ordered_json::array();
-  for (const tables::ColumnChoice& choice : mapping.columns)
-    columns.push_back({{"column", choice.column},
-                       {"field", choice.field},
-                       {"unit", choice.unit},
-                       {"chosen", chosenBy(choice.by)},
-                       {"unit_guessed", choice.unit_guessed}});
-  return columns;
-}
-
-nlohmann::ordered_json refusalsJson(const std::vector<tables::Refusal>& refusals) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const tables::Refusal& refusal : refusals)
-    list.push_back({{"line", refusal.line},
-                    {"column", refusal.column},
-                    {"value", refusal.value},
-                    {"reason", refusal.reason}});
-  return list;
-}
-
-int reported(Session& session, const tables::ImportReport& report, const Options& options) {
-  if (!options.refusals.empty()) {
-    const Result<void> written = writeFileAtomically(options.refusals, tables::refusalsCsv(report));
-    if (!written) return fail(session, written.error());
-  }
-  session.finishProgress();
-  if (!session.json) {
-    printMapping(report.mapping);
-    for (const auto* list : {&report.refusals, &report.questions})
-      for (const tables::Refusal& refusal : *list)
-        std::fprintf(stderr, "line %d, %s '%s': %s%s\n", refusal.line, refusal.column.c_str(),
-                     refusal.value.c_str(), refusal.reason.c_str(),
-                     list == &report.questions ? (" Not entered; --confirm " +
-                                                  std::to_string(refusal.line) + " enters the row.")
-                                                     .c_str()
-                                               : "");
-    for (const std::string& warning : report.warnings)
-      std::fprintf(stderr, "%s\n", warning.c_str());
-  }
-  const int status = report.refused > 0 ? NotWhole : report.asked > 0 ? PersonMustDecide : Whole;
-  return said(session,
-              {{"entered", options.enter},
-               {"new", report.fresh},
-               {"same", report.same},
-               {"changed", report.changed},
-               {"refused", report.refused},
-               {"to_confirm", report.asked},
-               {"refusals", refusalsJson(report.refusals)},
-               {"questions", refusalsJson(report.questions)},
-               {"columns", mappingJson(report.mapping)},
-               {"warnings", report.warnings},
-               {"exit_status", status}},
-              std::to_string(report.fresh) + " new, " + std::to_string(report.same) + " same, " +
-                  std::to_string(report.changed) + " changed, " + std::to_string(report.refused) +
-                  " refused, " + std::to_string(report.asked) + " to confirm" +
-                  (options.enter ? "." : "; a preview: nothing was entered, --enter does it."));
-}
-
-tables::ImportMode modeOf(const Options& options) {
-  return options.enter ? tables::ImportMode::Enter : tables::ImportMode::Preview;
-}
-
-Result<tables::ImportOptions> importOptions(const Options& options) {
-  tables::ImportOptions how;
-  how.mode = modeOf(options);
-  if (options.make_places) how.unknown_places = tables::UnknownPlaces::Make;
-  for (const std::string& text : options.columns) {
-    Result<tables::ColumnChoice> choice = tables::parseColumnChoice(text);
-    if (!choice) return choice.error();
-    how.columns.push_back(std::move(*choice));
-  }
-  for (const std::string& text : options.confirmed) {
-    int line = 0;
-    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), line);
-    if (text == "all")
-      how.asked_rows = tables::AskedRows::Enter;
-    else if (code == std::errc() && end == text.data() + text.size() && line > 0)
-      how.confirmed_lines.insert(line);
-    else
-      return Error{ErrorCode::UnusableInput,
-                   "--confirm takes numbers of lines, or all; not '" + text + "'.",
-                   {}};
-  }
-  return how;
-}
 
 int runNew(const Options& options, Session& session) {
   const Result<Project> made = Project::create(options.output, options.record);
@@ -169,27 +45,25 @@ int runNew(const Options& options, Session& session) {
               "A new project: " + options.output.string());
 }
 
-int runImport(const Options& options, Session& session) {
-  Result<Project> project = Project::open(options.project);
-  if (!project) return fail(session, project.error());
-  session.progress.begin("import", 1.0);
-  if (fs::is_directory(options.other)) {
-    const auto report = exchange::readBack(*project, options.other, modeOf(options), kAct,
-                                           session.progress, session.stop);
-    return report ? reported(session, *report, options) : fail(session, report.error());
-  }
-  const Result<std::string> bytes = readFile(options.other, limits::kTableBytes.most);
-  if (!bytes) return fail(session, bytes.error());
-  const Result<tables::ImportOptions> how = importOptions(options);
-  if (!how) return fail(session, how.error());
-  if (options.enter)
-    if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
-  const auto report = tables::importTable(project->catalogue(), *bytes, options.other.string(),
-                                          *how, kAct, session.progress, session.stop);
-  if (report && report->not_reached > 0)
-    std::fprintf(stderr, "Stopped: %d rows are not entered; the same command enters them.\n",
-                 report->not_reached);
-  return report ? reported(session, *report, options) : fail(session, report.error());
+const std::map<std::string, Form>& formsByName() {
+  static const std::map<std::string, Form> kForms = {{"csv", Form::Csv},
+                                                     {"json", Form::Json},
+                                                     {"ply", Form::Ply},
+                                                     {"glb", Form::Glb},
+                                                     {"obj", Form::Obj},
+                                                     {"pictures", Form::Pictures},
+                                                     {"photographs", Form::Photographs},
+                                                     {"drawings", Form::Drawings},
+                                                     {"ods", Form::Ods},
+                                                     {"views", Form::Views}};
+  return kForms;
+}
+
+std::vector<std::string> namesOf(const std::set<Form>& forms) {
+  std::vector<std::string> names;
+  for (const auto& [name, form] : formsByName())
+    if (forms.contains(form)) names.push_back(name);
+  return names;
 }
 
 int runExport(const Options& options, Session& session) {
@@ -210,12 +84,18 @@ int runExport(const Options& options, Session& session) {
   if (!done) return fail(session, done.error());
   session.finishProgress();
   for (const std::string& warning : done->warnings) std::fprintf(stderr, "%s\n", warning.c_str());
-  const int status = done->warnings.empty() ? Whole : NotWhole;
+  const std::vector<std::string> missing = namesOf(done->without_file);
+  if (!missing.empty())
+    std::fprintf(stderr, "No file of these forms, since the sherds have none: %s.\n",
+                 joined(missing, ", ").c_str());
+  const bool nothing = done->without_file.size() == how.forms.size();
+  const int status = done->warnings.empty() && !nothing ? Whole : NotWhole;
   return said(session,
               {{"output", options.output.string()},
                {"sherds", done->sherds},
                {"files", done->files},
                {"bytes", done->bytes},
+               {"forms_without_file", missing},
                {"warnings", done->warnings},
                {"exit_status", status}},
               std::to_string(done->sherds) + " sherds in " + std::to_string(done->files) +
@@ -229,7 +109,7 @@ int runEnter(const Options& options, Session& session) {
   if (!batch) return fail(session, batch.error());
   session.progress.begin("enter", 1.0);
   const auto entered = intake::enterResults(project->catalogue(), project->folder(), batch->row,
-                                            project->resultsFolder(options.batch), kAct,
+                                            project->resultsFolder(options.batch), kCommandLine,
                                             session.progress, session.stop);
   if (!entered) return fail(session, entered.error());
   if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
@@ -391,6 +271,16 @@ CLI::Option* addOutput(CLI::App* command, Options& options, const char* words) {
 
 }  // namespace
 
+int said(Session& session, nlohmann::ordered_json json, const std::string& words) {
+  session.finishProgress();
+  json.emplace("exit_status", static_cast<int>(Whole));
+  if (session.json)
+    printJson(json);
+  else
+    std::printf("%s\n", words.c_str());
+  return json["exit_status"];
+}
+
 void addCatalogue(CLI::App& root, Command& chosen) {
   CLI::App* catalogue =
       root.add_subcommand("catalogue", "The sherds of a project: tables in and out, archives");
@@ -410,39 +300,14 @@ void addCatalogue(CLI::App& root, Command& chosen) {
   fresh->add_option("--title", options->record.title, "Name of the project");
   fresh->add_option("--numbering", options->record.numbering, "How sherds are numbered")
       ->capture_default_str();
-  CLI::App* import =
-      add("import", "Read a CSV table or an export folder; a preview without --enter", runImport);
-  addProject(import, *options);
-  import->add_option("FILE", options->other, "Table (CSV) of sherds or contexts, or an export")
-      ->required()
-      ->check(CLI::ExistingPath);
-  import->add_flag("--enter", options->enter, "Enter it; otherwise only say what would happen");
-  import->add_flag("--make-places", options->make_places,
-                   "Make sites, trenches, contexts and bags that are not there");
-  import->add_option("--refusals", options->refusals, "Write what was refused, and why, as CSV");
-  import->add_option("--map", options->columns,
-                     "A column's field and unit, as Gewicht=weight_g:kg; COLUMN=- leaves it out");
-  import
-      ->add_option("--confirm", options->confirmed,
-                   "Lines with a doubtful measurement that enter all the same, or all")
-      ->delimiter(',');
+  addCatalogueImport(*catalogue, chosen);
   CLI::App* out = add("export", "Write sherds as a folder with checksums", runExport);
   addProject(out, *options);
   addOutput(out, *options, "New folder for the export");
   out->add_option("--filter", options->filter, "Which sherds, as in the window: rim thickness>6");
   out->add_option("--forms", options->forms, "What is written")
       ->delimiter(',')
-      ->transform(
-          CLI::CheckedTransformer(std::map<std::string, Form>{{"csv", Form::Csv},
-                                                              {"json", Form::Json},
-                                                              {"ply", Form::Ply},
-                                                              {"glb", Form::Glb},
-                                                              {"obj", Form::Obj},
-                                                              {"pictures", Form::Pictures},
-                                                              {"photographs", Form::Photographs},
-                                                              {"drawings", Form::Drawings},
-                                                              {"ods", Form::Ods},
-                                                              {"views", Form::Views}}))
+      ->transform(CLI::CheckedTransformer(formsByName()))
       ->default_str("csv,json,ply,glb,pictures");
   out->add_option("--lighter", options->lighter_mm,
                   "Models with fewer triangles, 99.9 % of each within this many mm")

@@ -12,6 +12,7 @@
 #include "cloud/ply.h"
 #include "command.h"
 #include "files/json.h"
+#include "files/output_place.h"
 #include "mask/given_mask.h"
 #include "mask/hull_mask.h"
 #include "rig/camera.h"
@@ -195,6 +196,8 @@ int runDense(const DenseArguments& arguments, Session& session) {
   if (!arguments.output.has_filename() || fs::is_directory(arguments.output))
     return fail(session, {ErrorCode::UnusableInput, "The output must be a PLY file.",
                           arguments.output.string()});
+  if (const Result<void> good = checkOutputPlace(arguments.output); !good)
+    return fail(session, good.error());
   Result<std::vector<stereo::View>> views = readViews(arguments, session);
   if (!views) return fail(session, views.error());
   if (!arguments.masks)

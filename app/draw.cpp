@@ -9,6 +9,7 @@
 #include "command.h"
 #include "drawing/drawing.h"
 #include "drawing/drawing_files.h"
+#include "files/output_place.h"
 
 namespace ostraka::app {
 namespace {
@@ -69,6 +70,8 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     return fail(session, {ErrorCode::UnusableInput,
                           "Give one --id for each model, in the same order, or none.",
                           {}});
+  if (const Result<void> good = checkOutputPlace(arguments.output); !good)
+    return fail(session, good.error());
   std::vector<SherdDrawing> drawings;
   ordered_json list = ordered_json::array();
   session.progress.begin("drawings", 1.0);

@@ -1,6 +1,10 @@
 #include "help.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <utility>
 
 #include "base/text.h"
 
@@ -59,11 +63,79 @@ std::string commandOf(const CLI::App& root, const CLI::App*& app) {
   return command;
 }
 
-std::string commandsOf(const CLI::App& app) {
+std::vector<std::string> commandsOf(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
     if (!one->get_group().empty()) names.push_back(one->get_name());
-  return joined(names, ", ");
+  return names;
+}
+
+constexpr std::string_view kOutOfRange = " not in range ";
+
+bool isNumber(const std::string& text) {
+  double value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return !text.empty() && code == std::errc() && end == text.data() + text.size();
+}
+
+// "5.000000 to 200.000000" as 5 to 200.
+std::string shortened(std::string range) {
+  for (std::size_t point = range.find('.'); point != std::string::npos;
+       point = range.find('.', point + 1)) {
+    const std::size_t end =
+        std::min(range.find_first_not_of("0123456789", point + 1), range.size());
+    const std::size_t last = range.find_last_not_of('0', end - 1);
+    range.erase(last == point ? point : last + 1, end - (last == point ? point : last + 1));
+  }
+  return range;
+}
+
+// How many letters are changed, left out or put in.
+std::size_t slipsBetween(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t corner = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = corner + (a[i - 1] == b[j - 1] ? 0 : 1);
+      corner = row[j];
+      row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+// The name that was probably meant, or none.
+std::string nearestOf(const std::vector<std::string>& names, const std::string& typed) {
+  std::string nearest;
+  std::size_t fewest = std::max<std::size_t>(1, typed.size() / 3) + 1;
+  for (const std::string& name : names) {
+    const std::size_t slips =
+        name.starts_with(typed) && typed.size() > 3 ? std::size_t{1} : slipsBetween(typed, name);
+    if (slips >= fewest) continue;
+    fewest = slips;
+    nearest = name;
+  }
+  return nearest;
+}
+
+std::vector<std::string> optionsOf(const CLI::App* app) {
+  std::vector<std::string> names;
+  for (; app != nullptr; app = app->get_parent())
+    for (const CLI::Option* option : app->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+      for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    }
+  return names;
+}
+
+// Of the words that nothing on the command line takes, the first option; its value may have been
+// taken for something else.
+std::string unknownOption(const CLI::App& root) {
+  for (const std::string& word : root.remaining(true))
+    if (word.size() > 1 && word.starts_with('-') && word != "--")
+      return word.substr(0, word.find('='));
+  return {};
 }
 
 // The parser's "--side: Check x value in {back->1,front->0} OR {1,0} FAILED" and the like.
@@ -81,6 +153,14 @@ std::string inWords(const std::string& message) {
   if (const std::size_t none = message.find(" not in {"); none != std::string::npos)
     return name + " takes " + joined(wordsIn(message), ", ") + "; not '" +
            message.substr(colon + 2, none - colon - 2) + "'";
+  // "--marker-mm: Value wide not in range 5 to 200"
+  if (const std::size_t value = message.find(": Value "); value != std::string::npos)
+    if (const std::size_t range = message.find(kOutOfRange, value); range != std::string::npos) {
+      const std::string typed = message.substr(value + 8, range - value - 8);
+      return name + " takes a number from " +
+             shortened(message.substr(range + kOutOfRange.size())) +
+             (isNumber(typed) ? "; not '" + typed + "'" : "; '" + typed + "' is not a number");
+    }
   if (message.starts_with("Could not convert: "))  // "Could not convert: --diameter = abc"
     if (const std::size_t equals = message.find(" = "); equals != std::string::npos)
       return message.substr(colon + 2, equals - colon - 2) + " takes a number; not '" +
@@ -118,7 +198,15 @@ std::string sentenceOf(const CLI::ParseError& error, const CLI::App& root) {
   const std::string command = commandOf(root, app);
   std::string words = inWords(error.what());
   if (words == "A subcommand is required")
-    words = command + " needs one of its commands: " + commandsOf(*app);
+    words = command + " needs one of its commands: " + joined(commandsOf(*app), ", ");
+  if (const std::string option = unknownOption(root); !option.empty()) {
+    const std::string nearest = nearestOf(optionsOf(app), option);
+    words = "'" + option + "' is not an option of " + command +
+            (nearest.empty() ? "" : "; the nearest is '" + nearest + "'");
+  } else if (const auto& typed = root.get_option("PROJECT")->results(); !typed.empty()) {
+    const std::string nearest = nearestOf(commandsOf(*app), typed.front());
+    if (!nearest.empty()) words += "; the nearest command is '" + nearest + "'";
+  }
   return words + ". See " + command + " --help.";
 }
 

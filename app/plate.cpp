@@ -6,7 +6,6 @@
 
 #include "base/text.h"
 #include "command.h"
-#include "files/files.h"
 #include "rig/plate_print.h"
 
 namespace ostraka::app {
@@ -17,14 +16,6 @@ using rig::PlatePrintOptions;
 
 enum class PaperChoice { A4, A3, Whole };
 
-// The PDF last: nobody prints a plate that nothing describes.
-Result<void> writeAll(const std::filesystem::path& output, const PlatePrint& print) {
-  const std::filesystem::path folder = output.parent_path();
-  if (Result<void> r = rig::writePlate(folder / "plate.json", print.plate); !r) return r;
-  if (Result<void> r = rig::writeBoard(folder / "board.json", print.board); !r) return r;
-  return writeFileAtomically(output, formatPdf(print.pages, "Ostraka plate"));
-}
-
 int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem::path& output,
              const Session& session) {
   if (lowerCase(output.extension().string()) != ".pdf")
@@ -33,10 +24,8 @@ int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem
                  "The plate is written as a PDF; name a file that ends in .pdf.", output.string()});
   options.paper.reset();
   if (paper != PaperChoice::Whole) options.paper = paper == PaperChoice::A4 ? Paper::A4 : Paper::A3;
-  const Result<PlatePrint> print = rig::printPlate(options);
+  const Result<PlatePrint> print = rig::writePlatePrint(output, options);
   if (!print) return fail(session, print.error());
-  if (const Result<void> written = writeAll(output, *print); !written)
-    return fail(session, written.error());
   if (session.json) {
     printJson({{"output", output.string()},
                {"markers", print->plate.markers.size()},

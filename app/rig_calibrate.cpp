@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "calibration/calibration_report.h"
+#include "files/output_place.h"
 #include "rig_commands.h"
 
 namespace ostraka::app {
@@ -56,6 +57,7 @@ ordered_json asJson(const CalibrationReport& report, const std::string& output, 
 
 int runCalibrate(const std::filesystem::path& folder, const std::filesystem::path& output,
                  const CalibrationOptions& options, Session& session) {
+  if (const Result<void> good = checkOutputPlace(output); !good) return fail(session, good.error());
   session.progress.begin("calibration", 1.0);
   const Result<CalibrationReport> report =
       calibration::calibrateFolder(folder, options, session.progress, session.stop);

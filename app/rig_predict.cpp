@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "batch/batch.h"
+#include "files/output_place.h"
 #include "files/scratch_folder.h"
 #include "rig_commands.h"
 #include "virtualrig/predict.h"
@@ -94,6 +95,8 @@ void print(const Prediction& p) {
 }
 
 int runPredict(const fs::path& rig_file, PredictOptions options, Session& session) {
+  if (const Result<void> good = checkOutputPlace(options.work); !good)
+    return fail(session, good.error());
   const Result<rig::Rig> rig = rig::readRig(rig_file);
   if (!rig) return fail(session, rig.error());
   std::optional<ScratchFolder> scratch;

@@ -1830,6 +1830,11 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
+    <message>
+      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch nicht gespeichert: %1. Die Eingabetaste im Feld speichert; erneutes Schließen verwirft.</translation>
+    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5374,11 +5379,6 @@
       <translation>Die Vorschau wurde rückgängig gemacht.</translation>
     </message>
     <message>
-      <source>An archive must be outside the project&apos;s folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Archiv muss außerhalb des Projektordners liegen.</translation>
-    </message>
-    <message>
       <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zum Wiederherstellen eines Projekts ist ein neuer oder leerer Ordner nötig; einen anderen Namen wählen.</translation>
@@ -6834,6 +6834,11 @@
       <translation>Eine Nummer darf keinen Zeilenumbruch, keinen Tabulator und kein '%' enthalten.</translation>
     </message>
     <message>
+      <source>A number or code cannot contain invisible characters; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Nummer oder ein Kürzel darf keine unsichtbaren Zeichen enthalten; noch einmal eingeben.</translation>
+    </message>
+    <message>
       <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Nummer hat höchstens 120 Zeichen.</translation>
@@ -7329,9 +7334,19 @@
       <translation>Die Zeile hat weder eine Nummer noch eine uuid.</translation>
     </message>
     <message>
-      <source>This appears in two rows of the table.</source>
+      <source>This appears in more than one row of the table, in the lines %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das steht in zwei Zeilen der Tabelle.</translation>
+      <translation>Das steht in mehr als einer Zeile der Tabelle, in den Zeilen %1.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is unusual for a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Einheit prüfen: %1 ist für eine Scherbe ungewöhnlich.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is far from the other values of this column.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Einheit prüfen: %1 ist weit von den anderen Werten dieser Spalte entfernt.</translation>
     </message>
     <message>
       <source>Not a uuid.</source>
@@ -7712,6 +7727,41 @@
       <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ausgabeordner enthält Dateien, die Ostraka nicht geschrieben hat; einen anderen oder einen leeren wählen.</translation>
+    </message>
+    <message>
+      <source>The file has changed since the batch&apos;s processing began; nothing made from it is kept. Process the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datei hat sich geändert, seit die Verarbeitung des Durchgangs begann; nichts, was daraus entstand, wird behalten. Den Durchgang noch einmal verarbeiten.</translation>
+    </message>
+    <message>
+      <source>The markers have sides of %1 mm in this file, but --marker-mm says %2 mm. Measure one; then correct the file, or leave the option out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Marken haben in dieser Datei Seiten von %1 mm, mit --marker-mm sind aber %2 mm angegeben. Eine nachmessen; dann die Datei berichtigen oder die Option weglassen.</translation>
+    </message>
+    <message>
+      <source>This photograph is identical to %1; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Foto ist mit %1 identisch; es wird ausgelassen.</translation>
+    </message>
+    <message>
+      <source>These results were made from the photographs of %1, not of %2; process %3 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ergebnisse entstanden aus den Fotos von %1, nicht aus denen von %2; %3 selbst verarbeiten.</translation>
+    </message>
+    <message>
+      <source>These results were not made from the photographs of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ergebnisse entstanden nicht aus den Fotos von %1; den Durchgang noch einmal verarbeiten.</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2 and %3 more. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Für diesen Durchgang verzeichnete Fotos fehlen in seinem Ordner (%1): %2 und %3 weitere. Sie zurücklegen und den Durchgang neu verarbeiten.</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Für diesen Durchgang verzeichnete Fotos fehlen in seinem Ordner (%1): %2. Sie zurücklegen und den Durchgang neu verarbeiten.</translation>
     </message>
     <message>
       <source>The output folder contains another batch; choose another folder.</source>
@@ -9004,6 +9054,11 @@
       <translation>Das Archiv enthält ein Journal seines Katalogs, was kein Archiv von Ostraka tut; nichts wurde geschrieben.</translation>
     </message>
     <message>
+      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Tabellen, Indizes und Trigger des Katalogs sind nicht so, wie Ostraka sie anlegt; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
       <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ausgabeordner ist weg: Er wurde verschoben oder gelöscht, während Ostraka hineinschrieb. Die Fotos sind unberührt; denselben Befehl noch einmal starten.</translation>
@@ -9012,6 +9067,36 @@
       <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ordner enthält schon Dateien; einen neuen oder leeren wählen.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the archive or export &apos;%1&apos;, which new files would make invalid; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ort gehört zum Archiv oder Export „%1“, den neue Dateien ungültig machen würden; einen Ort außerhalb wählen.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ort gehört zum Projekt „%1“; einen Ort außerhalb wählen.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ort gehört zum Projekt „%1“; einen Ordner direkt in „%2“ wählen oder einen außerhalb des Projekts.</translation>
+    </message>
+    <message>
+      <source>This file describes another plate, or this plate with another ruler length; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei beschreibt eine andere Platte, oder diese Platte mit anderer Länge des Lineals; einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+      <source>This file describes another calibration board; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei beschreibt eine andere Kalibriertafel; einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+      <source>This folder contains photographs, and a new plate.json would describe the sheet under their sherds; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>In diesem Ordner sind Fotos, und eine neue plate.json würde das Blatt unter ihren Scherben beschreiben; einen anderen Ordner wählen.</translation>
     </message>
     <message>
       <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>

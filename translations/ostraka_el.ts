@@ -1825,6 +1825,11 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
+    <message>
+      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν έχει αποθηκευτεί ακόμη: %1. Το Enter στο πεδίο αποθηκεύει· νέο κλείσιμο απορρίπτει.</translation>
+    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5369,11 +5374,6 @@
       <translation>Μια προεπισκόπηση αναιρείται.</translation>
     </message>
     <message>
-      <source>An archive must be outside the project&apos;s folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα αρχείο δεν πρέπει να βρίσκεται μέσα στο ίδιο το έργο.</translation>
-    </message>
-    <message>
       <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα έργο επαναφέρεται σε νέο ή κενό φάκελο· επιλέξτε άλλο όνομα.</translation>
@@ -6829,6 +6829,11 @@
       <translation>Ένας αριθμός δεν περιέχει αλλαγή γραμμής, στηλοθέτη ή '%'.</translation>
     </message>
     <message>
+      <source>A number or code cannot contain invisible characters; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας αριθμός ή κωδικός δεν μπορεί να περιέχει αόρατους χαρακτήρες· πληκτρολογήστε τον ξανά.</translation>
+    </message>
+    <message>
       <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένας αριθμός έχει το πολύ 120 χαρακτήρες.</translation>
@@ -7324,9 +7329,19 @@
       <translation>Η γραμμή δεν έχει ούτε αριθμό ούτε uuid.</translation>
     </message>
     <message>
-      <source>This appears in two rows of the table.</source>
+      <source>This appears in more than one row of the table, in the lines %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό υπάρχει σε δύο γραμμές του πίνακα.</translation>
+      <translation>Αυτό υπάρχει σε περισσότερες από μία γραμμές του πίνακα, στις γραμμές %1.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is unusual for a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ελέγξτε τη μονάδα: %1 είναι ασυνήθιστο για όστρακο.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is far from the other values of this column.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ελέγξτε τη μονάδα: %1 απέχει πολύ από τις άλλες τιμές αυτής της στήλης.</translation>
     </message>
     <message>
       <source>Not a uuid.</source>
@@ -7707,6 +7722,41 @@
       <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος εξόδου περιέχει κάτι που δεν είναι αυτού του προγράμματος· επιλέξτε άλλον ή έναν άδειο.</translation>
+    </message>
+    <message>
+      <source>The file has changed since the batch&apos;s processing began; nothing made from it is kept. Process the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο άλλαξε αφότου άρχισε η επεξεργασία της παρτίδας· τίποτα από ό,τι έγινε με αυτό δεν κρατιέται. Επεξεργαστείτε ξανά την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>The markers have sides of %1 mm in this file, but --marker-mm says %2 mm. Measure one; then correct the file, or leave the option out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δείκτες έχουν σε αυτό το αρχείο πλευρές %1 mm, αλλά το --marker-mm λέει %2 mm. Μετρήστε έναν· μετά διορθώστε το αρχείο ή παραλείψτε την επιλογή.</translation>
+    </message>
+    <message>
+      <source>This photograph is identical to %1; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η φωτογραφία είναι ίδια με την %1· παραλείπεται.</translation>
+    </message>
+    <message>
+      <source>These results were made from the photographs of %1, not of %2; process %3 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτά τα αποτελέσματα έγιναν από τις φωτογραφίες της %1, όχι της %2· επεξεργαστείτε την ίδια την %3.</translation>
+    </message>
+    <message>
+      <source>These results were not made from the photographs of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτά τα αποτελέσματα δεν έγιναν από τις φωτογραφίες της %1· επεξεργαστείτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2 and %3 more. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λείπουν από τον φάκελο της παρτίδας καταγεγραμμένες φωτογραφίες της (%1): %2 και άλλες %3. Βάλτε τις πίσω και επανεπεξεργαστείτε την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λείπουν από τον φάκελο της παρτίδας καταγεγραμμένες φωτογραφίες της (%1): %2. Βάλτε τις πίσω και επανεπεξεργαστείτε την παρτίδα.</translation>
     </message>
     <message>
       <source>The output folder contains another batch; choose another folder.</source>
@@ -8999,6 +9049,11 @@
       <translation>Το αρχειοθετημένο έργο περιέχει ημερολόγιο του καταλόγου του, κάτι που δεν κάνει κανένα του Ostraka· δεν γράφτηκε τίποτα.</translation>
     </message>
     <message>
+      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι πίνακες, τα ευρετήρια και οι σκανδάλες του καταλόγου δεν είναι όπως τα φτιάχνει το Ostraka· δεν γράφτηκε τίποτα.</translation>
+    </message>
+    <message>
       <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος εξόδου δεν υπάρχει πια: μετακινήθηκε ή διαγράφηκε ενώ το πρόγραμμα έγραφε σε αυτόν. Οι φωτογραφίες είναι ανέπαφες· ξεκινήστε ξανά την ίδια εντολή.</translation>
@@ -9007,6 +9062,36 @@
       <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος περιέχει ήδη αρχεία· δώστε έναν νέο ή άδειο.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the archive or export &apos;%1&apos;, which new files would make invalid; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η θέση ανήκει στο αρχείο έργου ή στην εξαγωγή «%1», που θα έπαυε να ισχύει με νέα αρχεία· επιλέξτε μια θέση έξω από αυτό.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η θέση ανήκει στο έργο «%1»· επιλέξτε μια θέση έξω από αυτό.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η θέση ανήκει στο έργο «%1»· επιλέξτε έναν φάκελο ακριβώς μέσα στο «%2», ή έναν έξω από το έργο.</translation>
+    </message>
+    <message>
+      <source>This file describes another plate, or this plate with another ruler length; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο περιγράφει άλλον δίσκο, ή αυτόν τον δίσκο με άλλο μήκος χάρακα· επιλέξτε άλλον φάκελο.</translation>
+    </message>
+    <message>
+      <source>This file describes another calibration board; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το αρχείο περιγράφει άλλον πίνακα βαθμονόμησης· επιλέξτε άλλον φάκελο.</translation>
+    </message>
+    <message>
+      <source>This folder contains photographs, and a new plate.json would describe the sheet under their sherds; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σε αυτόν τον φάκελο υπάρχουν φωτογραφίες, και ένα νέο plate.json θα περιέγραφε το φύλλο κάτω από τα όστρακά τους· επιλέξτε άλλον φάκελο.</translation>
     </message>
     <message>
       <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>

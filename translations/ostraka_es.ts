@@ -1825,6 +1825,11 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
+    <message>
+      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aún sin guardar: %1. Intro en el campo guarda; cerrar otra vez descarta.</translation>
+    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5369,11 +5374,6 @@
       <translation>La vista previa se deshizo.</translation>
     </message>
     <message>
-      <source>An archive must be outside the project&apos;s folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una copia de archivo debe estar fuera de la carpeta del proyecto.</translation>
-    </message>
-    <message>
       <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Restaurar un proyecto necesita una carpeta nueva o vacía; elija otro nombre.</translation>
@@ -6829,6 +6829,11 @@
       <translation>Un número no puede contener saltos de línea, tabuladores ni '%'.</translation>
     </message>
     <message>
+      <source>A number or code cannot contain invisible characters; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un número o código no puede contener caracteres invisibles; escríbalo de nuevo.</translation>
+    </message>
+    <message>
       <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un número tiene 120 caracteres como máximo.</translation>
@@ -7324,9 +7329,19 @@
       <translation>La fila no tiene ni número ni uuid.</translation>
     </message>
     <message>
-      <source>This appears in two rows of the table.</source>
+      <source>This appears in more than one row of the table, in the lines %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esto está en dos filas de la tabla.</translation>
+      <translation>Esto está en más de una fila de la tabla, en las líneas %1.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is unusual for a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comprobar la unidad: %1 es inusual para un fragmento.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is far from the other values of this column.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comprobar la unidad: %1 está lejos de los demás valores de esta columna.</translation>
     </message>
     <message>
       <source>Not a uuid.</source>
@@ -7707,6 +7722,41 @@
       <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta de salida contiene archivos que Ostraka no escribió; elija otra o una vacía.</translation>
+    </message>
+    <message>
+      <source>The file has changed since the batch&apos;s processing began; nothing made from it is kept. Process the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo ha cambiado desde que empezó el procesamiento de la tanda; no se conserva nada de lo hecho con él. Procese la tanda otra vez.</translation>
+    </message>
+    <message>
+      <source>The markers have sides of %1 mm in this file, but --marker-mm says %2 mm. Measure one; then correct the file, or leave the option out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las marcas tienen lados de %1 mm en este archivo, pero --marker-mm indica %2 mm. Mida una; después corrija el archivo u omita la opción.</translation>
+    </message>
+    <message>
+      <source>This photograph is identical to %1; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta foto es idéntica a %1; se omite.</translation>
+    </message>
+    <message>
+      <source>These results were made from the photographs of %1, not of %2; process %3 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estos resultados proceden de las fotos de %1, no de las de %2; procese %3.</translation>
+    </message>
+    <message>
+      <source>These results were not made from the photographs of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estos resultados no proceden de las fotos de %1; procésela otra vez.</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2 and %3 more. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Faltan en la carpeta de esta tanda fotos registradas (%1): %2 y %3 más. Devuélvalas a su sitio y reprocese la tanda.</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Faltan en la carpeta de esta tanda fotos registradas (%1): %2. Devuélvalas a su sitio y reprocese la tanda.</translation>
     </message>
     <message>
       <source>The output folder contains another batch; choose another folder.</source>
@@ -8999,6 +9049,11 @@
       <translation>La copia de archivo contiene un diario de su catálogo, cosa que ninguna de Ostraka contiene; no se ha escrito nada.</translation>
     </message>
     <message>
+      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las tablas, los índices y los disparadores del catálogo no son como los crea Ostraka; no se ha escrito nada.</translation>
+    </message>
+    <message>
       <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta de salida ya no está: se movió o se borró mientras Ostraka escribía en ella. Las fotografías están intactas; ejecute de nuevo la misma orden.</translation>
@@ -9007,6 +9062,36 @@
       <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta ya contiene archivos; elija una nueva o vacía.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the archive or export &apos;%1&apos;, which new files would make invalid; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este lugar pertenece a la copia de archivo o exportación «%1», que dejaría de ser válida con archivos nuevos; elija un lugar fuera de ella.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este lugar pertenece al proyecto «%1»; elija un lugar fuera de él.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este lugar pertenece al proyecto «%1»; elija una carpeta directamente en «%2», o una fuera del proyecto.</translation>
+    </message>
+    <message>
+      <source>This file describes another plate, or this plate with another ruler length; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo describe otro plato, o este plato con otra longitud de la regla; elija otra carpeta.</translation>
+    </message>
+    <message>
+      <source>This file describes another calibration board; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo describe otro tablero; elija otra carpeta.</translation>
+    </message>
+    <message>
+      <source>This folder contains photographs, and a new plate.json would describe the sheet under their sherds; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En esta carpeta hay fotos, y un plate.json nuevo describiría la hoja bajo sus fragmentos; elija otra carpeta.</translation>
     </message>
     <message>
       <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>

@@ -1825,6 +1825,11 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
+    <message>
+      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas encore enregistré : %1. La touche Entrée dans le champ enregistre ; fermer encore une fois abandonne.</translation>
+    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5369,11 +5374,6 @@
       <translation>L’aperçu a été annulé.</translation>
     </message>
     <message>
-      <source>An archive must be outside the project&apos;s folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une archive doit se trouver hors du dossier du projet.</translation>
-    </message>
-    <message>
       <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La restauration d’un projet demande un dossier nouveau ou vide ; choisissez un autre nom.</translation>
@@ -6829,6 +6829,11 @@
       <translation>Un numéro ne peut contenir ni saut de ligne, ni tabulation, ni '%'.</translation>
     </message>
     <message>
+      <source>A number or code cannot contain invisible characters; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un numéro ou un code ne peut pas contenir de caractères invisibles ; saisissez-le à nouveau.</translation>
+    </message>
+    <message>
       <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un numéro a 120 caractères au plus.</translation>
@@ -7324,9 +7329,19 @@
       <translation>La ligne n’a ni numéro ni uuid.</translation>
     </message>
     <message>
-      <source>This appears in two rows of the table.</source>
+      <source>This appears in more than one row of the table, in the lines %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cela figure dans deux lignes du tableau.</translation>
+      <translation>Cela figure dans plus d’une ligne du tableau, aux lignes %1.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is unusual for a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vérifier l’unité : %1 est inhabituel pour un tesson.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is far from the other values of this column.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vérifier l’unité : %1 est loin des autres valeurs de cette colonne.</translation>
     </message>
     <message>
       <source>Not a uuid.</source>
@@ -7707,6 +7722,41 @@
       <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier de sortie contient des fichiers qu’Ostraka n’a pas écrits ; choisissez-en un autre ou un vide.</translation>
+    </message>
+    <message>
+      <source>The file has changed since the batch&apos;s processing began; nothing made from it is kept. Process the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier a changé depuis le début du traitement du lot ; rien de ce qui en a été tiré n’est conservé. Traitez le lot à nouveau.</translation>
+    </message>
+    <message>
+      <source>The markers have sides of %1 mm in this file, but --marker-mm says %2 mm. Measure one; then correct the file, or leave the option out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les marques ont des côtés de %1 mm dans ce fichier, mais --marker-mm indique %2 mm. Mesurez-en une ; puis corrigez le fichier ou omettez l’option.</translation>
+    </message>
+    <message>
+      <source>This photograph is identical to %1; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette photo est identique à %1 ; elle est laissée de côté.</translation>
+    </message>
+    <message>
+      <source>These results were made from the photographs of %1, not of %2; process %3 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces résultats proviennent des photos de %1, non de celles de %2 ; traitez %3 lui-même.</translation>
+    </message>
+    <message>
+      <source>These results were not made from the photographs of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces résultats ne proviennent pas des photos de %1 ; traitez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2 and %3 more. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des photos enregistrées pour ce lot manquent dans son dossier (%1) : %2 et %3 autres. Remettez-les et retraitez le lot.</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des photos enregistrées pour ce lot manquent dans son dossier (%1) : %2. Remettez-les et retraitez le lot.</translation>
     </message>
     <message>
       <source>The output folder contains another batch; choose another folder.</source>
@@ -8999,6 +9049,11 @@
       <translation>L&apos;archive contient un journal de son catalogue, ce qu&apos;aucune archive d&apos;Ostraka ne contient ; rien n&apos;a été écrit.</translation>
     </message>
     <message>
+      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les tables, index et déclencheurs du catalogue ne sont pas tels qu&apos;Ostraka les crée ; rien n&apos;a été écrit.</translation>
+    </message>
+    <message>
       <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier de sortie a disparu : il a été déplacé ou supprimé pendant qu’Ostraka y écrivait. Les photographies sont intactes ; relancez la même commande.</translation>
@@ -9007,6 +9062,36 @@
       <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier contient déjà des fichiers ; choisissez-en un nouveau ou un vide.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the archive or export &apos;%1&apos;, which new files would make invalid; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cet emplacement appartient à l’archive ou à l’exportation « %1 », que de nouveaux fichiers rendraient non valide ; choisissez un emplacement en dehors.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cet emplacement appartient au projet « %1 » ; choisissez un emplacement en dehors.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cet emplacement appartient au projet « %1 » ; choisissez un dossier directement dans « %2 », ou un dossier en dehors du projet.</translation>
+    </message>
+    <message>
+      <source>This file describes another plate, or this plate with another ruler length; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier décrit un autre plateau, ou ce plateau avec une autre longueur de règle ; choisissez un autre dossier.</translation>
+    </message>
+    <message>
+      <source>This file describes another calibration board; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier décrit une autre mire ; choisissez un autre dossier.</translation>
+    </message>
+    <message>
+      <source>This folder contains photographs, and a new plate.json would describe the sheet under their sherds; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier contient des photos, et un nouveau plate.json décrirait la feuille sous leurs tessons ; choisissez un autre dossier.</translation>
     </message>
     <message>
       <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>

@@ -1825,6 +1825,11 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
+    <message>
+      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեռ պահված չէ՝ %1։ Դաշտում Enter-ը պահում է, նորից փակելը՝ չեղարկում։</translation>
+    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5369,11 +5374,6 @@
       <translation>Նախադիտումը հետ է վերցվում։</translation>
     </message>
     <message>
-      <source>An archive must be outside the project&apos;s folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Արխիվը չպետք է գտնվի հենց նախագծի մեջ։</translation>
-    </message>
-    <message>
       <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագիծը վերականգնվում է նոր կամ դատարկ պանակում. ընտրեք այլ անուն։</translation>
@@ -6829,6 +6829,11 @@
       <translation>Համարը չի պարունակում տողադարձ, տաբուլյացիա և '%'։</translation>
     </message>
     <message>
+      <source>A number or code cannot contain invisible characters; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարը կամ ծածկագիրը չի կարող անտեսանելի նիշեր պարունակել. մուտքագրեք այն նորից։</translation>
+    </message>
+    <message>
       <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարն ունի առավելագույնը 120 նիշ։</translation>
@@ -7324,9 +7329,19 @@
       <translation>Տողը ո՛չ համար ունի, ո՛չ uuid։</translation>
     </message>
     <message>
-      <source>This appears in two rows of the table.</source>
+      <source>This appears in more than one row of the table, in the lines %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա աղյուսակի երկու տողում կա։</translation>
+      <translation>Սա աղյուսակի մեկից ավելի տողում կա՝ %1 տողերում։</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is unusual for a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստուգեք միավորը․ %1-ը բեկորի համար անսովոր է։</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is far from the other values of this column.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստուգեք միավորը․ %1-ը հեռու է այս սյունակի մյուս արժեքներից։</translation>
     </message>
     <message>
       <source>Not a uuid.</source>
@@ -7707,6 +7722,41 @@
       <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյունքների պանակում կա մի բան, որն այս ծրագրինը չէ. ընտրեք ուրիշը կամ դատարկը։</translation>
+    </message>
+    <message>
+      <source>The file has changed since the batch&apos;s processing began; nothing made from it is kept. Process the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլը փոխվել է խմբաքանակի մշակումն սկսվելուց հետո. դրանից ստացված ոչինչ չի պահվում։ Նորից մշակեք խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>The markers have sides of %1 mm in this file, but --marker-mm says %2 mm. Measure one; then correct the file, or leave the option out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլում նշիչների կողմերը %1 մմ են, իսկ --marker-mm-ով նշված է %2 մմ։ Չափեք մեկը, ապա ուղղեք ֆայլը կամ բաց թողեք ընտրանքը։</translation>
+    </message>
+    <message>
+      <source>This photograph is identical to %1; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս լուսանկարը նույնն է, ինչ %1-ը. այն բաց է թողնվում։</translation>
+    </message>
+    <message>
+      <source>These results were made from the photographs of %1, not of %2; process %3 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս արդյունքներն ստացվել են %1-ի, ոչ թե %2-ի լուսանկարներից. մշակեք հենց %3-ը։</translation>
+    </message>
+    <message>
+      <source>These results were not made from the photographs of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս արդյունքները %1-ի լուսանկարներից չեն ստացվել. նորից մշակեք այն։</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2 and %3 more. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակի գրանցված լուսանկարներ պակասում են նրա պանակում (%1)՝ %2 և ևս %3-ը։ Վերադարձրեք դրանք և վերամշակեք խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակի գրանցված լուսանկարներ պակասում են նրա պանակում (%1)՝ %2։ Վերադարձրեք դրանք և վերամշակեք խմբաքանակը։</translation>
     </message>
     <message>
       <source>The output folder contains another batch; choose another folder.</source>
@@ -8999,6 +9049,11 @@
       <translation>Արխիվը պարունակում է իր կատալոգի մատյանը, ինչը Ostraka-ի ոչ մի արխիվ չունի. ոչինչ չգրվեց։</translation>
     </message>
     <message>
+      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգի աղյուսակները, ինդեքսներն ու տրիգերները այնպիսին չեն, ինչպիսին Ostraka-ն ստեղծում է. ոչինչ չգրվեց։</translation>
+    </message>
+    <message>
       <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյունքի պանակն այլևս չկա. այն տեղափոխվել կամ ջնջվել է, երբ ծրագիրը գրում էր այնտեղ։ Լուսանկարներն անվնաս են. նորից սկսեք նույն հրամանը։</translation>
@@ -9007,6 +9062,36 @@
       <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պանակում արդեն ֆայլեր կան. նշեք նոր կամ դատարկ պանակ։</translation>
+    </message>
+    <message>
+      <source>This location belongs to the archive or export &apos;%1&apos;, which new files would make invalid; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տեղը պատկանում է «%1» արխիվին կամ արտահանմանը, որը նոր ֆայլերից անվավեր կդառնա. ընտրեք դրանից դուրս մի տեղ։</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տեղը պատկանում է «%1» նախագծին. ընտրեք դրանից դուրս մի տեղ։</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս տեղը պատկանում է «%1» նախագծին. ընտրեք պանակ անմիջապես «%2» պանակում կամ նախագծից դուրս։</translation>
+    </message>
+    <message>
+      <source>This file describes another plate, or this plate with another ruler length; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլը նկարագրում է մեկ այլ սկավառակ կամ այս սկավառակը քանոնի այլ երկարությամբ. ընտրեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>This file describes another calibration board; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլը նկարագրում է մեկ այլ տրամաչափման տախտակ. ընտրեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>This folder contains photographs, and a new plate.json would describe the sheet under their sherds; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակում լուսանկարներ կան, և նոր plate.json-ը կնկարագրեր դրանց խեցիների տակի թերթը. ընտրեք այլ պանակ։</translation>
     </message>
     <message>
       <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>

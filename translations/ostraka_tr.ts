@@ -1803,6 +1803,11 @@
 </context>
 <context>
     <name>ostraka::ui::CatalogueScreen</name>
+    <message>
+      <source>Not saved yet: %1. Return in the field saves it; closing again discards it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Henüz kaydedilmedi: %1. Alanda Enter kaydeder; yeniden kapatmak vazgeçer.</translation>
+    </message>
     <message numerus="yes">
       <source>change %1 of %n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5322,11 +5327,6 @@
       <translation>Bir önizleme geri alınır.</translation>
     </message>
     <message>
-      <source>An archive must be outside the project&apos;s folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arşiv, projenin kendi içinde olamaz.</translation>
-    </message>
-    <message>
       <source>Restoring a project needs a new or empty folder; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir proje yeni ya da boş bir klasöre geri yüklenir; başka bir ad seçin.</translation>
@@ -6782,6 +6782,11 @@
       <translation>Numarada satır sonu, sekme ve '%' olmaz.</translation>
     </message>
     <message>
+      <source>A number or code cannot contain invisible characters; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir numara veya kod görünmez karakter içeremez; yeniden yazın.</translation>
+    </message>
+    <message>
       <source>A number has at most 120 characters.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numara en çok 120 karakter olabilir.</translation>
@@ -7277,9 +7282,19 @@
       <translation>Satırda ne numara ne de uuid var.</translation>
     </message>
     <message>
-      <source>This appears in two rows of the table.</source>
+      <source>This appears in more than one row of the table, in the lines %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu, tablonun iki satırında var.</translation>
+      <translation>Bu, tablonun birden fazla satırında var; satırlar: %1.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is unusual for a sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Birimi denetleyin: %1 bir parça için olağan dışı.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is far from the other values of this column.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Birimi denetleyin: %1 bu sütunun öteki değerlerinden çok uzak.</translation>
     </message>
     <message>
       <source>Not a uuid.</source>
@@ -7660,6 +7675,41 @@
       <source>The output folder contains files that Ostraka did not write; choose another or an empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çıktı klasöründe bu programdan olmayan bir şey var; başka ya da boş birini seçin.</translation>
+    </message>
+    <message>
+      <source>The file has changed since the batch&apos;s processing began; nothing made from it is kept. Process the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Partinin işlenmesi başladığından beri dosya değişti; ondan yapılan hiçbir şey saklanmıyor. Partiyi yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>The markers have sides of %1 mm in this file, but --marker-mm says %2 mm. Measure one; then correct the file, or leave the option out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosyada işaretlerin kenarları %1 mm, ama --marker-mm %2 mm diyor. Birini ölçün; sonra dosyayı düzeltin ya da seçeneği kullanmayın.</translation>
+    </message>
+    <message>
+      <source>This photograph is identical to %1; it is left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu fotoğraf %1 ile aynı; atlanıyor.</translation>
+    </message>
+    <message>
+      <source>These results were made from the photographs of %1, not of %2; process %3 itself.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu sonuçlar %1 partisinin fotoğraflarından yapılmış, %2 partisininkilerden değil; %3 partisinin kendisini işleyin.</translation>
+    </message>
+    <message>
+      <source>These results were not made from the photographs of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu sonuçlar %1 partisinin fotoğraflarından yapılmamış; onu yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2 and %3 more. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu partinin kayıtlı fotoğrafları klasöründe eksik (%1): %2 ve %3 fotoğraf daha. Onları yerine koyun ve partiyi yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>Photographs recorded for this batch are missing from its folder (%1): %2. Put them back and reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu partinin kayıtlı fotoğrafları klasöründe eksik (%1): %2. Onları yerine koyun ve partiyi yeniden işleyin.</translation>
     </message>
     <message>
       <source>The output folder contains another batch; choose another folder.</source>
@@ -8952,6 +9002,11 @@
       <translation>Arşiv, kataloğunun bir günlüğünü içeriyor; Ostraka&apos;nın hiçbir arşivi bunu içermez; hiçbir şey yazılmadı.</translation>
     </message>
     <message>
+      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kataloğun tabloları, dizinleri ve tetikleyicileri Ostraka&apos;nın oluşturduğu gibi değil; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
       <source>The output folder is gone: it was moved or deleted while Ostraka was writing to it. The photographs are untouched; run the same command again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çıktı klasörü artık yok: program içine yazarken taşındı veya silindi. Fotoğraflara dokunulmadı; aynı komutu yeniden başlatın.</translation>
@@ -8960,6 +9015,36 @@
       <source>The folder already contains files; choose a new or empty one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Klasörde zaten dosyalar var; yeni veya boş bir klasör belirtin.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the archive or export &apos;%1&apos;, which new files would make invalid; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu konum, yeni dosyaların geçersiz kılacağı &apos;%1&apos; arşivine veya dışa aktarımına ait; onun dışında bir konum seçin.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu konum &apos;%1&apos; projesine ait; onun dışında bir konum seçin.</translation>
+    </message>
+    <message>
+      <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu konum &apos;%1&apos; projesine ait; doğrudan &apos;%2&apos; içinde bir klasör ya da projenin dışında bir klasör seçin.</translation>
+    </message>
+    <message>
+      <source>This file describes another plate, or this plate with another ruler length; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosya başka bir tablayı ya da bu tablayı başka bir cetvel uzunluğuyla anlatıyor; başka bir klasör seçin.</translation>
+    </message>
+    <message>
+      <source>This file describes another calibration board; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosya başka bir kalibrasyon levhasını anlatıyor; başka bir klasör seçin.</translation>
+    </message>
+    <message>
+      <source>This folder contains photographs, and a new plate.json would describe the sheet under their sherds; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasörde fotoğraflar var; yeni bir plate.json onlardaki parçaların altındaki kâğıdı anlatırdı; başka bir klasör seçin.</translation>
     </message>
     <message>
       <source>This folder is a mount point or the current folder; choose a new folder inside it.</source>

@@ -11,6 +11,10 @@
 #include "files/cannot_write.h"
 #include "files/checksum.h"
 #include "files/new_folder.h"
+#include "files/output_place.h"
+#include "store/database.h"
+#include "store/schema_check.h"
+#include "upkeep/value_check.h"
 
 namespace ostraka::archive {
 namespace {
@@ -55,6 +59,7 @@ class Archiving {
   // `copy`: where SQLite's copy lies meanwhile.
   Result<void> addCatalogue(const fs::path& copy) {
     Result<void> added = project_.catalogue().backup(copy);
+    if (added) added = readKnown(copy);
     if (added)
       if (const Result<BagFile> file = bag_.addFile(kCatalogue, copy, stop_); !file)
         added = file.error();
@@ -76,11 +81,9 @@ class Archiving {
     return {};
   }
 
-  Result<std::vector<upkeep::DamagedFile>> damage() const {
-    const auto known = upkeep::knownFiles(project_.catalogue());
-    if (!known) return known.error();
+  std::vector<upkeep::DamagedFile> damage() const {
     std::vector<upkeep::DamagedFile> damaged;
-    for (const upkeep::KnownFile& file : *known) {
+    for (const upkeep::KnownFile& file : known_) {
       const auto copied = copied_.find(file.path);
       const auto found = copied == copied_.end() ? upkeep::Damage::Missing
                                                  : upkeep::damageOf(file, copied->second);
@@ -90,10 +93,24 @@ class Archiving {
   }
 
  private:
+  // Of the copy: the project goes on changing while its files are copied.
+  Result<void> readKnown(const fs::path& copy) {
+    Result<std::unique_ptr<store::Database>> opened =
+        store::Database::open(copy, store::Database::Mode::ReadOnly);
+    if (!opened) return opened.error();
+    const std::int64_t now = project_.catalogue().now();
+    auto known =
+        upkeep::knownFiles(catalogue::Catalogue(std::move(*opened), [now] { return now; }));
+    if (!known) return known.error();
+    known_ = std::move(*known);
+    return {};
+  }
+
   const upkeep::Project& project_;
   BagWriter& bag_;
   Progress& progress_;
   std::stop_token stop_;
+  std::vector<upkeep::KnownFile> known_;  ///< by the catalogue that is archived
   std::map<std::string, Checksum> copied_;
 };
 
@@ -115,9 +132,12 @@ Result<void> unpack(const BagReader& bag, const fs::path& folder, Progress& prog
 Result<void> checkRestored(const fs::path& folder) {
   for (const char* name : {"batches", "results", "backups"})
     if (Result<void> made = makeFolder(folder / name); !made) return made;
+  // Anybody may have written it: what it says is read before any of it is run.
+  if (Result<void> ours = store::checkSchema(folder / kCatalogue); !ours) return ours;
   const Result<upkeep::Project> opened = upkeep::Project::open(folder);
   if (!opened) return opened.error();
   if (Result<void> whole = opened->catalogue().checkIntegrity(); !whole) return whole;
+  if (Result<void> good = upkeep::checkValues(opened->catalogue()); !good) return good;
   return upkeep::checkPaths(opened->catalogue());
 }
 
@@ -126,9 +146,6 @@ Result<void> checkRestored(const fs::path& folder) {
 Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOptions& options,
                                 Progress& progress, std::stop_token stop) {
   const fs::path target = folderNamed(options.target);
-  if (!target.lexically_relative(project.folder()).generic_string().starts_with(".."))
-    return Error::unusable("An archive must be outside the project's folder.",
-                           options.target.string());
   Result<BagWriter> bag = BagWriter::begin(target);
   if (!bag) return bag.error();
   Archiving archiving(project, *bag, progress, std::move(stop));
@@ -136,9 +153,7 @@ Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOpt
     return added.error();
   if (Result<void> added = archiving.addFiles(); !added) return added.error();
   Archived archived;
-  auto damage = archiving.damage();
-  if (!damage) return damage.error();
-  archived.damage = std::move(*damage);
+  archived.damage = archiving.damage();
   if (!archived.damage.empty() && options.damaged == DamagedFiles::Refuse) return archived;
   std::string list;
   for (const upkeep::DamagedFile& file : archived.damage) list += sentenceOf(file) + "\n";
@@ -157,6 +172,7 @@ Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOpt
 
 Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder, Progress& progress,
                                 std::stop_token stop) {
+  if (const Result<void> good = checkOutputPlace(folder); !good) return good.error();
   std::error_code code;
   if (fs::exists(folder, code) && (!fs::is_directory(folder, code) || !fs::is_empty(folder, code)))
     return Error::unusable("Restoring a project needs a new or empty folder; choose another name.",

@@ -26,10 +26,10 @@ struct Archived {
   std::vector<upkeep::DamagedFile> damage;
 };
 /// The whole project, catalogue and all files, as a bag: what a laptop that is lost leaves behind.
-/// Each file of the catalogue is held against its hash while it is copied; an archive that is
-/// sealed with damage lists it in damage.txt. Links are not followed: what lies behind one counts
-/// as missing. Errors: the target is there or lies in the project, a folder that cannot be read, a
-/// full disk, Cancelled.
+/// Each file of the catalogue that is archived is held against its hash while it is copied; an
+/// archive that is sealed with damage lists it in damage.txt. Links are not followed: what lies
+/// behind one counts as missing. Errors: the target is there or lies in the project, a folder that
+/// cannot be read, a full disk, Cancelled.
 Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOptions& options,
                                 Progress& progress, std::stop_token stop);
 
@@ -38,8 +38,8 @@ struct Restored {
 };
 /// Into a new folder, after all hashes agreed; each file is hashed again as it is copied, and the
 /// catalogue is checked before the folder gets its name. Errors as BagReader::open, and
-/// UnusableInput for a catalogue that names places outside the project or has a journal beside it;
-/// nothing stays.
+/// UnusableInput for a catalogue that names places outside the project, has a journal beside it, or
+/// tables, triggers or values that Ostraka does not make; nothing stays.
 Result<Restored> restoreProject(const std::filesystem::path& archive,
                                 const std::filesystem::path& folder, Progress& progress,
                                 std::stop_token stop);

@@ -204,7 +204,7 @@ class FreePoser {
                        " side; at least 3 are needed. Check that plate.json describes this sheet, "
                        "that the photographs are not mirrored, and that most of the markers are "
                        "in the picture.",
-                   batch_.folder.string()};
+                   (batch_.plate_file.empty() ? batch_.folder : batch_.plate_file).string()};
     }
     return {};
   }

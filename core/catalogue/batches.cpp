@@ -1,7 +1,9 @@
 #include "catalogue/batches.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
+#include <filesystem>
+#include <set>
 
 #include "base/uuid.h"
 #include "catalogue/history.h"
@@ -13,16 +15,51 @@
 namespace ostraka::catalogue {
 namespace {
 
-std::string nextNumber(store::Database& database) {
-  // B0009, B0010, ... B9999, B10000: by value, not by letters.
-  std::int64_t last = 0;
-  store::Statement rows = database.sql(
-      "SELECT ifnull(max(CAST(substr(number, 2) AS INTEGER)), 0) FROM batch WHERE number GLOB "
-      "'B[0-9]*'");
-  if (rows.next()) rows >> last;
-  std::string digits = std::to_string(last + 1);
+// After B, as far as there are digits; nothing of more than a batch can have.
+std::optional<std::int64_t> countedBatch(std::string_view number) {
+  std::int64_t value = 0;
+  const char* begin = number.data() + 1;
+  const char* end = std::from_chars(begin, number.data() + number.size(), value).ptr;
+  const auto digits = static_cast<std::size_t>(end - begin);
+  if (digits == 0 || digits > store::kBatchDigits) return std::nullopt;
+  return value;
+}
+
+std::string batchNumber(std::int64_t number) {
+  std::string digits = std::to_string(number);
   if (digits.size() < 4) digits.insert(0, 4 - digits.size(), '0');
   return "B" + digits;
+}
+
+// What somebody put there belongs to no batch, and must not become part of one.
+bool hasFolderOfBatch(const store::Database& database, const std::string& number) {
+  const std::filesystem::path project = database.file().parent_path();
+  for (const char* all : {"batches", "results", "models"}) {
+    std::error_code failed;
+    if (std::filesystem::exists(std::filesystem::symlink_status(project / all / number, failed)))
+      return true;
+  }
+  return false;
+}
+
+std::string nextNumber(store::Database& database) {
+  // B0009, B0010, ... B9999, B10000: by value, not by letters.
+  std::set<std::int64_t> given;
+  store::Statement rows = database.sql("SELECT number FROM batch WHERE number GLOB 'B[0-9]*'");
+  while (rows.next()) {
+    std::string number;
+    rows >> number;
+    if (const auto value = countedBatch(number)) given.insert(*value);
+  }
+  const auto taken = [&](std::int64_t number) {
+    return given.contains(number) || hasFolderOfBatch(database, batchNumber(number));
+  };
+  std::int64_t next = given.empty() ? 1 : *given.rbegin() + 1;
+  while (taken(next)) ++next;
+  // Somebody gave the last that there is: the first that is free.
+  if (std::to_string(next).size() > store::kBatchDigits)
+    for (next = 1; taken(next);) ++next;
+  return batchNumber(next);
 }
 
 void setBags(store::Database& database, store::BatchRow batch,
@@ -56,9 +93,6 @@ std::string bagsText(const std::vector<store::BagRow>& bags) {
 void checkBatch(const records::BatchRecord& b) {
   if (b.counted < 0 || b.counted > 60)
     store::refuse("A plate holds 1 to 60 sherds; 0 means not counted.", b.number);
-  if (b.number.empty() || store::slug(b.number) != b.number)
-    store::refuse("The number of a batch is also the name of its folder; use letters and digits.",
-                  b.number);
 }
 
 constexpr const char* kBatches =
@@ -95,6 +129,7 @@ Result<store::BatchRow> Batches::add(const records::BatchRecord& wanted,
     records::BatchRecord b = wanted;
     if (b.number.empty()) b.number = catalogue::nextNumber(*database_);
     checkBatch(b);
+    store::valueOrThrow(store::checkedBatchNumber(b.number));
     if (!b.id.empty() && !isUuid(b.id))
       store::refuse("The uuid of a batch is not well formed.", b.id);
     store::Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?");

@@ -29,6 +29,14 @@ std::string needed(const std::string& text, const char* what) {
   return *checked;
 }
 
+// What two places are told apart by; a person's name may need such letters.
+std::string neededCode(const std::string& text, const char* what) {
+  std::string code = needed(text, what);
+  if (store::hasInvisible(code))
+    store::refuse("A number or code cannot contain invisible characters; type it again.", code);
+  return code;
+}
+
 std::string checked(const Result<std::string>& value, const char* where) {
   if (!value) throw store::Refused({value.error().code, value.error().what, where});
   return *value;
@@ -189,7 +197,7 @@ Result<std::vector<records::SiteRecord>> Places::sites() const {
 Result<store::SiteRow> Places::save(const records::SiteRecord& s,
                                     const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string code = needed(s.code, "code of a site"), key = store::uniqueKey(code);
+    const std::string code = neededCode(s.code, "code of a site"), key = store::uniqueKey(code);
     if (s.latitude_deg && !(*s.latitude_deg >= -90 && *s.latitude_deg <= 90))
       store::refuse("The latitude must be between -90 and 90 degrees.", code);
     if (s.longitude_deg && !(*s.longitude_deg >= -180 && *s.longitude_deg <= 180))
@@ -229,7 +237,7 @@ Result<std::vector<records::TrenchRecord>> Places::trenches() const {
 Result<store::TrenchRow> Places::save(const records::TrenchRecord& t,
                                       const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string code = needed(t.code, "code of a trench"), key = store::uniqueKey(code);
+    const std::string code = neededCode(t.code, "code of a trench"), key = store::uniqueKey(code);
     if (!t.site) store::refuse("A trench needs a site.", code);
     if (t.parent && t.parent == t.row) store::refuse("A trench cannot contain itself.", code);
     refuseDouble(std::move(database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?")
@@ -283,7 +291,7 @@ Result<store::ContextRow> Places::contextByPlace(const std::string& site, const 
 Result<store::ContextRow> Places::save(const records::ContextRecord& c,
                                        const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string number = needed(c.number, "number of a context"),
+    const std::string number = neededCode(c.number, "number of a context"),
                       key = store::uniqueKey(number);
     if (!c.site) store::refuse("A context needs a site.", number);
     if (std::find(std::begin(kContextKinds), std::end(kContextKinds), c.kind) ==
@@ -350,7 +358,8 @@ Result<std::vector<records::BagRecord>> Places::bags(store::ContextRow context) 
 Result<store::BagRow> Places::save(const records::BagRecord& b,
                                    const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string number = needed(b.number, "number of a bag"), key = store::uniqueKey(number);
+    const std::string number = neededCode(b.number, "number of a bag"),
+                      key = store::uniqueKey(number);
     if (!b.context) store::refuse("A bag needs a context.", number);
     const std::string day = checked(store::checkedDay(b.collected_on), "collected_on");
     if (b.weight_g && !(*b.weight_g > 0))

@@ -1,6 +1,7 @@
 #include "drawing/drawing_files.h"
 
 #include "files/files.h"
+#include "files/output_place.h"
 
 namespace ostraka::drawing {
 namespace {
@@ -21,6 +22,7 @@ fs::path sheetOf(const fs::path& file, std::size_t index) {
 }  // namespace
 
 Result<std::vector<fs::path>> writeSheets(const fs::path& file, const std::vector<Page>& pages) {
+  if (const Result<void> good = checkOutputPlace(file); !good) return good.error();
   if (!isSvg(file)) {
     if (const Result<void> r = writeFileAtomically(file, formatPdf(pages, file.stem().string()));
         !r)

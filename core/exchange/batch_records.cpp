@@ -46,7 +46,7 @@ class Writing {
  public:
   Writing(const Catalogue& catalogue, const std::vector<archive::BagFile>& exported)
       : catalogue_(catalogue) {
-    for (const archive::BagFile& file : exported) exported_.insert(file.path);
+    for (const archive::BagFile& file : exported) exported_[file.path] = &file;
   }
 
   Result<ordered_json> batch(store::BatchRow row) {
@@ -169,11 +169,13 @@ class Writing {
     if (!all) return all.error();
     for (const records::FileRecord& f : *all) {
       const std::string at = exportedAs(f.path, b.number);
-      if (f.role != "photo" || !exported_.contains("data/" + at)) continue;
+      const auto exported = exported_.find("data/" + at);
+      if (f.role != "photo" || exported == exported_.end()) continue;
+      // Of what goes along: the photograph may have changed since it was entered.
       one["files"].push_back({{"id", f.id},
                               {"path", f.path},
-                              {"sha256", f.sha256},
-                              {"bytes", f.bytes},
+                              {"sha256", exported->second->sha256},
+                              {"bytes", exported->second->bytes},
                               {"media_type", f.media_type},
                               {"at", at}});
     }
@@ -181,7 +183,7 @@ class Writing {
   }
 
   const Catalogue& catalogue_;
-  std::set<std::string> exported_;
+  std::map<std::string, const archive::BagFile*> exported_;  ///< by their paths in the bag
   std::map<store::PersonRow, std::string> persons_;
   std::map<store::BagRow, std::string> bag_ids_;
   sherds::BatchIds ids_;  ///< of the present batch
@@ -189,9 +191,9 @@ class Writing {
 
 class Entering {
  public:
-  Entering(Catalogue& catalogue, const std::map<std::string, std::int64_t>& rows,
-           const records::Provenance& provenance)
-      : catalogue_(catalogue), rows_(rows), provenance_(provenance) {}
+  Entering(Catalogue& catalogue, const archive::BagReader& bag,
+           const std::map<std::string, std::int64_t>& rows, const records::Provenance& provenance)
+      : catalogue_(catalogue), bag_(bag), rows_(rows), provenance_(provenance) {}
 
   Result<void> batch(const json& b) {
     records::BatchRecord batch;
@@ -345,8 +347,11 @@ class Entering {
     records::FileRecord file;
     file.id = text(f, "id");
     file.path = place->text();
-    file.sha256 = text(f, "sha256");
-    file.bytes = wholeIn(f.at("bytes"), "bytes", 0, INT64_MAX);
+    const std::int64_t bytes = wholeIn(f.at("bytes"), "bytes", 0, INT64_MAX);
+    const auto verified = verifiedFile(bag_, text(f, "at"), text(f, "sha256"), bytes);
+    if (!verified) return verified.error();
+    file.sha256 = verified->sha256;
+    file.bytes = verified->bytes;
     file.media_type = text(f, "media_type");
     file.role = "photo";
     file.batch = batch;
@@ -357,6 +362,7 @@ class Entering {
   }
 
   Catalogue& catalogue_;
+  const archive::BagReader& bag_;
   const std::map<std::string, std::int64_t>& rows_;
   const records::Provenance& provenance_;
   std::map<std::string, std::int64_t> own_;  ///< id -> row of scans and decisions
@@ -378,10 +384,20 @@ Result<ordered_json> batchesJson(const Catalogue& catalogue,
   return ordered_json{{"batches", list}};
 }
 
-Result<ReadBatches> readBatches(Catalogue& catalogue, const json& batches,
+Result<archive::BagFile> verifiedFile(const archive::BagReader& bag, const std::string& at,
+                                      const std::string& sha256, std::int64_t bytes) {
+  const archive::BagFile* file = bag.find("data/" + at);
+  if (!file) return Error::unusable("This file is not part of the export.", at);
+  if (file->sha256 != sha256 || file->bytes != bytes)
+    return Error::unusable("This file has changed since the export; nothing was read.", at);
+  return *file;
+}
+
+Result<ReadBatches> readBatches(Catalogue& catalogue, const archive::BagReader& bag,
+                                const json& batches,
                                 const std::map<std::string, std::int64_t>& rows,
                                 const records::Provenance& provenance) {
-  Entering entering(catalogue, rows, provenance);
+  Entering entering(catalogue, bag, rows, provenance);
   for (const json& b : batches.at("batches"))
     if (const Result<void> done = entering.batch(b); !done) return done.error();
   return std::move(entering.read);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "archive/bag_reader.h"
 #include "archive/bagit.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
@@ -22,6 +23,11 @@ struct FileCopy {
   std::string from;  ///< relative to data/ of the export
   std::string to;    ///< relative to the project
 };
+/// A file of the export as its manifest has it, which is what was verified; `at`: relative to
+/// data/. Error: UnusableInput where it is not there, or a record says another checksum or size.
+Result<archive::BagFile> verifiedFile(const archive::BagReader& bag, const std::string& at,
+                                      const std::string& sha256, std::int64_t bytes);
+
 struct ReadBatches {
   std::vector<FileCopy> copies;                ///< the files that belong to what entered
   std::map<std::string, std::string> numbers;  ///< of the export -> in the project
@@ -31,7 +37,8 @@ struct ReadBatches {
 /// the project has another batch of the same number (two laptops begin with B0001 each), the
 /// entering one gets the project's next number. rows: id -> row of persons and bags. Throws
 /// json::exception where something is not as written.
-Result<ReadBatches> readBatches(catalogue::Catalogue& catalogue, const nlohmann::json& batches,
+Result<ReadBatches> readBatches(catalogue::Catalogue& catalogue, const archive::BagReader& bag,
+                                const nlohmann::json& batches,
                                 const std::map<std::string, std::int64_t>& rows,
                                 const records::Provenance& provenance);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "archive/bagit.h"
@@ -79,6 +80,9 @@ class Exporting {
     exported_.sherds = static_cast<int>(sherds.size());
     exported_.files = static_cast<int>(bag_.files().size()) + kFilesOfTheBag;
     exported_.bytes = bag_.bytes();
+    std::set_difference(options_.forms.begin(), options_.forms.end(), written_.begin(),
+                        written_.end(),
+                        std::inserter(exported_.without_file, exported_.without_file.end()));
     return exported_;
   }
 
@@ -108,6 +112,7 @@ class Exporting {
                 : addModel(file, *by_row[file.sherd], licence,
                            scale_doubts[by_row[file.sherd]->batch]);
       if (!added) return added.error();
+      written_.insert(file.form);
       if (file.form == Form::Photographs && !file.sha256.empty() && added->sha256 != file.sha256)
         exported_.warnings.push_back(file.from.string() +
                                      " differs from the recorded photograph; check it.");
@@ -190,6 +195,7 @@ class Exporting {
             std::pair(to + ".pdf", formatPdf(pages, sherd->number))}) {
         const Result<archive::BagFile> added = bag_.add(path, bytes);
         if (!added) return added.error();
+        written_.insert(Form::Drawings);
         name(sherd->row, "drawing", path, *added);
       }
     }
@@ -204,7 +210,10 @@ class Exporting {
       done_ += kViewAsCopies *
                static_cast<std::int64_t>(plan.viewedPhotographs().size() / batches.size());
       const Result<void> added = addViews(bag_, plan.project(), number, scratch, stop_);
-      if (added) continue;
+      if (added) {
+        written_.insert(Form::Views);
+        continue;
+      }
       if (added.error().code != ErrorCode::UnusableInput &&
           added.error().code != ErrorCode::NotEnough)
         return added;
@@ -274,6 +283,7 @@ class Exporting {
   Progress& progress_;
   std::stop_token stop_;
   Exported exported_;
+  std::set<Form> written_ = {Form::Csv, Form::Json, Form::Ods};  ///< tables have all sherds
   std::int64_t done_ = 0, total_ = 0;
   store::SherdRow lighter_of_;
   Result<LighterModel> lighter_ = LighterModel();

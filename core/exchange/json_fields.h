@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "base/result.h"
+
 namespace ostraka::exchange {
 
 /// What is empty is left out of a record.
@@ -16,5 +18,11 @@ void put(nlohmann::ordered_json& object, const char* key, const std::optional<T>
 inline void put(nlohmann::ordered_json& object, const char* key, nlohmann::ordered_json inner) {
   if (!inner.empty()) object[key] = std::move(inner);
 }
+
+/// The text of a file. JSON knows neither texts that are no UTF-8 nor numbers that are not finite;
+/// a catalogue from elsewhere may hold both. Error: UnusableInput, which says which value:
+/// metadata/places.json/sites/0/name.
+Result<std::string> jsonText(const nlohmann::ordered_json& value, const std::string& where,
+                             int indent = 1);
 
 }  // namespace ostraka::exchange

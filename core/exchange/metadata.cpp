@@ -393,12 +393,18 @@ Result<std::vector<MetadataFile>> metadataOf(const Catalogue& catalogue,
                                     {"format", "ostraka-export/1"},
                                     {"provenance", program},
                                     {"numbering", project.numbering}};
-  return std::vector<MetadataFile>{{"metadata/project.json", dublin_core.dump(1) + "\n"},
-                                   {"metadata/places.json", places->dump(1) + "\n"},
-                                   {"metadata/batches.json", digitised->dump(1) + "\n"},
-                                   {"metadata/vocabularies.json", words->dump(1) + "\n"},
-                                   {"context.jsonld", kContext},
-                                   {"README.txt", *read_me}};
+  std::vector<MetadataFile> files;
+  for (const auto& [path, content] : {std::pair("metadata/project.json", &dublin_core),
+                                      std::pair("metadata/places.json", &*places),
+                                      std::pair("metadata/batches.json", &*digitised),
+                                      std::pair("metadata/vocabularies.json", &*words)}) {
+    const Result<std::string> text = jsonText(*content, path);
+    if (!text) return text.error();
+    files.push_back({path, *text + "\n"});
+  }
+  files.push_back({"context.jsonld", kContext});
+  files.push_back({"README.txt", *read_me});
+  return files;
 }
 
 Result<ReadBatches> readMetadata(Catalogue& catalogue, const archive::BagReader& bag,
@@ -417,7 +423,7 @@ Result<ReadBatches> readMetadata(Catalogue& catalogue, const archive::BagReader&
       if (Result<void> done = readVocabularies(catalogue, *vocabularies, provenance); !done)
         return done.error();
     }
-    return readBatches(catalogue, *batches, reading.rows(), provenance);
+    return readBatches(catalogue, bag, *batches, reading.rows(), provenance);
   } catch (const json::exception& refused) {
     return unusableJson(refused, "These places and batches are not in Ostraka's format.",
                         "data/metadata");

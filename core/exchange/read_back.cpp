@@ -312,8 +312,10 @@ class ReadingBack {
       if (!place) return place.error();
       records::FileRecord f;
       f.path = place->text();
-      f.sha256 = file.sha256;
-      f.bytes = file.bytes;
+      const auto verified = verifiedFile(bag_, file.path, file.sha256, file.bytes);
+      if (!verified) return verified.error();
+      f.sha256 = verified->sha256;
+      f.bytes = verified->bytes;
       f.role = file.role;
       f.media_type = mediaTypeOf(file.path);
       f.sherd = *sherd;

@@ -174,7 +174,9 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
   out["processing"] = {{"program", used_program}};
   const ordered_json extra = orderedJsonOrDiscarded(sherd.extra_json);
   if (extra.is_object() && !extra.empty()) out["extra"] = extra;
-  return out.dump(1) + "\n";
+  const Result<std::string> text = jsonText(out, sherd.number.empty() ? sherd.id : sherd.number);
+  if (!text) return text;
+  return *text + "\n";
 }
 
 Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& where) {

@@ -1,4 +1,5 @@
 // The tables of an export.
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -12,6 +13,7 @@
 #include "sherds/measurements.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
+#include "store/names.h"
 #include "store/values.h"
 #include "tables/column_meanings.h"
 #include "tables/csv.h"
@@ -48,9 +50,18 @@ Result<HandColumns> measuredByHand(const Catalogue& catalogue,
   return columns;
 }
 
-std::string shownValue(const records::SherdRecord& sherd, const records::SherdField& field) {
-  const std::string text = sherds::textOf(sherd, field.name);
-  return isNumber(field) && !text.empty() ? tables::tableNumber(*store::parsedNumber(text)) : text;
+Result<std::string> shownValue(const records::SherdRecord& sherd,
+                               const records::SherdField& field) {
+  std::string text = sherds::textOf(sherd, field.name);
+  if (!isNumber(field) || text.empty()) return text;
+  const Result<double> number = store::parsedNumber(text);
+  if (!number) return number.error();
+  return tables::tableNumber(*number);
+}
+
+// Says which value of which sherd or context it is that no table can hold.
+Error refusedCell(const Error& error, const std::string& of, const std::string& column) {
+  return {error.code, error.what, of + ", " + column};
 }
 
 // Sherds are read a page at a time, so that 100,000 need no more memory than the text itself.
@@ -62,7 +73,8 @@ Result<void> eachSherd(const Catalogue& catalogue, std::span<const store::SherdR
     if (!page) return page.error();
     Result<HandColumns> by_hand = measuredByHand(catalogue, some);
     if (!by_hand) return by_hand.error();
-    for (const records::SherdRecord& sherd : *page) use(sherd, (*by_hand)[sherd.row]);
+    for (const records::SherdRecord& sherd : *page)
+      if (Result<void> used = use(sherd, (*by_hand)[sherd.row]); !used) return used;
   }
   return {};
 }
@@ -74,6 +86,17 @@ class TableWriter {
   virtual void begin(const std::vector<tables::OdsSheet::Column>& columns) = 0;
   virtual void row(const std::vector<std::string>& values) = 0;
 };
+
+// A row as it may stand in a table of any form; `of`: whose it is.
+Result<void> writeRow(TableWriter& table, const std::vector<tables::OdsSheet::Column>& columns,
+                      const std::vector<std::string>& values, const std::string& of) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!store::isUtf8(values[i]))
+      return refusedCell(Error::unusable("The text is not valid UTF-8 or contains a zero byte."),
+                         of, columns[i].name);
+  table.row(values);
+  return {};
+}
 
 void writeMeanings(TableWriter& table) {
   table.begin({{"column"}, {"unit"}, {"meaning"}});
@@ -87,11 +110,13 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const store::Sher
   if (!project) return project.error();
   std::set<std::string> own;  // fields of the user's own, of any of the sherds
   Result<void> read = eachSherd(
-      catalogue, rows, [&](const records::SherdRecord& sherd, const std::set<std::string>&) {
-        if (sherd.extra_json == "{}") return;
+      catalogue, rows,
+      [&](const records::SherdRecord& sherd, const std::set<std::string>&) -> Result<void> {
+        if (sherd.extra_json == "{}") return {};
         const nlohmann::json extra = jsonOrDiscarded(sherd.extra_json);
         if (extra.is_object())
           for (const auto& [key, value] : extra.items()) own.insert(key);
+        return {};
       });
   if (!read) return read;
   std::vector<tables::OdsSheet::Column> columns;
@@ -103,55 +128,59 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const store::Sher
   columns.push_back({"licence"});
   for (const std::string& key : own) columns.push_back({"extra." + key});
   table.begin(columns);
-  return eachSherd(catalogue, rows,
-                   [&](const records::SherdRecord& sherd, const std::set<std::string>& by_hand) {
-                     static const std::map<std::string, std::string> kNoFiles;
-                     const auto named = files.find(sherd.row);
-                     const auto& beside = named == files.end() ? kNoFiles : named->second;
-                     std::vector<std::string> values;
-                     for (const records::SherdField& field : sherds::sherdFields())
-                       values.push_back(shownValue(sherd, field));
-                     values.push_back(store::joinTerms({by_hand.begin(), by_hand.end()}));
-                     const auto add = [&](const char* column) {
-                       const auto found = beside.find(column);
-                       values.push_back(found == beside.end() ? std::string() : found->second);
-                     };
-                     for (const char* column : kCentreColumns) add(column);
-                     for (const char* column : kFileColumns) add(column);
-                     values.push_back(project->licence);
-                     for (const std::string& key : own)
-                       values.push_back(sherds::textOf(sherd, "extra." + key));
-                     table.row(values);
-                   });
+  return eachSherd(
+      catalogue, rows,
+      [&](const records::SherdRecord& sherd, const std::set<std::string>& by_hand) -> Result<void> {
+        static const std::map<std::string, std::string> kNoFiles;
+        const auto named = files.find(sherd.row);
+        const auto& beside = named == files.end() ? kNoFiles : named->second;
+        const std::string& name = sherd.number.empty() ? sherd.id : sherd.number;
+        std::vector<std::string> values;
+        for (const records::SherdField& field : sherds::sherdFields()) {
+          const Result<std::string> shown = shownValue(sherd, field);
+          if (!shown) return refusedCell(shown.error(), name, field.name);
+          values.push_back(*shown);
+        }
+        values.push_back(store::joinTerms({by_hand.begin(), by_hand.end()}));
+        const auto add = [&](const char* column) {
+          const auto found = beside.find(column);
+          values.push_back(found == beside.end() ? std::string() : found->second);
+        };
+        for (const char* column : kCentreColumns) add(column);
+        for (const char* column : kFileColumns) add(column);
+        values.push_back(project->licence);
+        for (const std::string& key : own) values.push_back(sherds::textOf(sherd, "extra." + key));
+        return writeRow(table, columns, values, name);
+      });
 }
 
 Result<void> writeContexts(const Catalogue& catalogue, std::span<const store::ContextRow> rows,
                            TableWriter& table) {
-  table.begin({{"site"},
-               {"trench"},
-               {"context"},
-               {"kind"},
-               {"excavated_on"},
-               {"period"},
-               {"date_edtf"},
-               {"closed"},
-               {"note"},
-               {"bag"},
-               {"collected_on"},
-               {"count_written", true},
-               {"weight_g", true},
-               {"storage"}});
+  const std::vector<tables::OdsSheet::Column> columns = {
+      {"site"},           {"trench"}, {"context"},      {"kind"},
+      {"excavated_on"},   {"period"}, {"date_edtf"},    {"closed"},
+      {"note"},           {"bag"},    {"collected_on"}, {"count_written", true},
+      {"weight_g", true}, {"storage"}};
+  table.begin(columns);
   for (const store::ContextRow& row : rows) {
     const Result<records::ContextRecord> c = Places(catalogue).context(row);
     if (!c) return c.error();
     Result<std::vector<records::BagRecord>> bags = Places(catalogue).bags(row);
     if (!bags) return bags.error();
     if (bags->empty()) bags->emplace_back();
-    for (const records::BagRecord& bag : *bags)
-      table.row({c->site_code, c->trench_code, c->number, c->kind, c->excavated_on, c->period,
-                 c->date_edtf, c->closed ? "yes" : "no", c->note, bag.number, bag.collected_on,
-                 bag.count_written ? std::to_string(*bag.count_written) : "",
-                 bag.weight_g ? store::numberText(*bag.weight_g) : "", bag.storage});
+    for (const records::BagRecord& bag : *bags) {
+      if (bag.weight_g && !std::isfinite(*bag.weight_g))
+        return refusedCell(store::parsedNumber(store::numberText(*bag.weight_g)).error(), c->number,
+                           "weight_g");
+      Result<void> written =
+          writeRow(table, columns,
+                   {c->site_code, c->trench_code, c->number, c->kind, c->excavated_on, c->period,
+                    c->date_edtf, c->closed ? "yes" : "no", c->note, bag.number, bag.collected_on,
+                    bag.count_written ? std::to_string(*bag.count_written) : "",
+                    bag.weight_g ? store::numberText(*bag.weight_g) : "", bag.storage},
+                   c->number);
+      if (!written) return written;
+    }
   }
   return {};
 }

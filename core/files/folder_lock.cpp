@@ -6,10 +6,13 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <thread>
 
 namespace ostraka {
 
-Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
+Result<std::pair<FolderLock, FolderLock::Held>> FolderLock::tryTo(
+    const std::filesystem::path& folder) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const std::filesystem::path file = folder / "lock";
@@ -18,15 +21,33 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
     return Error{ErrorCode::CannotWrite,
                  "A link has taken the place of this folder's lock file; delete the link.",
                  file.string()};
-  if (fd < 0) return FolderLock(folder, -1);  // who writes there next says why it cannot
-  if (::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(fd);
+  // Without a file nothing is held; who writes there next says why it cannot.
+  const bool elsewhere = fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  return std::pair(FolderLock(folder, fd), elsewhere ? Held::Elsewhere : Held::Here);
+}
+
+Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
+  Result<std::pair<FolderLock, Held>> tried = tryTo(folder);
+  if (!tried) return tried.error();
+  if (tried->second == Held::Elsewhere)
     return Error{
         ErrorCode::CannotWrite,
         "Another run is writing to this folder; wait until it ends, or choose another folder.",
         folder.string()};
+  return std::move(tried->first);
+}
+
+// One that was taken of a folder that went away meanwhile keeps nobody out of the new one.
+Result<FolderLock> FolderLock::waitFor(const std::filesystem::path& folder,
+                                       const std::stop_token& stop) {
+  constexpr std::chrono::milliseconds kPause(50);
+  for (;; std::this_thread::sleep_for(kPause)) {
+    if (stop.stop_requested()) return Error::cancelled();
+    Result<std::pair<FolderLock, Held>> tried = tryTo(folder);
+    if (!tried) return tried.error();
+    const bool here = tried->second == Held::Here;
+    if (here && (tried->first.fd_ < 0 || tried->first.stands())) return std::move(tried->first);
   }
-  return FolderLock(folder, fd);
 }
 
 // By the file that is held open: its number cannot be given to another meanwhile.

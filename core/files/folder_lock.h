@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <stop_token>
 #include <utility>
 
 #include "base/result.h"
@@ -13,6 +14,9 @@ class FolderLock {
  public:
   /// Error: CannotWrite when another holds the folder.
   static Result<FolderLock> take(const std::filesystem::path& folder);
+  /// Waits until nobody else holds the folder. Errors: Cancelled, CannotWrite.
+  static Result<FolderLock> waitFor(const std::filesystem::path& folder,
+                                    const std::stop_token& stop);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept
       : folder_(std::move(other.folder_)), fd_(std::exchange(other.fd_, -1)) {}
@@ -23,6 +27,8 @@ class FolderLock {
   bool stands() const;
 
  private:
+  enum class Held { Here, Elsewhere };
+  static Result<std::pair<FolderLock, Held>> tryTo(const std::filesystem::path& folder);
   FolderLock(std::filesystem::path folder, int fd) : folder_(std::move(folder)), fd_(fd) {}
   std::filesystem::path folder_;
   int fd_;

@@ -7,6 +7,7 @@
 
 #include "files/cannot_write.h"
 #include "files/files.h"
+#include "files/output_place.h"
 
 namespace ostraka {
 namespace {
@@ -42,6 +43,7 @@ bool isLeftover(const fs::path& partial) {
 }  // namespace
 
 Result<NewFolder> NewFolder::begin(const fs::path& where) {
+  if (const Result<void> good = checkOutputPlace(where); !good) return good.error();
   std::error_code failed;
   fs::path place = fs::absolute(where, failed).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <system_error>
+#include <utility>
 
+#include "capture/manifest.h"
 #include "catalogue/batches.h"
+#include "catalogue/files.h"
 #include "decisions/scan_folder.h"
 #include "intake/computed_again.h"
 #include "intake/enter_results.h"
@@ -31,6 +35,7 @@ constexpr double kLeastBatch_bytes = 10.0e6;
 constexpr double kResultsPerPhotographs = 2;
 // Below this the next stage would fail half-way on any camera; the queue waits for space instead.
 constexpr double kLeastFree_bytes = 300.0e6;
+constexpr std::size_t kNamedMissing = 6;
 constexpr int kWantedCandidates = 3;  // that the review shows for a doubtful front
 
 double sizeOf(const fs::path& folder) {
@@ -44,10 +49,11 @@ double sizeOf(const fs::path& folder) {
 
 // Photographs, or scans that were split already.
 Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& batch,
-                              const fs::path& output, Progress& progress,
-                              const std::stop_token& stop) {
+                              const fs::path& output, std::vector<std::string> warnings,
+                              Progress& progress, const std::stop_token& stop) {
   pipeline::ProcessOptions process;
   process.batch = batch;
+  process.warnings = std::move(warnings);
   process.output = output;
   process.threads = options.threads;
   process.dense = options.dense == "colmap"    ? pipeline::DenseMethod::Colmap
@@ -74,6 +80,41 @@ Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& bat
   for (const pipeline::SherdSummary& sherd : done->sherds)
     figures.uncertainty_mm = std::max(figures.uncertainty_mm, sherd.uncertainty_mm);
   return figures;
+}
+
+// Of the photographs that the catalogue, or the capture, has of the batch: what went away while it
+// waited would be missed by nobody.
+Result<std::vector<std::string>> missingPhotographs(const upkeep::Project& project,
+                                                    const records::BatchRecord& batch) {
+  const Result<std::vector<records::FileRecord>> files =
+      catalogue::Files(project.catalogue()).of(batch.row);
+  if (!files) return files.error();
+  const fs::path folder = project.batchFolder(batch.number);
+  std::set<std::string> recorded;
+  for (const records::FileRecord& file : *files)
+    if (file.role == "photo")
+      recorded.insert((project.folder() / file.path).lexically_relative(folder).generic_string());
+  if (const Result<capture::Manifest> manifest = capture::readManifest(folder))
+    for (const capture::ManifestEntry& entry : manifest->entries)
+      if (entry.used) recorded.insert(entry.file);
+  std::vector<std::string> missing;
+  for (const std::string& name : recorded) {
+    std::error_code failed;
+    if (fs::status(folder / name, failed).type() == fs::file_type::not_found)
+      missing.push_back(name);
+  }
+  return missing;
+}
+
+std::string missingSentence(const std::vector<std::string>& missing, const fs::path& folder) {
+  std::string names;
+  for (std::size_t i = 0; i < std::min(missing.size(), kNamedMissing); ++i)
+    names += (i == 0 ? "" : ", ") + missing[i];
+  if (missing.size() > kNamedMissing)
+    names += " and " + std::to_string(missing.size() - kNamedMissing) + " more";
+  return folder.string() + ": Photographs recorded for this batch are missing from its folder (" +
+         std::to_string(missing.size()) + "): " + names +
+         ". Put them back and reprocess the batch.";
 }
 
 Result<void> hasSpace(const fs::path& project) {
@@ -120,9 +161,14 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   const fs::path batch = project->batchFolder(options.number);
   const fs::path output = project->resultsFolder(options.number);
 
+  const Result<std::vector<std::string>> missing = missingPhotographs(*project, *record);
+  if (!missing) return missing.error();
+  std::vector<std::string> warnings;
+  if (!missing->empty()) warnings.push_back(missingSentence(*missing, batch));
   if (const Result<void> begun = beginComputing(rows, options.number); !begun) return begun.error();
   const bool scans = decisions::holdsScans(batch);
-  Result<BatchFigures> figures = computed(options, batch, output, progress, stop);
+  Result<BatchFigures> figures =
+      computed(options, batch, output, std::move(warnings), progress, stop);
   if (!figures) return figures.error();
 
   // Who opens the review finds the candidates registered. Without them it compares them then.

@@ -17,6 +17,7 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "intake/read_results.h"
+#include "intake/results_owner.h"
 #include "intake/review_decisions.h"
 #include "intake/same_pieces.h"
 #include "records/records.h"
@@ -227,17 +228,27 @@ Result<EnteredResults> entered(catalogue::Catalogue& catalogue, const fs::path& 
                                store::BatchRow batch, const fs::path& out,
                                const records::Provenance& provenance, BatchItself then,
                                Progress& progress, std::stop_token stop) {
-  // Models that one entering has kept and not entered yet are in use by nobody for another one.
+  // Models that one entering has kept and not entered yet are in use by nobody for another one:
+  // holdModels keeps out other programs, and this other threads where the disk knows no locks.
   static std::mutex one_by_one;
   const std::scoped_lock alone(one_by_one);
   const Result<records::BatchRecord> record = catalogue::Batches(catalogue).get(batch);
   if (!record) return record.error();
-  if (const Result<void> dropped = sherds::dropUnusedModels(catalogue, project, record->number);
-      !dropped)
-    return dropped.error();
+  if (const Result<void> own = checkResultsAreOf(catalogue, project, *record, out, stop); !own)
+    return own.error();
+  const Result<FolderLock> models = sherds::holdModels(project, record->number, stop);
+  if (!models) return models.error();
   const Result<ReadResults> read = catalogue.database().asResult(
       [&] { return readResults(project, *record, out, progress, stop); });
   if (!read) return read.error();
+  // Not before: nothing goes where there is nothing to come in its place.
+  std::set<std::string> kept;
+  for (const ReadSherd& sherd : read->sherds)
+    if (!sherd.folder.empty()) kept.insert(sherd.folder.substr(0, sherd.folder.size() - 1));
+  if (const Result<void> dropped =
+          sherds::dropUnusedModels(catalogue, project, record->number, kept);
+      !dropped)
+    return dropped.error();
   return catalogue.database().inTransaction(
       [&] { return Entering(catalogue, batch, provenance).enter(*read, out, then); });
 }

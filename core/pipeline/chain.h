@@ -11,6 +11,7 @@
 #include "decisions/scan_folder.h"
 #include "files/folder_lock.h"
 #include "model/model.h"
+#include "pipeline/batch_inputs.h"
 #include "pipeline/process_batch.h"
 #include "pipeline/stage.h"
 #include "rig/camera.h"
@@ -25,7 +26,8 @@ struct Run {
   const batch::Batch& batch;
   const FolderLock& held;      ///< of OUT/work
   std::filesystem::path work;  ///< OUT/work
-  std::string batch_hash;      ///< names and contents of everything that is read from the batch
+  const BatchInputs& inputs;
+  std::string batch_hash;  ///< names and contents of everything that is read from the batch
   std::array<std::string, 2> photographs;  ///< of fronts and backs: ScanRef::photographs
   const decisions::Decisions& decisions;   ///< of people, those that hold
   Progress& progress;
@@ -76,6 +78,11 @@ struct Pairs {
   std::vector<std::string> unpaired_front, unpaired_back;
   std::vector<std::string> set_aside, reshoot;  ///< by a person; fronts, then backs
 };
+
+/// runStage of OUT/work (stage.h) for all steps of the chain: what was made while a file of the
+/// batch changed is not recorded (BatchInputs::checkUnchanged).
+Result<StageRecord> runStage(const Run& run, const std::string& name,
+                             const nlohmann::ordered_json& key, const StageWork& work);
 
 /// 0 is the front, 1 the back.
 constexpr std::size_t sideIndex(batch::Side side) {

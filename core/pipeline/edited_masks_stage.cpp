@@ -81,12 +81,12 @@ Result<Staged<Masks>> editedMasksStage(const Run& run, batch::Side side, const S
                       own.warnings};
   };
   const std::string name = std::string("edited_") + batch::name(side);
-  const Result<StageRecord> record = runStage(run.held, name,
+  const Result<StageRecord> record = runStage(run, name,
                                               {{"masks", found.record.outputs_hash},
                                                {"strokes", toJson(*strokes)},
                                                {"taken_again", own.warnings},
                                                {"notes", "2"}},
-                                              work, run.progress);
+                                              work);
   if (!record) return record.error();
   for (std::size_t i = 0; i < images.size(); ++i) {
     if (own.on[i].empty()) continue;

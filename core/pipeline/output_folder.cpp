@@ -4,11 +4,9 @@
 #include <set>
 #include <system_error>
 
-#include "base/parallel.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "files/json_text.h"
-#include "pipeline/proposed_sheet.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -21,15 +19,6 @@ constexpr const char* kScansFile = "scans.json";  // in OUT/work, of register
 
 std::string nameOf(const fs::path& file, const batch::Batch& batch) {
   return file.lexically_proximate(batch.folder).generic_string();
-}
-
-// Of a plate that no file describes.
-std::string hashOf(const batch::Plate& plate) {
-  ordered_json all{{"dictionary", plate.dictionary}};
-  for (const batch::Marker& marker : plate.markers)
-    for (const Eigen::Vector3d& corner : marker.corners)
-      all["corners"].push_back({marker.id, corner.x(), corner.y(), corner.z()});
-  return sha256(all.dump());
 }
 
 // What is left when results were deleted to be computed anew, and what people decided was kept; or
@@ -101,28 +90,6 @@ bool names(const fs::path& file, const std::string& scans_hash) {
 }
 
 }  // namespace
-
-ordered_json batchHashes(const batch::Batch& batch, int threads) {
-  std::vector<fs::path> files;
-  for (const batch::Shot& shot : batch.shots) {
-    files.push_back(shot.file);
-    if (!shot.mask_file.empty()) files.push_back(shot.mask_file);
-  }
-  for (const batch::CalibrationShot& shot : batch.calibration) files.push_back(shot.file);
-  for (const batch::CalibrationShot& shot : batch.empty_plates) files.push_back(shot.file);
-  if (!batch.plate_file.empty()) files.push_back(batch.plate_file);
-  for (const char* name : {"board.json", "scale.json"})
-    if (fs::exists(batch.folder / name)) files.push_back(batch.folder / name);
-  std::vector<std::string> hashes(files.size());
-  parallelFor(files.size(), threads, [&](std::size_t i) {
-    const Result<std::string> bytes = readFile(files[i]);
-    hashes[i] = bytes ? sha256(*bytes) : "unreadable";
-  });
-  ordered_json named = ordered_json::object();
-  for (std::size_t i = 0; i < files.size(); ++i) named[nameOf(files[i], batch)] = hashes[i];
-  if (isProposed(batch)) named["plate.json"] = hashOf(*batch.plate);
-  return named;
-}
 
 std::string photographsHash(const batch::Batch& batch, const ordered_json& hashes,
                             batch::Side side) {

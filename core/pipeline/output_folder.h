@@ -9,10 +9,7 @@
 
 namespace ostraka::pipeline {
 
-/// Names (relative to the batch) and SHA-256 of all that is read from a batch.
-nlohmann::ordered_json batchHashes(const batch::Batch& batch, int threads);
-
-/// What tells one taking of a side from another (ScanRef::photographs). hashes: batchHashes.
+/// What tells one taking of a side from another (ScanRef::photographs). hashes: BatchInputs.
 std::string photographsHash(const batch::Batch& batch, const nlohmann::ordered_json& hashes,
                             batch::Side side);
 

@@ -189,7 +189,7 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
                       kept.warnings};
   };
   Result<StageRecord> record =
-      runStage(run.held, "pairs",
+      runStage(run, "pairs",
                {{"poses", poses.record.outputs_hash},
                 {"front_masks", front_masks.record.outputs_hash},
                 {"back_masks", back_masks.record.outputs_hash},
@@ -199,7 +199,7 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
                 {"registration", static_cast<int>(run.options.registration)},
                 {"photographs", run.photographs},
                 {"leaves", "candidates"}},
-               compare, run.progress);
+               compare);
   if (!record) return record.error();
   std::string folder = "pairs";
   const decisions::Decisions decisions = aboutPartners(run.decisions);
@@ -211,9 +211,8 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
       });
     };
     const std::vector<std::string> compared = record->notes.warnings;
-    record = runStage(run.held, folder,
-                      {{"pairs", record->outputs_hash}, {"decisions", toJson(decisions)}}, work,
-                      run.progress);
+    record = runStage(run, folder,
+                      {{"pairs", record->outputs_hash}, {"decisions", toJson(decisions)}}, work);
     if (!record) return record.error();
     std::vector<std::string>& told = record->notes.warnings;
     told.insert(told.begin(), compared.begin(), compared.end());

@@ -345,7 +345,7 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     return notes;
   };
   const Result<StageRecord> record =
-      runStage(run.held, "rig", {{"batch", run.batch_hash}, {"rig", rig_hash}}, work, run.progress);
+      runStage(run, "rig", {{"batch", run.batch_hash}, {"rig", rig_hash}}, work);
   if (!record) return record.error();
   Result<std::vector<rig::PosedImage>> images =
       readCamerasOf(run.batch, run.work / "rig" / "cameras.json");

@@ -91,6 +91,9 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
                              : "from the plate's markers, lenses from " +
                                    std::to_string(batch.calibration.size()) +
                                    " photographs of the board"));
+  // It may lie in the folder above the photographs, and be another sheet's.
+  if (!batch.plate_file.empty())
+    ahead.lines.push_back("before: sheet: as in " + batch.plate_file.string());
   ahead.lines.push_back(text(free_memory_mb > 0
                                  ? "before: memory: about %.1f GB at the peak, %.1f GB are free"
                                  : "before: memory: about %.1f GB at the peak",

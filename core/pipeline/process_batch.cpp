@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/parallel.h"
+#include "batch/copied_photographs.h"
 #include "batch/photographs.h"
 #include "checks/camera_settings.h"
 #include "checks/lone_scans.h"
@@ -32,12 +33,14 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 Run runOf(const ProcessOptions& options, const batch::Batch& batch, const FolderLock& held,
-          const ordered_json& hashes, const decisions::Decisions& holding, Progress& progress,
+          const BatchInputs& inputs, const decisions::Decisions& holding, Progress& progress,
           std::stop_token stop) {
+  const ordered_json& hashes = inputs.hashes();
   return {options,
           batch,
           held,
           options.output / "work",
+          inputs,
           sha256(hashes.dump()),
           {photographsHash(batch, hashes, batch::Side::Front),
            photographsHash(batch, hashes, batch::Side::Back)},
@@ -94,11 +97,11 @@ Result<StageRecord> stillnessStage(const Run& run, batch::Side side, const Stage
     }
     return notes;
   };
-  return runStage(run.held, std::string("stillness_") + batch::name(side),
+  return runStage(run, std::string("stillness_") + batch::name(side),
                   {{"poses", poses.record.outputs_hash},
                    {"masks", found.masks.record.outputs_hash},
                    {"scans", found.scans.record.outputs_hash}},
-                  work, run.progress);
+                  work);
 }
 
 bool wasPhotographed(const batch::Batch& batch, batch::Side side) {
@@ -253,8 +256,8 @@ Result<void> makeModels(const Run& run, const std::vector<DecidedPair>& decided,
     const scan::Scan& b = back.scans.value[static_cast<std::size_t>(decided[i].back)];
     const std::string number = decisions::sherdNumber(f.id);
     PartProgress progress(run.progress, i, decided.size());
-    const Run one{run.options,     run.batch,     run.held, run.work, run.batch_hash,
-                  run.photographs, run.decisions, progress, run.stop};
+    const Run one{run.options,    run.batch,       run.held,      run.work, run.inputs,
+                  run.batch_hash, run.photographs, run.decisions, progress, run.stop};
     const Result<StageRecord> record = modelStage(one, number, decided[i], f, b, scans);
     if (!record) return record.error();
     if (const Result<void> published = publish(run, number); !published) return published;
@@ -428,8 +431,11 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   Result<batch::Batch> batch =
       batch::readPhotographs(options.batch, options.back, options.sheet, {}, reading);
   if (!batch) return batch.error();
+  if (Result<void> enough = batch::leaveOutCopies(*batch, {}, reading); !enough)
+    return enough.error();
   if (Result<void> sheet = proposeMissingSheet(*batch, options, reading, stop); !sheet)
     return sheet.error();
+  for (const std::string& warning : options.warnings) reading.note(NoteLevel::Warning, warning);
   for (const std::string& warning : checks::settingsWarnings(*batch, options.threads))
     reading.note(NoteLevel::Warning, warning);
   const Result<Preflight> ahead = preflight(*batch, options, freeMemoryMb());
@@ -437,8 +443,8 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   const Result<decisions::Decisions> decisions = decisions::readDecisions(options.output);
   if (!decisions) return decisions.error();
   const decisions::Decisions holding = decisions::standing(*decisions);
-  const ordered_json hashes = batchHashes(*batch, options.threads);
-  const Result<FolderLock> held = claimOutput(options.output, *batch, hashes);
+  const BatchInputs inputs(*batch, options.threads);
+  const Result<FolderLock> held = claimOutput(options.output, *batch, inputs.hashes());
   if (!held) return held.error();
   withdrawResults(options.output);
   if (isProposed(*batch) && !hasGuessedSize(*batch, options))
@@ -448,7 +454,7 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);
   for (const std::string& line : ahead->lines) logged.note(NoteLevel::Info, line);
   for (const std::string& warning : ahead->warnings) logged.note(NoteLevel::Warning, warning);
-  const Run run = runOf(options, *batch, *held, hashes, holding, logged, stop);
+  const Run run = runOf(options, *batch, *held, inputs, holding, logged, stop);
   Result<ProcessSummary> summary = unlessGone(run, runChain(run, reading.warnings));
   if (summary)
     summary->seconds =
@@ -472,15 +478,16 @@ Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& pro
   const Result<decisions::Decisions> decisions = decisions::readDecisions(options.output);
   if (!decisions) return decisions.error();
   const decisions::Decisions holding = decisions::standing(*decisions);
-  const ordered_json hashes = batchHashes(batch, options.threads);
-  const Result<FolderLock> held = claimOutput(options.output, batch, hashes);
+  const BatchInputs inputs(batch, options.threads);
+  const Result<FolderLock> held = claimOutput(options.output, batch, inputs.hashes());
   if (!held) return held.error();
   withdrawResults(options.output);
-  std::vector<std::string> reading = fronts->warnings;
+  std::vector<std::string> reading = options.warnings;
+  reading.insert(reading.end(), fronts->warnings.begin(), fronts->warnings.end());
   reading.insert(reading.end(), backs->warnings.begin(), backs->warnings.end());
   LoggedProgress logged(progress, options.output / "log.txt", {});
   for (const std::string& warning : reading) logged.note(NoteLevel::Warning, warning);
-  const Run run = runOf(options, batch, *held, hashes, holding, logged, stop);
+  const Run run = runOf(options, batch, *held, inputs, holding, logged, stop);
   Result<ProcessSummary> summary = unlessGone(run, runImported(run, *fronts, *backs, reading));
   if (summary)
     summary->seconds =

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "files/output_place.h"
 #include "pipeline/process_batch.h"
 
 namespace ostraka::pipeline {
@@ -10,6 +11,7 @@ Result<void> ProcessOptions::check() const {
   if (batch.empty()) return Error{ErrorCode::UnusableInput, "No batch folder was given.", {}};
   if (output.empty())
     return Error{ErrorCode::UnusableInput, "No output folder was given (--output OUT).", {}};
+  if (Result<void> good = checkOutputPlace(output, "results"); !good) return good;
   std::error_code failed;
   for (const fs::path& input : {batch, back.value_or(batch)}) {
     const fs::path folder = fs::weakly_canonical(input, failed);

@@ -1,5 +1,6 @@
 #include "pipeline/proposed_sheet.h"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,29 @@ namespace ostraka::pipeline {
 namespace {
 // A length that must be given; what is in mm then is a guess, and the result says so.
 constexpr double kGuessedMarker_mm = 30;
+// As a calliper reads the side of a marker; what a print is off the file's by shows beyond it.
+constexpr double kSameSize_mm = 0.05;
+
+double sideOf(const batch::Marker& marker) {
+  double around = 0;
+  for (std::size_t c = 0; c < 4; ++c)
+    around += (marker.corners[(c + 1) % 4] - marker.corners[c]).norm();
+  return around / 4;
+}
+
+// Two sizes of one sheet: which of them is true only a person can say.
+Result<void> agreesWithFile(const batch::Batch& batch, double marker_mm) {
+  double nearest = 0;  // a plate may have markers of several sizes
+  for (const batch::Marker& marker : batch.plate->markers)
+    if (const double side = sideOf(marker);
+        std::abs(side - marker_mm) < std::abs(nearest - marker_mm) || nearest == 0)
+      nearest = side;
+  if (std::abs(nearest - marker_mm) <= kSameSize_mm) return {};
+  return Error::unusable("The markers have sides of " + fixed(nearest, 2) +
+                             " mm in this file, but --marker-mm says " + fixed(marker_mm, 2) +
+                             " mm. Measure one; then correct the file, or leave the option out.",
+                         batch.plate_file);
+}
 }  // namespace
 
 bool isProposed(const batch::Batch& batch) {
@@ -23,6 +47,8 @@ bool hasGuessedSize(const batch::Batch& batch, const ProcessOptions& options) {
 
 Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& options,
                                  Progress& progress, std::stop_token stop) {
+  if (batch.plate && options.marker_mm && !batch.plate_file.empty())
+    return agreesWithFile(batch, *options.marker_mm);
   if (batch.plate || batch.way != batch::Way::FreeCamera) return {};
   // A length that was marked is worth more than markers of a size that nobody knows.
   if (!options.marker_mm && (!batch.known_lengths.empty() || batch.board)) return {};

@@ -56,11 +56,11 @@ Result<Scans> editStage(const Run& run, batch::Side side, const Scans& found) {
                       edited.warnings};
   };
   const std::string name = scanFolder(run, side);
-  const Result<StageRecord> record = runStage(run.held, name,
+  const Result<StageRecord> record = runStage(run, name,
                                               {{"scans", found.record.outputs_hash},
                                                {"edits", toJson(edits)},
                                                {"photographs", run.photographsOf(side)}},
-                                              work, run.progress);
+                                              work);
   if (!record) return record.error();
   return readScans(run.work / name, *record);
 }
@@ -120,9 +120,8 @@ Result<Scans> importStage(const Run& run, batch::Side side, const decisions::Sca
     if (!points) return points.error();
     return StageNotes{{{"points", *points}, {"files", files}}, {}};
   };
-  const Result<StageRecord> record =
-      runStage(run.held, name, {{"imported", folder.hash}, {"on_plate", on_plate}, {"apart", true}},
-               work, run.progress);
+  const Result<StageRecord> record = runStage(
+      run, name, {{"imported", folder.hash}, {"on_plate", on_plate}, {"apart", true}}, work);
   if (!record) return record.error();
   Result<Scans> found = readScans(run.work / name, *record);
   if (!found || !decisions::hasEdits(run.decisions, side)) return found;
@@ -152,11 +151,11 @@ Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<Poses>& p
     if (!points) return points.error();
     return StageNotes{{{"points", *points}, {"doubtful", split->doubtful}}, split->warnings};
   };
-  const Result<StageRecord> record = runStage(run.held, name,
+  const Result<StageRecord> record = runStage(run, name,
                                               {{"cloud", cloud.record.outputs_hash},
                                                {"masks", masks.record.outputs_hash},
                                                {"relative", relative}},
-                                              work, run.progress);
+                                              work);
   if (!record) return record.error();
   Result<Scans> found = readScans(run.work / name, *record);
   if (!found || !decisions::hasEdits(run.decisions, side)) return found;

@@ -107,10 +107,9 @@ Result<Staged<double>> scaleStage(const Run& run, const Staged<Poses>& poses,
     if (scale) return StageNotes{{{"front_over_back", *scale}}, {}};
     return StageNotes{{{"front_over_back", 1.0}}, {scale.error().sentence()}};
   };
-  const Result<StageRecord> record =
-      runStage(run.held, "scale",
-               {{"fronts", fronts.record.outputs_hash}, {"backs", backs.record.outputs_hash}}, work,
-               run.progress);
+  const Result<StageRecord> record = runStage(
+      run, "scale", {{"fronts", fronts.record.outputs_hash}, {"backs", backs.record.outputs_hash}},
+      work);
   if (!record) return record.error();
   return Staged<double>{record->notes.figures.value("front_over_back", 1.0), *record};
 }
@@ -119,13 +118,12 @@ Result<StageRecord> modelStage(const Run& run, const std::string& number, const 
                                const scan::Scan& front, const scan::Scan& back,
                                const std::string& inputs_hash) {
   return runStage(
-      run.held, "model_" + number,
+      run, "model_" + number,
       {{"inputs", inputs_hash},
        {"front", front.id},
        {"back", back.id},
        {"pose", ostraka::toJson(pair.front_from_back)}},
-      [&](const fs::path& folder) { return makeModel(run, folder, number, pair, front, back); },
-      run.progress);
+      [&](const fs::path& folder) { return makeModel(run, folder, number, pair, front, back); });
 }
 
 }  // namespace ostraka::pipeline

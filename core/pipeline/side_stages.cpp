@@ -191,10 +191,9 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
         return written.error();
     return StageNotes{{{"covered_share", coverage(made->masks)}}, made->warnings};
   };
-  const Result<StageRecord> record =
-      runStage(run.held, name,
-               {{"batch", run.batch_hash}, {"poses", poses.record.outputs_hash}, {"masks", how}},
-               work, run.progress);
+  const Result<StageRecord> record = runStage(
+      run, name, {{"batch", run.batch_hash}, {"poses", poses.record.outputs_hash}, {"masks", how}},
+      work);
   if (!record) return record.error();
   Masks masks;
   for (const rig::PosedImage& image : images) {
@@ -279,12 +278,12 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
     notes.figures["points"] = cloud->size();
     return notes;
   };
-  const Result<StageRecord> record = runStage(run.held, name,
+  const Result<StageRecord> record = runStage(run, name,
                                               {{"batch", run.batch_hash},
                                                {"poses", poses.record.outputs_hash},
                                                {"masks", masks.record.outputs_hash},
                                                {"dense", static_cast<int>(run.options.dense)}},
-                                              work, run.progress);
+                                              work);
   if (!record) return record.error();
   Result<PointCloud> cloud = readPlyCloud(run.work / name / "cloud.ply");
   if (!cloud) return cloud.error();

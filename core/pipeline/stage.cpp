@@ -73,9 +73,7 @@ double peakMemoryMb() {
 }
 
 Result<StageRecord> runStage(const FolderLock& held, const std::string& name,
-                             const ordered_json& key,
-                             const std::function<Result<StageNotes>(const fs::path&)>& work,
-                             Progress& progress) {
+                             const ordered_json& key, const StageWork& work, Progress& progress) {
   const fs::path folder = held.folder() / name;
   if (!held.stands()) return outputGone(held.folder().parent_path());
   const std::string key_hash =

@@ -26,16 +26,18 @@ struct StageRecord {
   bool resumed = false;       ///< found whole from an earlier run
 };
 
+/// Writes a stage's files into the folder it is given.
+using StageWork = std::function<Result<StageNotes>(const std::filesystem::path&)>;
+
 /// One folder OUT/work/<name> per stage. The stage runs only if its stage.json does not match `key`
 /// (program and format version, options, hashes of inputs) or a file it names is missing or
 /// changed. `work` writes its files into the folder it is given, which is empty; stage.json is
 /// written last, so that a run killed at any moment leaves the stage either whole or to be done
 /// again. Where the folder is gone that was held (FolderLock::stands) nothing is left in its place:
 /// outputGone (output_folder.h).
-Result<StageRecord> runStage(
-    const FolderLock& work_folder, const std::string& name, const nlohmann::ordered_json& key,
-    const std::function<Result<StageNotes>(const std::filesystem::path&)>& work,
-    Progress& progress);
+Result<StageRecord> runStage(const FolderLock& work_folder, const std::string& name,
+                             const nlohmann::ordered_json& key, const StageWork& work,
+                             Progress& progress);
 
 /// Peak resident memory of this process so far, MB.
 double peakMemoryMb();

@@ -53,4 +53,11 @@ Result<PlatePrint> printPlate(const PlatePrintOptions& options);
 Result<void> writePlate(const std::filesystem::path& file, const batch::Plate& plate);
 Result<void> writeBoard(const std::filesystem::path& file, const batch::Board& board);
 
+/// Prints into the PDF, and plate.json and board.json beside it; all of them or none. Nothing is
+/// lost: those of this plate as drawn follow a measured ruler, the same are left as they are.
+/// Errors: as printPlate; UnusableInput (a project or an archive; those of another plate, board or
+/// ruler; photographs, which a new plate.json would describe), CannotWrite.
+Result<PlatePrint> writePlatePrint(const std::filesystem::path& pdf,
+                                   const PlatePrintOptions& options);
+
 }  // namespace ostraka::rig

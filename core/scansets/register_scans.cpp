@@ -15,6 +15,7 @@
 #include "decisions/scan_folder.h"
 #include "files/files.h"
 #include "files/json.h"
+#include "files/output_place.h"
 #include "pairing/common_scale.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/run_log.h"
@@ -145,7 +146,7 @@ Result<void> RegisterOptions::check() const {
   if (front.empty()) return bad("Name the folder of the front scans (--front DIR).");
   if (back.empty()) return bad("Name the folder of the back scans (--back DIR).");
   if (output.empty()) return bad("Name the output folder (--output OUT).");
-  return {};
+  return checkOutputPlace(output);
 }
 
 int RegisterSummary::ambiguous() const {

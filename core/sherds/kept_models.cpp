@@ -6,7 +6,10 @@
 #include "catalogue/catalogue.h"
 #include "files/cannot_write.h"
 #include "files/files.h"
+#include "files/scratch_folder.h"
+#include "sherds/sherd_columns.h"
 #include "store/database.h"
+#include "store/names.h"
 #include "store/values.h"
 
 namespace ostraka::sherds {
@@ -19,6 +22,18 @@ constexpr std::size_t kNameLength = 16;  // hexadecimal digits: 64 bits of the c
 
 fs::path folderOf(const std::string& batch) {
   return fs::path("models") / batch;
+}
+
+// Unfinished models lie in here, each in a folder of its own; archives leave such names out.
+constexpr const char* kUnfinished = "new.partial";
+
+// As keepModel names folders: what else lies beside them is not ours to remove.
+bool isKept(const fs::directory_entry& entry) {
+  const std::string name = entry.path().filename().string();
+  std::error_code failed;
+  return name.size() == kNameLength &&
+         name.find_first_not_of("0123456789abcdef") == std::string::npos &&
+         entry.symlink_status(failed).type() == fs::file_type::directory;
 }
 
 // Files are only ever replaced, never written into, so a second name keeps what is there now.
@@ -45,16 +60,33 @@ Result<std::string> nameOf(const fs::path& folder) {
 
 }  // namespace
 
+Result<FolderLock> holdModels(const fs::path& project, const std::string& batch,
+                              const std::stop_token& stop) {
+  if (!store::isFolderName(batch))
+    return Error::unusable(
+        "The number of a batch is also the name of its folder; use letters and digits.", batch);
+  return FolderLock::waitFor(project / folderOf(batch), stop);
+}
+
 Result<std::string> keepModel(const fs::path& project, const std::string& batch,
                               const fs::path& from) {
   std::error_code failed;
   if (!fs::is_regular_file(from / kModelFiles[0], failed))
     return Error{ErrorCode::Missing, "This model is missing; reprocess its batch.",
                  (from / kModelFiles[0]).string()};
-  const fs::path all = project / folderOf(batch), partial = all / "new.partial";
-  fs::remove_all(partial, failed);
-  fs::create_directories(partial, failed);
-  if (failed) return cannotWrite(partial, failed.value());
+  const fs::path all = project / folderOf(batch), unfinished = all / kUnfinished;
+  if (const Result<void> made = makeFolder(unfinished); !made) return made.error();
+  const struct Emptied {
+    const fs::path& folder;
+    ~Emptied() {
+      std::error_code in_use;
+      fs::remove(folder, in_use);  // only if nothing is left in it
+    }
+  } emptied{unfinished};
+  const Result<ScratchFolder> scratch = ScratchFolder::make("model", unfinished);
+  if (!scratch) return scratch.error();
+  const fs::path partial = scratch->path() / "content";  // readable for others, unlike the folder
+  if (const Result<void> made = makeFolder(partial); !made) return made.error();
   for (const char* name : kModelFiles)
     if (fs::is_regular_file(from / name, failed))
       if (const Result<void> named = secondName(from / name, partial / name); !named)
@@ -62,9 +94,7 @@ Result<std::string> keepModel(const fs::path& project, const std::string& batch,
   // Of what was kept, not of what may lie in `from` by now.
   const Result<std::string> name = nameOf(partial);
   if (!name) return name.error();
-  if (const Result<std::string> there = nameOf(all / *name); there && *there == *name) {
-    fs::remove_all(partial, failed);
-  } else {
+  if (const Result<std::string> there = nameOf(all / *name); !there || *there != *name) {
     fs::remove_all(all / *name, failed);  // damaged since
     fs::rename(partial, all / *name, failed);
     if (failed) return cannotWrite(all / *name, failed.value());
@@ -75,11 +105,16 @@ Result<std::string> keepModel(const fs::path& project, const std::string& batch,
 }
 
 Result<void> dropUnusedModels(const catalogue::Catalogue& catalogue, const fs::path& project,
-                              const std::string& batch) {
+                              const std::string& batch, const std::set<std::string>& kept) {
+  if (!store::isFolderName(batch))
+    return Error::unusable(
+        "The number of a batch is also the name of its folder; use letters and digits.", batch);
   std::set<std::string> unused;
   std::error_code failed;
   for (const fs::directory_entry& entry : fs::directory_iterator(project / folderOf(batch), failed))
-    unused.insert((folderOf(batch) / entry.path().filename()).generic_string());
+    if (isKept(entry)) unused.insert((folderOf(batch) / entry.path().filename()).generic_string());
+  fs::remove_all(project / folderOf(batch) / kUnfinished, failed);
+  for (const std::string& folder : kept) unused.erase(folder);
   if (unused.empty()) return {};
   const Result<void> dropped = catalogue.database().inTransaction([&] {
     store::Statement shown = catalogue.database().sql(

@@ -108,9 +108,7 @@ class Examination {
     if (sherd.state == records::SherdState::Void && value != sherd.number)
       store::refuse("A void sherd keeps its number.");
     if (value.empty() || value == sherd.number) return;
-    if (value.find_first_of("\r\n\t%") != std::string::npos)
-      store::refuse("A number cannot contain a line break, a tab or '%'.");
-    if (value.size() > 120) store::refuse("A number has at most 120 characters.");
+    store::valueOrThrow(store::checkedNumber(value));
     const Taken taken = takenBy(catalogue_.database(), value);
     const std::string key = store::uniqueKey(value);
     const auto [earlier, first] = numbers_.emplace(key, sherd.row);

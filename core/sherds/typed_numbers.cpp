@@ -180,6 +180,9 @@ Result<void> setTypedNumbers(const catalogue::Catalogue& catalogue, store::Batch
         store::refuse("The number " + typed.number + " appears on two sherds of this plate.",
                       typed.number);
       if (stood.contains(number)) continue;  // what is wrong with it hinders no other
+      if (store::hasInvisible(typed.number))
+        store::refuse("A number or code cannot contain invisible characters; type it again.",
+                      typed.number);
       const Taken taken = takenBy(database, typed.number);
       const records::SherdRecord holder =
           taken.sherd ? store::valueOrThrow(Sherds(catalogue).get(taken.sherd))

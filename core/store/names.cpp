@@ -142,6 +142,18 @@ std::string slug(std::string_view text) {
   return out.empty() ? "_" : out;
 }
 
+bool isFolderName(std::string_view text) {
+  return !text.empty() && slug(text) == text;
+}
+
+bool hasInvisible(std::string_view text) {
+  for (const char16_t c : wide(text))
+    if ((c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) ||
+        (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF)
+      return true;
+  return false;
+}
+
 std::string trimmed(std::string_view text) {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);

@@ -17,6 +17,12 @@ std::string sortKey(std::string_view text);
 /// A file's name: letters, digits, '-', '.' and '_'; everything else becomes '_'. Never empty,
 /// never hidden, no '%', no line break.
 std::string slug(std::string_view text);
+/// One component of a path that leads nowhere else and that everybody sees: what slug() leaves as
+/// it is. Whatever is deleted below a name is deleted below one of these.
+bool isFolderName(std::string_view text);
+/// Letters that nobody sees: they turn the direction of writing or take no room (U+200B to U+200F,
+/// U+202A to U+202E, U+2066 to U+2069, U+FEFF). In a number they make two of what looks like one.
+bool hasInvisible(std::string_view text);
 /// Without white space at both ends.
 std::string trimmed(std::string_view text);
 

@@ -217,6 +217,46 @@ std::vector<std::string> termsFromJson(std::string_view text) {
   return terms;
 }
 
+Result<std::string> checkedNumber(std::string_view number) {
+  if (number.find_first_of("\r\n\t%") != std::string_view::npos)
+    return Error::unusable("A number cannot contain a line break, a tab or '%'.");
+  if (hasInvisible(number))
+    return Error::unusable("A number or code cannot contain invisible characters; type it again.");
+  if (number.size() > 120) return Error::unusable("A number has at most 120 characters.");
+  return std::string(number);
+}
+
+namespace {
+
+// Also with an ending: CON.txt is the console.
+bool isDevice(std::string_view name) {
+  const std::string key = uniqueKey(name.substr(0, name.find('.')));
+  constexpr std::string_view kDevices[] = {"con", "prn", "aux", "nul"};
+  if (std::find(std::begin(kDevices), std::end(kDevices), key) != std::end(kDevices)) return true;
+  return key.size() == 4 && (key.starts_with("com") || key.starts_with("lpt")) && isDigit(key[3]);
+}
+
+std::size_t lettersOf(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+  }));
+}
+
+}  // namespace
+
+Result<std::string> checkedBatchNumber(std::string_view number) {
+  constexpr std::size_t kMostLetters = 64;
+  const std::string_view digits = number.substr(number.starts_with('B') ? 1 : number.size());
+  const auto counted = static_cast<std::size_t>(
+      std::find_if_not(digits.begin(), digits.end(), isDigit) - digits.begin());
+  if (isFolderName(number) && !hasInvisible(number) && !number.ends_with('.') &&
+      !isDevice(number) && lettersOf(number) <= kMostLetters && counted <= kBatchDigits)
+    return std::string(number);
+  return Error::unusable(
+      "The number of a batch is also the name of its folder; use letters and digits.",
+      std::string(number));
+}
+
 Result<std::string> checkedPath(std::string_view typed) {
   if (!isUtf8(typed))
     return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");

@@ -28,6 +28,14 @@ std::string joinTerms(const std::vector<std::string>& terms);
 /// A JSON array of texts, and back; what is no array of texts reads as empty.
 std::string termsJson(const std::vector<std::string>& terms);
 std::vector<std::string> termsFromJson(std::string_view json);
+/// The number of a sherd: one line without '%' and without letters that nobody sees, of at most 120
+/// bytes.
+Result<std::string> checkedNumber(std::string_view number);
+/// The number of a new batch, which names its folders on any system: a folder's name without
+/// letters that nobody sees, of at most 64 characters, not one of those that Windows keeps for
+/// devices, and after a B at most kBatchDigits digits. What is read must only be a folder's name.
+constexpr std::size_t kBatchDigits = 9;
+Result<std::string> checkedBatchNumber(std::string_view number);
 /// A ContainedPath in UTF-8, composed (NFC).
 Result<std::string> checkedPath(std::string_view path);
 

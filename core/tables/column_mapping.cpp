@@ -14,6 +14,7 @@
 #include "store/names.h"
 #include "store/values.h"
 #include "tables/column_names.h"
+#include "tables/column_numbers.h"
 
 namespace ostraka::tables {
 namespace {
@@ -52,29 +53,24 @@ double leastOwn(const std::string& field) {
   return field == "weight_g" ? 1 : 15;
 }
 
-struct Units {
-  std::string unit;
-  bool guessed = false;
-};
-
-Units proposedUnit(const CsvTable& table, std::size_t column, const std::string& field) {
-  const std::vector<std::string> units = unitsOf(field);
-  if (units.size() < 2) return {units.empty() ? std::string() : units.front(), false};
+// From the values; what each of them says itself needs none.
+void proposeUnit(const CsvTable& table, std::size_t column, ColumnChoice& choice) {
+  const std::vector<std::string> units = unitsOf(choice.field);
+  choice.unit = units.empty() ? std::string() : units.front();
+  if (units.size() < 2) return;
   std::vector<double> values;
-  bool says_itself = true;
   for (const CsvRow& row : table.rows) {
     if (values.size() == kMostLookedAt) break;
-    const std::string value = cell(row, column);
-    if (value.empty() || value.starts_with('<')) continue;
-    if (const Result<double> number = store::parsedNumber(value)) {
-      values.push_back(*number);
-      says_itself = false;
-    }
+    const WrittenNumber written = writtenNumber(cell(row, column));
+    if (!written.unit.empty() || written.text.empty() || written.text.starts_with('<')) continue;
+    if (const Result<double> number = store::parsedNumber(written.text)) values.push_back(*number);
   }
-  if (values.empty()) return {units.front(), !says_itself};
+  choice.unit_idle = values.empty();
+  choice.unit_guessed = !values.empty();
+  if (values.empty()) return;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
-  return {*middle < leastOwn(field) ? units[1] : units[0], true};
+  if (*middle < leastOwn(choice.field)) choice.unit = units[1];
 }
 
 Error noUnit(const std::string& unit, const std::string& field, const std::string& where) {
@@ -108,6 +104,8 @@ class Mapper {
       if (by == ChosenBy::Earlier && !one.field.empty() && isTaken(one.field)) continue;
       found->field = one.field;
       found->unit = one.unit;
+      found->unit_guessed = one.unit_guessed && !one.unit.empty();  // seen, but not chosen
+      found->unit_idle = one.unit_idle && !one.unit.empty();
       found->by = by;
     }
     return {};
@@ -187,11 +185,11 @@ class Mapper {
                      "The columns '" + mapping_.columns[i].column + "' and '" + choice.column +
                          "' are both for the field " + choice.field + "; leave one of them out.",
                      where_};
-    if (choice.unit.empty()) {
-      const Units units = proposedUnit(table_, at, choice.field);
-      choice.unit = units.unit;
-      choice.unit_guessed = units.guessed;
-    }
+    if (choice.unit.empty())
+      if (const std::string said = nameAndUnit(choice.column).unit;
+          !said.empty() && holds(unitsOf(choice.field), said))
+        choice.unit = said;
+    if (choice.unit.empty()) proposeUnit(table_, at, choice);
     if (!choice.unit.empty() && !holds(unitsOf(choice.field), choice.unit))
       return noUnit(choice.unit, choice.field, where_);
     return {};
@@ -202,6 +200,11 @@ class Mapper {
   TableMapping mapping_;
 };
 
+std::string textIn(const json& choice, const char* name) {
+  const auto found = choice.find(name);
+  return found != choice.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
 std::vector<ColumnChoice> remembered(const catalogue::Catalogue& catalogue, const CsvTable& table) {
   const Result<std::string> text = catalogue::Settings(catalogue).value(settingOf(table.columns));
   std::vector<ColumnChoice> choices;
@@ -209,7 +212,9 @@ std::vector<ColumnChoice> remembered(const catalogue::Catalogue& catalogue, cons
   if (!saved.is_object()) return choices;
   for (const auto& [column, choice] : saved.items())
     if (choice.is_array() && choice.size() == 2 && choice[0].is_string() && choice[1].is_string())
-      choices.push_back({column, choice[0], choice[1]});
+      choices.push_back({column, choice[0]});  // its unit may have been a guess
+    else if (choice.is_object())
+      choices.push_back({column, textIn(choice, "field"), textIn(choice, "unit")});
   return choices;
 }
 
@@ -274,19 +279,20 @@ Result<TableMapping> mapColumns(const catalogue::Catalogue& catalogue, const Csv
   return mapper.finish();
 }
 
-CsvTable mapped(const CsvTable& table, const TableMapping& mapping) {
+CsvTable mapped(const CsvTable& table, const TableMapping& mapping, const NumberRemarks& unclear) {
   CsvTable out;
   out.separator = table.separator;
   for (const ColumnChoice& choice : mapping.columns)
     if (!choice.field.empty()) out.columns.push_back(choice.field);
   for (const CsvRow& row : table.rows) {
     CsvRow values{row.line, {}};
+    const auto remarks = unclear.find(row.line);
     for (std::size_t i = 0; i < mapping.columns.size(); ++i) {
       const ColumnChoice& choice = mapping.columns[i];
       if (choice.field.empty()) continue;
       const std::string value = store::trimmed(unguarded(row.values[i]));
       // A number that is read in two ways is refused as it was written.
-      const bool clear = table.separator != ',' || readsOneWay(value);
+      const bool clear = remarks == unclear.end() || !remarks->second.contains(choice.field);
       values.values.push_back(unitsOf(choice.field).empty() || !clear
                                   ? value
                                   : inOwnUnit(value, choice.unit, choice.field));
@@ -301,7 +307,8 @@ Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping
   json choices = json::object();
   for (const ColumnChoice& choice : mapping.columns) {
     columns.push_back(choice.column);
-    choices[choice.column] = {choice.field, choice.unit};
+    const bool certain = !choice.unit_guessed && !choice.unit_idle;
+    choices[choice.column] = {{"field", choice.field}, {"unit", certain ? choice.unit : ""}};
   }
   return catalogue::Settings(catalogue).setValue(settingOf(columns), choices.dump());
 }

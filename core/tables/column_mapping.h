@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,7 @@ struct ColumnChoice {
   ChosenBy by = ChosenBy::Person;
   bool unit_guessed = false;              ///< from its values: nothing else says it
   std::vector<std::string> samples = {};  ///< the first values that are not blank
+  bool unit_idle = false;                 ///< nothing says it, and no value needs it
   bool isOwn() const { return field.starts_with("extra."); }
 };
 
@@ -37,11 +39,16 @@ struct TableMapping {
 Result<TableMapping> mapColumns(const catalogue::Catalogue& catalogue, const CsvTable& table,
                                 const std::vector<ColumnChoice>& chosen, const std::string& where);
 
-/// The table with the fields' names as columns and all values in the fields' own units; what is
-/// left out is gone. Texts that are no numbers stay as they are. Each row fits the header.
-CsvTable mapped(const CsvTable& table, const TableMapping& mapping);
+/// Sentences about values of a table: line -> field -> sentence.
+using NumberRemarks = std::map<int, std::map<std::string, std::string>>;
 
-/// For the next table with the same columns, in whatever order.
+/// The table with the fields' names as columns and all values in the fields' own units; what is
+/// left out is gone. Texts that are no numbers, and the unclear ones, stay as they are. Each row
+/// fits the header.
+CsvTable mapped(const CsvTable& table, const TableMapping& mapping, const NumberRemarks& unclear);
+
+/// For the next table with the same columns, in whatever order. Of units only those that a person
+/// chose or that a heading says; others are guessed again.
 Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping& mapping);
 
 /// COLUMN=FIELD or COLUMN=FIELD:unit, as typed; FIELD may lack its unit (weight), be extra.NAME, or

@@ -28,7 +28,8 @@ Error unknown(const std::string& what, const std::string& code) {
 // Sets a text from a column: blank keeps, <clear> empties.
 class Values {
  public:
-  Values(const CsvTable& table, const CsvRow& row) : table_(table), row_(row) {}
+  Values(const CsvTable& table, const CsvRow& row, const NumberRemarks& unclear)
+      : table_(table), row_(row), unclear_(unclear) {}
   std::string raw(const std::string& column) const {
     const auto found = std::find(table_.columns.begin(), table_.columns.end(), column);
     if (found == table_.columns.end()) return {};
@@ -61,8 +62,10 @@ class Values {
     if (read == "<clear>") return {};
     const Result<double> parsed = store::parsedNumber(read);
     if (!parsed) return parsed.error();
-    if (table_.separator == ',' && before != *parsed)
-      if (Result<void> clear = readsOneWay(read); !clear) return clear;
+    if (const auto remarks = unclear_.find(row_.line);
+        remarks != unclear_.end() && before != *parsed)
+      if (const auto why = remarks->second.find(column); why != remarks->second.end())
+        return Error::unusable(why->second);
     value = *parsed;
     return {};
   }
@@ -70,6 +73,7 @@ class Values {
  private:
   const CsvTable& table_;
   const CsvRow& row_;
+  const NumberRemarks& unclear_;
 };
 
 template <class Record, class Row>
@@ -79,8 +83,52 @@ Record* byRow(std::vector<Record>& records, Row row) {
   return found == records.end() ? nullptr : &*found;
 }
 
-Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values,
-                      const records::Provenance& provenance) {
+void compare(std::vector<ChangedValue>& changed, const std::string& name, const char* field,
+             const std::string& before, const std::string& after) {
+  if (before != after) changed.push_back({name, field, before, after});
+}
+
+std::string placeOf(const records::ContextRecord& context) {
+  return context.site_code + " " + (context.trench_code.empty() ? "" : context.trench_code + " ") +
+         context.number;
+}
+
+std::vector<ChangedValue> differences(const records::ContextRecord& before,
+                                      const records::ContextRecord& after) {
+  std::vector<ChangedValue> changed;
+  const std::string name = placeOf(after);
+  compare(changed, name, "kind", before.kind, after.kind);
+  compare(changed, name, "excavated_on", before.excavated_on, after.excavated_on);
+  compare(changed, name, "period", before.period, after.period);
+  compare(changed, name, "date_edtf", before.date_edtf, after.date_edtf);
+  compare(changed, name, "closed", before.closed ? "yes" : "no", after.closed ? "yes" : "no");
+  compare(changed, name, "note", before.note, after.note);
+  compare(changed, name, "extra", before.extra_json, after.extra_json);
+  return changed;
+}
+
+std::string countText(const std::optional<int>& count) {
+  return count ? std::to_string(*count) : std::string();
+}
+
+std::string weightText(const std::optional<double>& weight) {
+  return weight ? store::numberText(*weight) : std::string();
+}
+
+void addDifferences(std::vector<ChangedValue>& changed, const std::string& place,
+                    const records::BagRecord& before, const records::BagRecord& after) {
+  const std::string name = place + ", bag " + after.number;
+  compare(changed, name, "collected_on", before.collected_on, after.collected_on);
+  compare(changed, name, "storage", before.storage, after.storage);
+  compare(changed, name, "weight_g", weightText(before.weight_g), weightText(after.weight_g));
+  compare(changed, name, "count_written", countText(before.count_written),
+          countText(after.count_written));
+}
+
+// What was there before, and is another now.
+Result<std::vector<ChangedValue>> enterRow(Catalogue& catalogue, Places& places,
+                                           const Values& values,
+                                           const records::Provenance& provenance) {
   const auto row = places.context(values.raw("site"), values.raw("trench"), values.raw("context"));
   if (!row) return row.error();
   Result<records::ContextRecord> found = catalogue::Places(catalogue).context(*row);
@@ -98,47 +146,58 @@ Result<void> enterRow(Catalogue& catalogue, Places& places, const Values& values
   context.extra_json = values.extra(context.extra_json);
   if (const auto saved = catalogue::Places(catalogue).save(context, provenance); !saved)
     return saved.error();
+  std::vector<ChangedValue> changed = differences(*found, context);
   const std::string number = values.raw("bag");
-  if (number.empty()) return {};
+  if (number.empty()) return changed;
   const auto bag_row = places.bag(*row, number);
   if (!bag_row) return bag_row.error();
   Result<std::vector<records::BagRecord>> bags = catalogue::Places(catalogue).bags(*row);
   if (!bags) return bags.error();
-  records::BagRecord bag = *byRow(*bags, *bag_row);
+  const records::BagRecord before = *byRow(*bags, *bag_row);
+  records::BagRecord bag = before;
   values.text("collected_on", bag.collected_on);
   values.text("storage", bag.storage);
-  if (Result<void> weight = values.number("weight_g", bag.weight_g); !weight) return weight;
+  if (Result<void> weight = values.number("weight_g", bag.weight_g); !weight) return weight.error();
   std::optional<double> count;
   if (bag.count_written) count = *bag.count_written;
-  if (Result<void> counted = values.number("count_written", count); !counted) return counted;
+  if (Result<void> counted = values.number("count_written", count); !counted)
+    return counted.error();
   if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count)))
     return Error{ErrorCode::UnusableInput, "The column count_written accepts a whole number.", {}};
   bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
-  const auto saved = catalogue::Places(catalogue).save(bag, provenance);
-  return saved ? Result<void>() : saved.error();
+  if (const auto saved = catalogue::Places(catalogue).save(bag, provenance); !saved)
+    return saved.error();
+  addDifferences(changed, placeOf(context), before, bag);
+  return changed;
 }
 
 // Each row whole or not at all, and what became of it.
 class ContextRows {
  public:
-  ContextRows(Catalogue& catalogue, const CsvTable& table, const records::Provenance& provenance,
-              ImportReport& report)
+  ContextRows(Catalogue& catalogue, const CsvTable& table, const NumberRemarks& unclear,
+              const records::Provenance& provenance, ImportReport& report)
       : catalogue_(catalogue),
         table_(table),
+        unclear_(unclear),
         provenance_(provenance),
         report_(report),
         places_(catalogue, UnknownPlaces::Make, provenance) {
   }  // a table of contexts is there to make them
 
   Result<void> row(const CsvRow& row) {
-    const Values values(table_, row);
+    const Values values(table_, row, unclear_);
     const auto known =
         catalogue::Places(catalogue_)
             .contextByPlace(values.raw("site"), values.raw("trench"), values.raw("context"));
     const bool fresh = !known || !*known;
     const std::int64_t before = History(catalogue_).length();
-    const Result<void> entered =
-        catalogue_.together([&] { return enterRow(catalogue_, places_, values, provenance_); });
+    std::vector<ChangedValue> changed_values;
+    const Result<void> entered = catalogue_.together([&]() -> Result<void> {
+      auto done = enterRow(catalogue_, places_, values, provenance_);
+      if (!done) return done.error();
+      changed_values = std::move(*done);
+      return {};
+    });
     if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
     if (!entered) {
       places_.forget();
@@ -148,6 +207,9 @@ class ContextRows {
     }
     const bool changed = History(catalogue_).length() > before;
     ++(fresh ? report_.fresh : changed ? report_.changed : report_.same);
+    if (!fresh && changed)
+      report_.changed_values.insert(report_.changed_values.end(), changed_values.begin(),
+                                    changed_values.end());
     report_.rows.emplace_back(row.line, fresh     ? RowFate::Fresh
                                         : changed ? RowFate::Changed
                                                   : RowFate::Same);
@@ -166,6 +228,7 @@ class ContextRows {
 
   Catalogue& catalogue_;
   const CsvTable& table_;
+  const NumberRemarks& unclear_;
   const records::Provenance& provenance_;
   ImportReport& report_;
   Places places_;
@@ -251,11 +314,11 @@ Result<store::BagRow> Places::bag(store::ContextRow context, const std::string& 
 }
 
 Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
-                                    const ImportOptions& options,
+                                    const NumberRemarks& unclear, const ImportOptions& options,
                                     const records::Provenance& provenance, Progress& progress,
                                     std::stop_token stop) {
   ImportReport report;
-  ContextRows entering(catalogue, table, provenance, report);
+  ContextRows entering(catalogue, table, unclear, provenance, report);
   const Result<std::size_t> entered =
       enterInPortions(catalogue, table.rows.size(), options, progress, stop,
                       [&](std::size_t i) { return entering.row(table.rows[i]); });

@@ -239,10 +239,11 @@ std::string unguarded(std::string_view text) {
 
 namespace {
 
+// With a fourth digit behind the mark: what is offered can be read in one way.
 Error inTwoWays(const std::string& whole, char mark, const std::string& rest) {
   const char decimal = mark == ',' ? '.' : ',';
   return Error::unusable("'" + whole + mark + rest + "' can be read as " + whole + rest +
-                         " or as " + whole + decimal + rest + "; write one of the two.");
+                         " or as " + whole + decimal + rest + "0; write one of the two.");
 }
 
 }  // namespace

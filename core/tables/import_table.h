@@ -22,14 +22,17 @@ enum class ImportMode { Preview, Enter };
 enum class UnknownPlaces { Refuse, Make };
 /// Rows with a measured value that the catalogue asks about (ChangePreview::question).
 enum class AskedRows { Hold, Enter };
+/// A table with columns whose unit nothing says: ColumnChoice::unit_guessed.
+enum class GuessedUnits { Hold, Enter };
 
 struct ImportOptions {
   ImportMode mode = ImportMode::Preview;
   UnknownPlaces unknown_places = UnknownPlaces::Refuse;
   std::string source = {};  ///< name of the table, for unfinishedImports()
   AskedRows asked_rows = AskedRows::Hold;
-  std::set<int> confirmed_lines = {};      ///< of them, those that enter all the same
-  std::vector<ColumnChoice> columns = {};  ///< of importTable; the others are proposed
+  std::set<int> confirmed_lines = {};               ///< of them, those that enter all the same
+  std::vector<ColumnChoice> columns = {};           ///< of importTable; the others are proposed
+  GuessedUnits guessed_units = GuessedUnits::Hold;  ///< Enter: a person has seen them
 };
 
 constexpr const char* kClear = "<clear>";
@@ -44,12 +47,18 @@ struct ImportRow {
   store::BatchRow batch = {};
   /// Columns of numbers that persons took, the others are a program's; none: nothing is said.
   std::optional<std::set<std::string>> by_hand = {};
-  bool comma_separates = false;  ///< the columns of its table, see readsOneWay
+  /// Field -> why its value is not read, or why a person is asked about it, if it changes anything.
+  std::map<std::string, std::string> unclear = {}, doubtful = {};
 };
 
 struct Refusal {
   int line = 0;
   std::string column, value, reason;
+};
+/// A value that was there, and what takes its place; as texts of sherdFields().
+struct ChangedValue {
+  std::string name;  ///< the sherd's number, or its uuid; of a context: its place
+  std::string field, old_value, new_value;
 };
 enum class RowFate { Fresh, Same, Changed, Refused, Asked };
 struct ImportReport {
@@ -58,10 +67,12 @@ struct ImportReport {
   int not_reached = 0;  ///< rows of which nothing is entered, since the import was stopped
   std::vector<Refusal> refusals, questions;
   std::vector<std::string> warnings;
-  TableMapping mapping = {};                  ///< of a table
+  TableMapping mapping = {};  ///< of a table
+  bool held = false;          ///< nothing is entered before a person states the guessed units
   std::vector<std::pair<int, RowFate>> rows;  ///< line of a table, and what becomes of it
   /// Of sherds that were there before: what is changed, and what takes it back, in order.
   std::vector<records::FieldChange> changes, undo;
+  std::vector<ChangedValue> changed_values;  ///< of rows that count as changed
 };
 
 /// Refused rows stay out, the others enter, each of them whole, some at a time so that others can
@@ -75,6 +86,7 @@ Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
 
 /// A table of sherds (a column has their numbers or uuids) or of contexts (site, trench, context,
 /// bag ...), as CSV; its columns go where mapColumns says, which is remembered once they entered.
+/// Entering is only a preview (ImportReport::held) while a unit is guessed and nobody has seen it.
 /// Errors: what parseCsv and mapColumns refuse, a column that is there twice.
 Result<ImportReport> importTable(catalogue::Catalogue& catalogue, std::string_view bytes,
                                  const std::string& where, const ImportOptions& options,
@@ -97,10 +109,9 @@ std::string refusalsCsv(const ImportReport& report);
 Result<void> previewOrEnter(catalogue::Catalogue& catalogue, ImportMode mode,
                             const std::function<Result<void>()>& work);
 
-struct CsvTable;
 /// The second kind of importTable, mapped; stopped and gone on with as importSherds.
 Result<ImportReport> importContexts(catalogue::Catalogue& catalogue, const CsvTable& table,
-                                    const ImportOptions& options,
+                                    const NumberRemarks& unclear, const ImportOptions& options,
                                     const records::Provenance& provenance, Progress& progress,
                                     std::stop_token stop);
 

@@ -8,6 +8,7 @@
 #include "catalogue/settings.h"
 #include "files/cannot_write.h"
 #include "files/files.h"
+#include "files/output_place.h"
 #include "records/numbering.h"
 #include "store/database.h"
 #include "store/file_header.h"
@@ -46,6 +47,22 @@ Result<void> checkFolder(const fs::path& folder) {
                        "and copy backups to the share.",
                    folder);
   return {};
+}
+
+// Folders are made, emptied and removed by the numbers of batches: in a project from elsewhere one
+// may lead out of it.
+Result<void> checkBatchFolders(const catalogue::Catalogue& catalogue) {
+  return catalogue.database().asResult([&] {
+    store::Statement rows = catalogue.database().sql("SELECT number FROM batch");
+    while (rows.next()) {
+      std::string number;
+      rows >> number;
+      if (!store::isFolderName(number))
+        store::refuse(
+            "The number of a batch is also the name of its folder; use letters and digits.",
+            number);
+    }
+  });
 }
 
 Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
@@ -87,6 +104,7 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
   const Result<records::ProjectRecord> record = catalogue::Settings(*catalogue).project();
   if (!record) return record.error();
   if (record->id.empty()) return store::damagedCatalogue("it contains no project", file);
+  if (const Result<void> safe = checkBatchFolders(*catalogue); !safe) return safe.error();
   return catalogue;
 }
 
@@ -107,6 +125,7 @@ bool isFree(const fs::path& folder) {
 
 Result<Project> Project::create(const fs::path& folder, const records::ProjectRecord& record,
                                 const catalogue::Catalogue::Clock& clock) {
+  if (const Result<void> good = checkOutputPlace(folder); !good) return good.error();
   std::error_code code;
   const bool there = fs::exists(folder, code);
   if (there && (!fs::is_directory(folder, code) || !isFree(folder)))

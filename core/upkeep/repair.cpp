@@ -14,6 +14,7 @@
 #include "store/file_header.h"
 #include "store/migrations.h"
 #include "store/partial_file.h"
+#include "store/schema_check.h"
 #include "upkeep/backups.h"
 #include "upkeep/page_repair.h"
 #include "upkeep/project.h"
@@ -120,6 +121,7 @@ class Repair {
     backups_ = backupsOf(project_);
     for (const fs::path& backup : backups_) {
       if (stop_.stop_requested()) return Error::cancelled();
+      if (!store::checkSchema(backup)) continue;  // it may have come with a stranger's archive
       const Result<catalogue::Catalogue> catalogue =
           opened(backup, store::Database::Mode::ReadOnly);
       if (!catalogue || !catalogue->checkIntegrity()) continue;

@@ -1,5 +1,6 @@
 // `ostraka catalogue` as a person uses it, from an empty project to an archive that comes back.
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +14,7 @@
 
 #include "catalogue/catalogue.h"
 #include "catalogue/files.h"
+#include "catalogue/settings.h"
 #include "files/files.h"
 #include "records/sherd.h"
 #include "upkeep/project.h"
@@ -49,6 +51,25 @@ class CatalogueCommand : public testing::Test {
     said_ = nlohmann::json::parse(text, nullptr, false);
     const int status = ::pclose(pipe);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  /// What it says to a person.
+  std::string words(const std::string& arguments) {
+    const std::string command =
+        std::string(OSTRAKA_PROGRAM) + " --quiet catalogue " + arguments + " 2>&1";
+    std::FILE* pipe = ::popen(command.c_str(), "r");
+    std::string text;
+    std::array<char, 4096> buffer;
+    while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
+      text.append(buffer.data(), n);
+    ::pclose(pipe);
+    return text;
+  }
+  void put(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  std::string bytesOf(const std::string& name) { return *ostraka::readFile(folder_ / name); }
+  std::string import(const std::string& table) {
+    return "import " + at("p") + " " + at(table) + " --make-places ";
   }
   fs::path folder_;
   nlohmann::json said_;
@@ -147,6 +168,124 @@ TEST_F(CatalogueCommand, RefusesAnArchiveThatWouldWriteOutsideItsProject) {
   tags.close();
   EXPECT_EQ(run("restore " + at("archive") + " -o " + at("home/project")), 2);
   EXPECT_FALSE(fs::exists(folder_ / "home"));
+}
+
+TEST_F(CatalogueCommand, WritesRefusalsOverNothingButEarlierOnes) {
+  put("photo.jpg", "JPEG");
+  put("empty.csv", "");
+  fs::create_directories(folder_ / "folder");
+  ASSERT_EQ(run("export " + at("p") + " -o " + at("out") + " --forms csv"), 2) << "no sherds yet";
+  ASSERT_EQ(run(import("sherds.csv") + "--enter"), 1);
+  ASSERT_EQ(run("export " + at("p") + " -o " + at("out") + " --forms csv"), 0);
+  put("second.csv", "number,site,trench,context\nX-9,ARM1,T3,0012\n");
+  const std::string catalogue = bytesOf("p/catalogue.sqlite");
+  const std::string manifest = bytesOf("out/manifest-sha256.txt");
+  for (const char* target :
+       {"photo.jpg", "empty.csv", "folder", "second.csv", "p/catalogue.sqlite", "p/new.csv",
+        "out/manifest-sha256.txt", "out/data/new.csv", "none/new.csv"}) {
+    EXPECT_EQ(run(import("second.csv") + "--enter --refusals " + at(target)), 2) << target;
+    const std::string name =
+        fs::path(target).parent_path() == "none" ? "none" : fs::path(target).filename().string();
+    EXPECT_NE(said_["error"].get<std::string>().find(name), std::string::npos) << said_["error"];
+  }
+  EXPECT_EQ(run(import("second.csv") + "--refusals " + at("photo.jpg")), 2) << "nor a preview";
+  EXPECT_EQ(bytesOf("photo.jpg"), "JPEG");
+  EXPECT_EQ(bytesOf("p/catalogue.sqlite"), catalogue) << "nothing was entered";
+  EXPECT_EQ(bytesOf("out/manifest-sha256.txt"), manifest);
+  EXPECT_FALSE(fs::exists(folder_ / "none"));
+  EXPECT_FALSE(fs::exists(folder_ / "p/new.csv"));
+  EXPECT_EQ(run(import("sherds.csv") + "--refusals " + at("why.csv")), 1);
+  EXPECT_NE(bytesOf("why.csv").find("wing"), std::string::npos);
+  EXPECT_EQ(run(import("second.csv") + "--refusals " + at("why.csv")), 0);
+  EXPECT_EQ(bytesOf("why.csv"), "line,column,value,reason\r\n") << "its own earlier table";
+}
+
+TEST_F(CatalogueCommand, EntersNoGuessedUnit) {
+  const std::string head = "number;site;trench;context;Gewicht\n";
+  put("kg.csv", head + "X-1;ARM1;T3;0012;0,02\nX-2;ARM1;T3;0012;0,4\n");
+  put("g.csv", head + "X-3;ARM1;T3;0012;12,5\nX-4;ARM1;T3;0012;19\n");
+  EXPECT_EQ(run(import("kg.csv")), 3);
+  EXPECT_EQ(run(import("kg.csv") + "--enter"), 3);
+  EXPECT_EQ(said_["entered"], false);
+  EXPECT_EQ(said_["columns"][4]["unit_guessed"], true);
+  EXPECT_EQ(said_["units_to_state"].size(), 1u);
+  const std::string told = words(import("kg.csv") + "--enter");
+  EXPECT_NE(told.find("--map 'Gewicht=weight_g:kg' (or g, kg, mg)"), std::string::npos) << told;
+  EXPECT_NE(told.find("nothing was entered"), std::string::npos) << told;
+  EXPECT_EQ(run(import("kg.csv") + "--enter --map Gewicht=weight:kg"), 0);
+  EXPECT_EQ(said_["new"], 2);
+  EXPECT_EQ(run(import("g.csv") + "--enter --map Gewicht=weight:g"), 0);
+  EXPECT_EQ(said_["new"], 2);
+}
+
+TEST_F(CatalogueCommand, AsksAboutImplausibleMeasurements) {
+  put("rims.csv",
+      "number,site,trench,context,rim_diameter_mm\nX-1,ARM1,T3,0012,24\n"
+      "X-2,ARM1,T3,0012,240\nX-3,ARM1,T3,0012,0.24\n");
+  EXPECT_EQ(run(import("rims.csv") + "--enter"), 3);
+  EXPECT_EQ(said_["to_confirm"], 3);
+  EXPECT_EQ(run(import("rims.csv") + "--enter --confirm 3"), 3);
+  EXPECT_EQ(said_["new"], 1);
+}
+
+TEST_F(CatalogueCommand, SaysWhichValuesChange) {
+  std::string table = "number,site,trench,context,ware\n", other = table;
+  for (int i = 10; i < 35; ++i) {
+    const std::string row = "X-" + std::to_string(i) + ",ARM1,T3,0012,";
+    table += row + "grey\n";
+    other += row + "cooking\n";
+  }
+  put("first.csv", table);
+  put("other.csv", other);
+  ASSERT_EQ(run(import("first.csv") + "--enter"), 0);
+  const std::string told = words(import("other.csv"));
+  EXPECT_NE(told.find("X-10, ware: 'grey' becomes 'cooking'"), std::string::npos) << told;
+  EXPECT_NE(told.find("5 more values change"), std::string::npos) << told;
+  EXPECT_EQ(run(import("other.csv")), 0);
+  EXPECT_EQ(said_["changes"].size(), 25u);
+  EXPECT_EQ(said_["changes"][0]["old"], "grey");
+}
+
+TEST_F(CatalogueCommand, ThatIsInterruptedIsNotWhole) {
+  std::string table = "number,site,trench,context,ware\n";
+  for (int i = 0; i < 40'000; ++i) table += "X-" + std::to_string(i) + ",ARM1,T3,0012,grey\n";
+  put("long.csv", table);
+  const std::string project = (folder_ / "p").string(), file = (folder_ / "long.csv").string();
+  const pid_t program = ::fork();
+  if (program == 0) {
+    ::execl(OSTRAKA_PROGRAM, OSTRAKA_PROGRAM, "--quiet", "catalogue", "import", project.c_str(),
+            file.c_str(), "--enter", "--make-places", nullptr);
+    ::_exit(127);
+  }
+  ASSERT_GT(program, 0);
+  const auto begun = [&] {  // the first rows are in
+    const auto opened = upkeep::Project::connect(folder_ / "p");
+    const auto kept = opened ? catalogue::Settings(*opened).value("import.unfinished")
+                             : ostraka::Result<std::string>(std::string());
+    return kept && !kept->empty();
+  };
+  int status = 0;
+  bool ended = false;
+  while (!ended && !begun()) {
+    ::usleep(20'000);
+    ended = ::waitpid(program, &status, WNOHANG) != 0;
+  }
+  ASSERT_FALSE(ended) << status;
+  ::kill(program, SIGINT);
+  ASSERT_EQ(::waitpid(program, &status, 0), program);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+}
+
+TEST_F(CatalogueCommand, NamesTheFormsWithoutAnyFile) {
+  ASSERT_EQ(run(import("sherds.csv") + "--enter"), 1);
+  EXPECT_EQ(run("export " + at("p") + " -o " + at("both") + " --forms csv,ply,glb"), 0);
+  EXPECT_EQ(said_["forms_without_file"], nlohmann::json({"glb", "ply"}));
+  EXPECT_EQ(run("export " + at("p") + " -o " + at("none") + " --forms ply,glb"), 1);
+  const std::string told = words("export " + at("p") + " -o " + at("once") + " --forms csv,ply");
+  EXPECT_NE(told.find("No file of these forms, since the sherds have none: ply."),
+            std::string::npos)
+      << told;
 }
 
 }  // namespace

@@ -124,6 +124,14 @@ TEST_F(CommandLine, WhatCannotBeACommandLineGetsOneSentenceThatNamesIt) {
       {"process A -o", {"--output needs a value"}},
       {"plate -o x.pdf --diameter wide", {"--diameter takes a number; not 'wide'"}},
       {"plate -o x.txt", {"x.txt", "ends in .pdf"}},
+      {"catalogue new -o x --cod KL3",
+       {"'--cod' is not an option of ostraka catalogue new; the nearest is '--code'"}},
+      {"process A -o x --zzzzzzzz 3", {"'--zzzzzzzz' is not an option of ostraka process. See"}},
+      {"catalogue imprt P", {"not expected: imprt; the nearest command is 'import'"}},
+      {"proces A", {"the nearest command is 'process'"}},
+      {"process A -o x --marker-mm zwanzig",
+       {"--marker-mm takes a number from", "'zwanzig' is not a number"}},
+      {"process A -o x --marker-mm 5000", {"takes a number from 0.5 to 1000; not '5000'"}},
       {"rig", {"ostraka rig needs one of its commands: calibrate, predict, simulate"}}};
   for (const auto& [line, words] : lines) {
     const Outcome refused = run(line);

@@ -11,7 +11,7 @@
 
 #include "cloud/ply.h"
 #include "review/live_pairs.h"
-#include "ui/frame/look.h"
+#include "ui/look/look.h"
 #include "ui/viewport/gl_canvas.h"
 #include "ui/viewport/sherd_view.h"
 

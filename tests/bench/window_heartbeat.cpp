@@ -29,8 +29,8 @@
 #include <vector>
 
 #include "catalogue/batches.h"
-#include "ui/frame/look.h"
 #include "ui/jobs/job.h"
+#include "ui/look/look.h"
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/viewport/sherd_view.h"

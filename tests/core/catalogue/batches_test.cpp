@@ -1,9 +1,12 @@
+#include <filesystem>
+
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "catalogue/history.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "small_project.h"
+#include "store/database.h"
 
 namespace ostraka::catalogue {
 namespace {
@@ -24,6 +27,28 @@ TEST_F(BatchesTest, AreNumberedOneAfterTheOther) {
   EXPECT_FALSE(Batches(catalogue()).add(again, anna));
   again.number = "../B1";
   EXPECT_FALSE(Batches(catalogue()).add(again, anna));
+}
+
+TEST_F(BatchesTest, TheNextNumberNeverOverflows) {
+  records::BatchRecord far;
+  far.number = "B9223372036854775807";
+  EXPECT_FALSE(Batches(catalogue()).add(far, anna));
+  catalogue().database().script(
+      "INSERT INTO batch (id, created_at, updated_at, number, state) VALUES ('x', 1, 1, "
+      "'B9223372036854775807', 'done')");
+  EXPECT_EQ(*Batches(catalogue()).nextNumber(), "B0001") << "one from elsewhere counts for nothing";
+  far.number = "B999999999";
+  ASSERT_TRUE(Batches(catalogue()).add(far, anna));
+  EXPECT_EQ(Batches(catalogue()).get(newBatch({}))->number, "B0001");
+  EXPECT_EQ(Batches(catalogue()).get(newBatch({}))->number, "B0002");
+}
+
+TEST_F(BatchesTest, TheNextNumberHasNoFolderYet) {
+  for (const char* folder : {"batches/B0001", "results/B0002", "models/B0003", "batches/B0005"})
+    std::filesystem::create_directories(project_->folder() / folder);
+  EXPECT_EQ(*Batches(catalogue()).nextNumber(), "B0004");
+  EXPECT_EQ(Batches(catalogue()).get(newBatch({}))->number, "B0004");
+  EXPECT_EQ(Batches(catalogue()).get(newBatch({}))->number, "B0006");
 }
 
 TEST_F(BatchesTest, AStateIsKeptWithWhoAndWhen) {

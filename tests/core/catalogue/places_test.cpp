@@ -83,6 +83,20 @@ TEST_F(PlacesTest, WhatCannotBeIsRefused) {
   EXPECT_FALSE(Places(catalogue()).save(b, anna));
 }
 
+TEST_F(PlacesTest, ACodeHasNoLettersThatNobodySees) {
+  records::SiteRecord turned;
+  turned.code = "ARM\u202E2";
+  turned.name = "Hill";
+  EXPECT_FALSE(Places(catalogue()).save(turned, anna));
+  turned.code = "ARM2";
+  turned.name = "\u200FHill";
+  EXPECT_TRUE(Places(catalogue()).save(turned, anna)) << "a name may need them";
+  records::ContextRecord context;
+  context.site = site;
+  context.number = "0014\u200B";
+  EXPECT_FALSE(Places(catalogue()).save(context, anna));
+}
+
 TEST_F(PlacesTest, AChangeIsInTheHistoryOnce) {
   records::SiteRecord s = Places(catalogue()).sites()->front();
   s.name = "Long hill";

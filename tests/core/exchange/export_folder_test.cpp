@@ -10,6 +10,7 @@
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/sherds.h"
+#include "store/database.h"
 #include "tables/csv.h"
 
 namespace ostraka::exchange {
@@ -354,6 +355,29 @@ TEST_F(Export, AModelThatIsNotTheOneEnteredStopsIt) {
   }
   EXPECT_FALSE(fs::exists(folder_.path() / "out"));
   EXPECT_FALSE(fs::exists(folder_.path() / "out.partial"));
+}
+
+TEST_F(Export, NamesTheValueThatNoFileCanHold) {
+  catalogue().database().script("UPDATE sherd_measure SET weight = 9e999 WHERE sherd = 1");
+  for (const Form form : {Form::Csv, Form::Ods}) {
+    const Result<Exported> endless = exportTo("out", {form});
+    ASSERT_FALSE(endless);
+    EXPECT_EQ(endless.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(endless.error().where, "ARM1-T3-0012-0001, weight_g");
+  }
+  catalogue().database().script(
+      "UPDATE sherd_measure SET weight = 23.4 WHERE sherd = 1; UPDATE sherd SET ware = "
+      "CAST(x'ff' AS TEXT) WHERE row = 2");
+  EXPECT_EQ(exportTo("out", {Form::Csv}).error().where, "ARM1-T3-0012-0002, ware");
+  EXPECT_EQ(exportTo("out", {Form::Ods}).error().where, "ARM1-T3-0012-0002, ware");
+  EXPECT_EQ(exportTo("out", {Form::Json}).error().where, "ARM1-T3-0012-0002/description/ware");
+  catalogue().database().script(
+      "UPDATE sherd SET ware = '' WHERE row = 2; UPDATE site SET name = CAST(x'ff' AS TEXT)");
+  const Result<Exported> json = exportTo("out", {Form::Json});
+  ASSERT_FALSE(json);
+  EXPECT_EQ(json.error().what, "The text is not valid UTF-8 or contains a zero byte.");
+  EXPECT_THAT(json.error().where, testing::StartsWith("metadata/places.json/"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "out"));
 }
 
 TEST_F(Export, CanBeStoppedAndLeavesNothing) {

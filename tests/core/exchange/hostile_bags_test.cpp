@@ -306,9 +306,27 @@ std::vector<Attack> attacksByRecords() {
                    nlohmann::json batches = bag.json("data/metadata/batches.json");
                    nlohmann::json& files = batches["batches"][0]["files"];
                    files.push_back(files[0]);
+                   const std::string read_me = *readFile(bag.folder() / "data/README.txt");
                    files[1]["at"] = "README.txt";
+                   files[1]["sha256"] = sha256(read_me);
+                   files[1]["bytes"] = read_me.size();
                    bag.put("data/metadata/batches.json", batches.dump());
                  }});
+  for (const auto& [key, value] :
+       {std::pair<std::string, nlohmann::json>("sha256", std::string(64, '0')), {"bytes", 7}}) {
+    all.push_back({"a photograph with another " + key, [=](MendedBag& bag) {
+                     nlohmann::json batches = bag.json("data/metadata/batches.json");
+                     batches["batches"][0]["files"][0][key] = value;
+                     bag.put("data/metadata/batches.json", batches.dump());
+                   }});
+    all.push_back({"a model with another " + key, [=](MendedBag& bag) {
+                     const std::string record = "data/sherds/ARM1-T3-0012-0001.json";
+                     nlohmann::json sherd = bag.json(record);
+                     sherd["files"][0][key] = value;
+                     bag.put(record, sherd.dump());
+                   }});
+  }
+  all.push_back(numbered("B9223372036854775807"));
   all.push_back({"records behind a link", [](MendedBag& bag) {
                    fs::rename(bag.folder() / "data/sherds", bag.folder() / "sherds");
                    fs::create_directory_symlink("../sherds", bag.folder() / "data/sherds");

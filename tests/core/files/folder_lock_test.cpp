@@ -4,7 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <optional>
+#include <thread>
 
 namespace ostraka {
 namespace {
@@ -23,6 +25,28 @@ TEST_F(FolderLocks, OneHolderAtATimeAndTheSecondIsToldWhich) {
   EXPECT_NE(second.error().sentence().find(folder.string()), std::string::npos);
   first.reset();
   EXPECT_TRUE(FolderLock::take(folder).has_value());
+}
+
+TEST_F(FolderLocks, WhoWaitsGetsItWhenTheHolderEndsOrIsStopped) {
+  std::optional<Result<FolderLock>> first = FolderLock::take(folder);
+  std::stop_source stop;
+  std::thread person([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(80));
+    stop.request_stop();
+  });
+  const Result<FolderLock> stopped = FolderLock::waitFor(folder, stop.get_token());
+  person.join();
+  ASSERT_FALSE(stopped.has_value());
+  EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  std::thread holder([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(80));
+    first.reset();
+  });
+  const Result<FolderLock> next = FolderLock::waitFor(folder, {});
+  holder.join();
+  ASSERT_TRUE(next.has_value());
+  EXPECT_TRUE(next->stands());
+  EXPECT_FALSE(FolderLock::take(folder).has_value());
 }
 
 TEST_F(FolderLocks, ALinkInThePlaceOfTheLockIsRefusedAndNotFollowed) {

@@ -19,6 +19,7 @@ class ApplyDecision : public catalogue::SmallProject {
  protected:
   ApplyDecision() : out_(pipeline::writeSyntheticOut(project_->resultsFolder("B0001"), {})) {
     records::BatchRecord batch;
+    batch.number = "B0001";
     batch.state = records::BatchState::Review;
     batch_ = catalogue::valueIn(catalogue::Batches(catalogue()).add(batch, anna));
     for (const auto* side : {&out_.table.fronts, &out_.table.backs})

@@ -3,8 +3,12 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "catalogue/batches.h"
+#include "catalogue/files.h"
 #include "files/files.h"
+#include "files/json.h"
 #include "intake/computed_again.h"
 #include "sherds/measurements.h"
 #include "sherds/sherds.h"
@@ -78,6 +82,23 @@ TEST_F(ComputeBatch, AnotherNumberOfSherdsThanWasCountedIsSaid) {
   ASSERT_TRUE(catalogue::Batches(catalogue()).save(record, anna));
   EXPECT_EQ(compute(notes).counted, 3);
   EXPECT_THAT(notes.said, testing::HasSubstr("Sherds counted on the plate: 3."));
+}
+
+TEST_F(ComputeBatch, PhotographsThatWentAwayWhileItWaitedAreNamedInTheResults) {
+  for (const char* name : {"IMG_1.jpg", "IMG_2.jpg"}) {
+    records::FileRecord file;
+    file.path = std::string("batches/B0001/front/") + name;
+    file.sha256 = sha256(name);
+    file.media_type = "image/jpeg";
+    file.role = "photo";
+    file.batch = batch;
+    ASSERT_TRUE(catalogue::Files(catalogue()).save(file, anna));
+  }
+  ASSERT_TRUE(writeFileAtomically(project_->batchFolder("B0001") / "front/IMG_1.jpg", "IMG_1.jpg"));
+  compute(quiet);
+  const auto report = readJson(project_->resultsFolder("B0001") / "report.json");
+  ASSERT_TRUE(report);
+  EXPECT_THAT(report->at("warnings").dump(), testing::HasSubstr("folder (1): front/IMG_2.jpg."));
 }
 
 // In its midst somebody decides, and wants that computed, too.

@@ -31,6 +31,13 @@ TEST(Preflight, SaysWhatThereIsAndWhatItWillTake) {
   EXPECT_TRUE(ahead->warnings.empty());
 }
 
+TEST(Preflight, NamesTheFileThatDescribesTheSheetWhereverItLies) {
+  batch::Batch batch = batchOf(2592, 1944);
+  batch.plate_file = "/above/plate.json";
+  EXPECT_THAT(preflight(batch, {}, 0)->lines,
+              testing::Contains(HasSubstr("sheet: as in /above/plate.json")));
+}
+
 TEST(Preflight, LargePhotographsAreReducedAndTakeLittleMore) {
   const auto small = preflight(batchOf(2592, 1944), {}, 0);
   const auto large = preflight(batchOf(6000, 4000), {}, 0);

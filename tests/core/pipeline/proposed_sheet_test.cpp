@@ -68,6 +68,25 @@ TEST(ProposedSheet, OfUnknownSizeGivesWayToALengthThatWasMarked) {
   EXPECT_TRUE(batch.plate.has_value()) << "the length checks a size that was measured";
 }
 
+TEST(ProposedSheet, IsNoneWhereAFileDescribesOneAndTheSizeGivenMustBeTheFiles) {
+  batch::Batch batch;
+  batch.way = batch::Way::FreeCamera;
+  batch.plate_file = "/photographs/plate.json";
+  batch.plate = batch::Plate();
+  batch.plate->markers = {{7, {Eigen::Vector3d{0, 20, 0}, {20, 20, 0}, {20, 0, 0}, {0, 0, 0}}}};
+  Told told;
+  ProcessOptions options;
+  options.marker_mm = 20.02;
+  EXPECT_TRUE(proposeMissingSheet(batch, options, told, {}).has_value());
+  options.marker_mm = 25;
+  const Result<void> other = proposeMissingSheet(batch, options, told, {});
+  ASSERT_FALSE(other.has_value());
+  EXPECT_EQ(other.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(other.error().where, "/photographs/plate.json");
+  EXPECT_THAT(other.error().what, HasSubstr("sides of 20.00 mm"));
+  EXPECT_THAT(other.error().what, HasSubstr("says 25.00 mm"));
+}
+
 TEST(ProposedSheet, IsNotSoughtOnARig) {
   batch::Batch batch = photographsIn("/batches/hand/front");
   batch.way = batch::Way::Rig;

@@ -10,6 +10,7 @@
 #include "records/records.h"
 #include "records/sherd.h"
 #include "review/review.h"
+#include "sherds/kept_models.h"
 #include "sherds/sherds.h"
 #include "store/database.h"
 #include "tests/core/catalogue/result_folder.h"
@@ -159,6 +160,33 @@ TEST_F(LostModels, AreThoseOfAJoinThatWasTakenBackWhileItWasComputed) {
   EXPECT_TRUE(lost());
   EXPECT_NE(first().model_path, "");
   EXPECT_TRUE(first().measures.contains("length"));
+}
+
+TEST_F(LostModels, AreNotRemovedWhereTheNewResultsCannotBeRead) {
+  const std::filesystem::path unused =
+      project_->folder() / "models" / "B0001" / std::string(16, '0') / "model.ply";
+  std::filesystem::create_directories(unused.parent_path());
+  ASSERT_TRUE(writeFileAtomically(unused, "of before"));
+  results.write();
+  ASSERT_TRUE(writeFileAtomically(output / "pairs.json", "{"));
+  EXPECT_FALSE(intake::enterResults(catalogue(), project_->folder(), batch, output, {}, quiet, {}));
+  EXPECT_TRUE(std::filesystem::exists(unused));
+  apart();
+  enter();
+  EXPECT_FALSE(std::filesystem::exists(unused));
+  for (const records::SherdRecord& sherd : sherds())
+    EXPECT_TRUE(std::filesystem::exists(project_->absolute(sherd.model_path))) << sherd.model_path;
+}
+
+TEST_F(LostModels, AreNeverSoughtOutsideTheProject) {
+  const std::filesystem::path others =
+      folder_.path() / "others" / std::string(16, '0') / "photograph.jpg";
+  std::filesystem::create_directories(others.parent_path());
+  ASSERT_TRUE(writeFileAtomically(others, "mine"));
+  for (const std::string& number :
+       {(folder_.path() / "others").string(), std::string("../../others"), std::string()})
+    EXPECT_FALSE(dropUnusedModels(catalogue(), project_->folder(), number, {})) << number;
+  EXPECT_TRUE(std::filesystem::exists(others));
 }
 
 }  // namespace

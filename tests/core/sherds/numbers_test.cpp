@@ -46,6 +46,13 @@ TEST_F(NumbersTest, DifferOnlyIfTheyDifferForPeopleAndForFiles) {
   EXPECT_NE(same_file.error().what.find("same names as those of A/1"), std::string::npos);
 }
 
+TEST_F(NumbersTest, HaveNoLettersThatNobodySees) {
+  const store::SherdRow sherd = draft(context12);
+  EXPECT_FALSE(set(sherd, "number", "A\u202E1"));
+  EXPECT_FALSE(set(sherd, "number", "A1\uFEFF"));
+  EXPECT_TRUE(set(sherd, "number", "A1"));
+}
+
 TEST_F(NumbersTest, TypedByHandInTheSchemesFormAreCounted) {
   const store::SherdRow a = draft(context12);
   ASSERT_TRUE(set(a, "number", "ARM1-T3-0012-0041"));

@@ -20,6 +20,22 @@ TEST(Names, BadUtf8IsSeen) {
   EXPECT_FALSE(isUtf8("\xFF"));
 }
 
+TEST(Names, AFoldersNameLeadsNowhereElse) {
+  for (const char* name : {"B0001", "B-1.2", "Գառնի", "CON"})
+    EXPECT_TRUE(isFolderName(name)) << name;
+  for (const char* name : {"", ".", "..", ".git", "/abs", "../x", "a/b", "a\\b", "a b", "a\n", "%",
+                           "\xFF", "E\xCC\x81"})
+    EXPECT_FALSE(isFolderName(name)) << name;
+}
+
+TEST(Names, LettersThatNobodySeesAreSeen) {
+  for (const char* text :
+       {"\u200B", "A\u200F1", "\u202A", "B\u202E1", "\u2066", "1\u2069", "\uFEFF1"})
+    EXPECT_TRUE(hasInvisible(text)) << text;
+  for (const char* text : {"", "B0001", "Գառնի", "\u2010", "É-1"})
+    EXPECT_FALSE(hasInvisible(text)) << text;
+}
+
 TEST(Names, TheSameLettersHaveTheSameKeyHoweverTheyAreWritten) {
   EXPECT_EQ(uniqueKey("É-1"), uniqueKey("é-1"));
   EXPECT_EQ(uniqueKey("E\xCC\x81-1"), uniqueKey("é-1"));  // E and a combining accent

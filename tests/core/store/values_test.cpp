@@ -62,6 +62,19 @@ TEST(Values, TermsAreSplitAtSemicolonsWithoutDoubles) {
   EXPECT_TRUE(termsFromJson("{not json").empty());
 }
 
+TEST(Values, ABatchesNumberNamesAFolderOnAnySystem) {
+  for (const std::string& number :
+       {std::string("B0001"), std::string("B999999999"), std::string("2026-07-14"),
+        std::string("CONE"), std::string(64, 'x')})
+    EXPECT_TRUE(checkedBatchNumber(number)) << number;
+  for (const std::string& number :
+       {std::string(), std::string("../x"), std::string("CON"), std::string("nul"),
+        std::string("com1.txt"), std::string("LPT9"), std::string("B1."), std::string("B1 "),
+        std::string("B\u202E1"), std::string(65, 'x'), std::string("B1234567890"),
+        std::string("B9223372036854775807")})
+    EXPECT_FALSE(checkedBatchNumber(number)) << number;
+}
+
 TEST(Values, PathsThatLeaveTheProjectAreRefused) {
   EXPECT_EQ(*checkedPath("batches/B0001/front/cam0.jpg"), "batches/B0001/front/cam0.jpg");
   EXPECT_EQ(*checkedPath("a/E\xCC\x81.ply"), "a/É.ply");

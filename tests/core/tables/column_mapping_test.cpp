@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "catalogue/settings.h"
+#include "files/files.h"
 #include "sherds/measurements.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
@@ -97,6 +99,70 @@ TEST_F(Columns, AreChosenForTheNextTableWithTheSameOnes) {
   const TableMapping again = *map("Zahl;Nummer;Fundort;Schnitt;Befund\n1;X-3;ARM1;T3;0012\n");
   EXPECT_EQ(again.columns[0].by, ChosenBy::Earlier);
   EXPECT_EQ(map("Zahl;Nummer\n1;X-3\n")->columns[0].field, "extra.Zahl") << "another table";
+}
+
+constexpr const char* kKilograms =
+    "Nummer;Fundort;Schnitt;Befund;Gewicht\nX-1;ARM1;T3;0012;0,02\nX-2;ARM1;T3;0012;0,4\n";
+constexpr const char* kGrams =
+    "Nummer;Fundort;Schnitt;Befund;Gewicht\nX-3;ARM1;T3;0012;12,5\nX-4;ARM1;T3;0012;19\n";
+
+TEST_F(Columns, OfAGuessedUnitHoldTheirTableUntilAPersonStatesIt) {
+  const ImportReport held = import(kKilograms);
+  EXPECT_TRUE(held.held);
+  EXPECT_EQ(held.fresh, 2) << "what would happen";
+  EXPECT_FALSE(*sherds::Sherds(catalogue()).byNumber("X-1"));
+  const ImportReport by_field = import(kKilograms, {{"Gewicht", "weight_g"}});
+  EXPECT_TRUE(by_field.held) << "a field alone states no unit";
+  const ImportReport stated = import(kKilograms, {{"Gewicht", "weight_g", "kg"}});
+  EXPECT_FALSE(stated.held);
+  EXPECT_EQ(valueIn("X-2", "weight_g"), "400");
+}
+
+TEST_F(Columns, OfAGuessedUnitAreGuessedAgainForTheNextTable) {
+  ImportOptions seen;  // as the window enters what it showed
+  seen.mode = ImportMode::Enter;
+  seen.guessed_units = GuessedUnits::Enter;
+  seen.columns = map(kKilograms)->columns;
+  ASSERT_EQ(importTable(catalogue(), kKilograms, "t.csv", seen, anna, quiet, {})->fresh, 2);
+  const TableMapping next = *map(kGrams);
+  EXPECT_EQ(next.columns[4].by, ChosenBy::Earlier);
+  EXPECT_EQ(next.columns[4].unit, "g") << "twelve and a half kilograms are no sherd";
+  EXPECT_TRUE(next.columns[4].unit_guessed);
+  seen.columns[4].unit_guessed = false;  // as when a person chooses it
+  ASSERT_TRUE(importTable(catalogue(), kKilograms, "t.csv", seen, anna, quiet, {}));
+  EXPECT_EQ(map(kKilograms)->columns[4].unit, "kg");
+  EXPECT_FALSE(map(kKilograms)->columns[4].unit_guessed) << "what was chosen is certain";
+}
+
+TEST_F(Columns, WithoutAnyValueAreNotRememberedWithAUnit) {
+  import("Nummer;Fundort;Schnitt;Befund;Dicke\nX-1;ARM1;T3;0012;\n");
+  const TableMapping next = *map("Nummer;Fundort;Schnitt;Befund;Dicke\nX-2;ARM1;T3;0012;0,6\n");
+  EXPECT_EQ(next.columns[4].unit, "cm");
+  EXPECT_TRUE(next.columns[4].unit_guessed);
+}
+
+// They were remembered with whatever unit there was.
+TEST_F(Columns, OfEarlierProgramsAreRememberedWithoutTheirUnits) {
+  const std::string columns = R"(["Gewicht","Nummer"])";
+  ASSERT_TRUE(Settings(catalogue())
+                  .setValue("import_columns." + ostraka::sha256(columns).substr(0, 32),
+                            R"({"Nummer":["number",""],"Gewicht":["weight_g","kg"]})"));
+  const TableMapping next = *map("Nummer;Gewicht\nX-1;12,5\n");
+  EXPECT_EQ(next.columns[1].by, ChosenBy::Earlier);
+  EXPECT_EQ(next.columns[1].unit, "g");
+  EXPECT_TRUE(next.columns[1].unit_guessed);
+}
+
+TEST_F(Columns, TakeTheUnitOfTheirHeadingWhateverFieldIsChosen) {
+  const TableMapping mapping = *map("number;Gew. (kg)\nX-1;12\n", {{"Gew. (kg)", "weight_g"}});
+  EXPECT_EQ(mapping.columns[1].unit, "kg");
+  EXPECT_FALSE(mapping.columns[1].unit_guessed);
+}
+
+TEST_F(Columns, WithUncertaintiesHaveAGuessedUnitToo) {
+  EXPECT_TRUE(map("number;Dicke\nX-1;0,6 ± 0,1\n")->columns[1].unit_guessed);
+  EXPECT_EQ(map("number;Dicke\nX-1;0,6 ± 0,1\n")->columns[1].unit, "cm");
+  EXPECT_FALSE(map("number;Dicke\nX-1;0,6 ± 0,1 cm\n")->columns[1].unit_guessed);
 }
 
 TEST_F(Columns, ARefusalNamesThemAsTheTableDoes) {

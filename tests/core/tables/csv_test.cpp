@@ -87,11 +87,12 @@ TEST(Csv, FormulasAreDisarmedAndComeBack) {
 
 TEST(Csv, ANumberWithACommaBeforeThreeDigitsCanBeReadInTwoWays) {
   EXPECT_EQ(readsOneWay("1.250", '.').error().sentence(),
-            "'1.250' can be read as 1250 or as 1,250; write one of the two.");
+            "'1.250' can be read as 1250 or as 1,2500; write one of the two.");
+  EXPECT_TRUE(readsOneWay("1.2500", '.')) << "what is offered is read in one way";
   EXPECT_TRUE(readsOneWay("1.250")) << "the comma stands between thousands";
   EXPECT_TRUE(readsOneWay("1250,125", '.'));
   EXPECT_EQ(readsOneWay("1,250").error().sentence(),
-            "'1,250' can be read as 1250 or as 1.250; write one of the two.");
+            "'1,250' can be read as 1250 or as 1.2500; write one of the two.");
   for (const char* two : {"+12,500", "100,000", "1,250 ± 3", "2 ± 1,250", "12,5 +- 1,250"})
     EXPECT_FALSE(readsOneWay(two)) << two;
   for (const char* one : {"", ",", ",250", "1,25", "12,5", "0,125", "1250,125", "1 250,125",

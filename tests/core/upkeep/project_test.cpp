@@ -45,6 +45,19 @@ TEST_F(ProjectFolder, OpensAgainWithWhatWasSaved) {
   EXPECT_FALSE(catalogue::Settings(again->catalogue()).project()->id.empty());
 }
 
+TEST_F(ProjectFolder, IsNotOpenedWhereABatchLeadsOutOfIt) {
+  newBatch({bag4});
+  for (const char* number : {"../../x", "/tmp/x", ".."}) {
+    catalogue().database().script(std::string("UPDATE batch SET number = '") + number + "'");
+    const Result<Project> again = Project::open(folder_.path() / "project");
+    ASSERT_FALSE(again) << number;
+    EXPECT_EQ(again.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(again.error().where, number);
+  }
+  catalogue().database().script("UPDATE batch SET number = 'CON'");
+  EXPECT_TRUE(Project::open(folder_.path() / "project")) << "what was taken once stays open";
+}
+
 TEST_F(ProjectFolder, AFolderThatHoldsSomethingIsNotTaken) {
   std::ofstream(folder_.path() / "file") << "x";
   records::ProjectRecord record;

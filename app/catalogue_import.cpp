@@ -1,0 +1,259 @@
+// `ostraka catalogue import`: tables and export folders into a project.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/limits.h"
+#include "base/text.h"
+#include "catalogue_commands.h"
+#include "exchange/read_back.h"
+#include "files/files.h"
+#include "refusals_file.h"
+#include "tables/column_names.h"
+#include "upkeep/project.h"
+
+namespace ostraka::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr std::size_t kMostChangesSaid = 20;
+
+struct ImportArguments {
+  fs::path project, source, refusals;
+  std::vector<std::string> columns, confirmed;
+  bool enter = false, make_places = false;
+};
+
+const char* chosenBy(tables::ChosenBy by) {
+  switch (by) {
+    case tables::ChosenBy::Name:
+      return "by its name";
+    case tables::ChosenBy::Earlier:
+      return "as in the last table with these columns";
+    case tables::ChosenBy::Person:
+      return "as --map says";
+    case tables::ChosenBy::Nobody:
+      break;
+  }
+  return "a custom field";
+}
+
+// What was mapped, a line a column.
+void printMapping(const tables::TableMapping& mapping) {
+  for (const tables::ColumnChoice& choice : mapping.columns) {
+    const std::string unit = choice.unit.empty() ? std::string() : " in " + choice.unit;
+    std::fprintf(stderr, "column '%s': %s%s (%s%s)\n", choice.column.c_str(),
+                 choice.field.empty() ? "left out" : choice.field.c_str(), unit.c_str(),
+                 chosenBy(choice.by), choice.unit_guessed ? "; the unit is a guess" : "");
+  }
+}
+
+// As a shell takes it: in single quotation marks, whatever is in it.
+std::string mapOption(const tables::ColumnChoice& choice) {
+  std::string text = choice.column + "=" + choice.field + ":" + choice.unit;
+  for (std::size_t at = text.find('\''); at != std::string::npos; at = text.find('\'', at + 4))
+    text.replace(at, 1, "'\\''");
+  return "--map '" + text + "'";
+}
+
+// What a person has to state before anything enters.
+std::vector<std::string> openUnits(const tables::TableMapping& mapping) {
+  std::vector<std::string> sentences;
+  for (const tables::ColumnChoice& choice : mapping.columns)
+    if (choice.unit_guessed)
+      sentences.push_back("The unit of the column '" + choice.column +
+                          "' is a guess from its values: " + choice.unit +
+                          ". State it to enter the table: " + mapOption(choice) + " (or " +
+                          joined(tables::unitsOf(choice.field), ", ") + ").");
+  return sentences;
+}
+
+ordered_json mappingJson(const tables::TableMapping& mapping) {
+  ordered_json columns = ordered_json::array();
+  for (const tables::ColumnChoice& choice : mapping.columns)
+    columns.push_back({{"column", choice.column},
+                       {"field", choice.field},
+                       {"unit", choice.unit},
+                       {"chosen", chosenBy(choice.by)},
+                       {"unit_guessed", choice.unit_guessed}});
+  return columns;
+}
+
+ordered_json refusalsJson(const std::vector<tables::Refusal>& refusals) {
+  ordered_json list = ordered_json::array();
+  for (const tables::Refusal& refusal : refusals)
+    list.push_back({{"line", refusal.line},
+                    {"column", refusal.column},
+                    {"value", refusal.value},
+                    {"reason", refusal.reason}});
+  return list;
+}
+
+ordered_json changesJson(const std::vector<tables::ChangedValue>& changes) {
+  ordered_json list = ordered_json::array();
+  for (const tables::ChangedValue& change : changes)
+    list.push_back({{"number", change.name},
+                    {"field", change.field},
+                    {"old", change.old_value},
+                    {"new", change.new_value}});
+  return list;
+}
+
+void printChanges(const std::vector<tables::ChangedValue>& changes) {
+  for (std::size_t i = 0; i < std::min(changes.size(), kMostChangesSaid); ++i)
+    std::fprintf(stderr, "%s, %s: '%s' becomes '%s'\n", changes[i].name.c_str(),
+                 changes[i].field.c_str(), changes[i].old_value.c_str(),
+                 changes[i].new_value.c_str());
+  if (changes.size() > kMostChangesSaid)
+    std::fprintf(stderr, "%zu more values change; --json lists all.\n",
+                 changes.size() - kMostChangesSaid);
+}
+
+void printReport(const tables::ImportReport& report) {
+  printMapping(report.mapping);
+  for (const auto* list : {&report.refusals, &report.questions})
+    for (const tables::Refusal& refusal : *list)
+      std::fprintf(stderr, "line %d, %s '%s': %s%s\n", refusal.line, refusal.column.c_str(),
+                   refusal.value.c_str(), refusal.reason.c_str(),
+                   list == &report.questions ? (" Not entered; --confirm " +
+                                                std::to_string(refusal.line) + " enters the row.")
+                                                   .c_str()
+                                             : "");
+  printChanges(report.changed_values);
+  for (const std::string& warning : report.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+}
+
+ExitStatus statusOf(const tables::ImportReport& report, bool units_open, bool refusals_lost) {
+  if (report.not_reached > 0 || refusals_lost) return NotWhole;
+  if (units_open) return PersonMustDecide;
+  return report.refused > 0 ? NotWhole : report.asked > 0 ? PersonMustDecide : Whole;
+}
+
+std::string summaryOf(const tables::ImportReport& report, const ImportArguments& arguments) {
+  const std::string counts = std::to_string(report.fresh) + " new, " + std::to_string(report.same) +
+                             " same, " + std::to_string(report.changed) + " changed, " +
+                             std::to_string(report.refused) + " refused, " +
+                             std::to_string(report.asked) + " to confirm";
+  if (report.held) return counts + "; nothing was entered: state the guessed units first.";
+  return counts + (arguments.enter ? "." : "; a preview: nothing was entered, --enter does it.");
+}
+
+int reported(Session& session, const tables::ImportReport& report,
+             const ImportArguments& arguments) {
+  session.finishProgress();
+  // What was entered is told even if its refusals cannot be written any more.
+  Result<void> written;
+  if (!arguments.refusals.empty())
+    written = writeFileAtomically(arguments.refusals, tables::refusalsCsv(report));
+  if (!session.json) printReport(report);
+  const std::vector<std::string> open = openUnits(report.mapping);
+  for (const std::string& sentence : open) std::fprintf(stderr, "%s\n", sentence.c_str());
+  if (report.not_reached > 0)
+    std::fprintf(stderr, "Stopped: %d rows are not entered; the same command enters them.\n",
+                 report.not_reached);
+  if (!written) std::fprintf(stderr, "ostraka: %s\n", written.error().sentence().c_str());
+  ordered_json json = {{"entered", arguments.enter && !report.held},
+                       {"new", report.fresh},
+                       {"same", report.same},
+                       {"changed", report.changed},
+                       {"refused", report.refused},
+                       {"to_confirm", report.asked},
+                       {"not_reached", report.not_reached},
+                       {"refusals", refusalsJson(report.refusals)},
+                       {"questions", refusalsJson(report.questions)},
+                       {"changes", changesJson(report.changed_values)},
+                       {"columns", mappingJson(report.mapping)},
+                       {"units_to_state", open},
+                       {"warnings", report.warnings},
+                       {"exit_status", statusOf(report, !open.empty(), !written)}};
+  if (!written) json["error"] = written.error().sentence();
+  return said(session, std::move(json), summaryOf(report, arguments));
+}
+
+tables::ImportMode modeOf(const ImportArguments& arguments) {
+  return arguments.enter ? tables::ImportMode::Enter : tables::ImportMode::Preview;
+}
+
+Result<tables::ImportOptions> importOptions(const ImportArguments& arguments) {
+  tables::ImportOptions how;
+  how.mode = modeOf(arguments);
+  if (arguments.make_places) how.unknown_places = tables::UnknownPlaces::Make;
+  for (const std::string& text : arguments.columns) {
+    Result<tables::ColumnChoice> choice = tables::parseColumnChoice(text);
+    if (!choice) return choice.error();
+    how.columns.push_back(std::move(*choice));
+  }
+  for (const std::string& text : arguments.confirmed) {
+    int line = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), line);
+    if (text == "all")
+      how.asked_rows = tables::AskedRows::Enter;
+    else if (code == std::errc() && end == text.data() + text.size() && line > 0)
+      how.confirmed_lines.insert(line);
+    else
+      return Error{ErrorCode::UnusableInput,
+                   "--confirm takes numbers of lines, or all; not '" + text + "'.",
+                   {}};
+  }
+  return how;
+}
+
+int runImport(const ImportArguments& arguments, Session& session) {
+  if (const Result<void> good = checkRefusalsFile(arguments.refusals); !good)
+    return fail(session, good.error());
+  Result<upkeep::Project> project = upkeep::Project::open(arguments.project);
+  if (!project) return fail(session, project.error());
+  session.progress.begin("import", 1.0);
+  if (fs::is_directory(arguments.source)) {
+    const auto report = exchange::readBack(*project, arguments.source, modeOf(arguments),
+                                           kCommandLine, session.progress, session.stop);
+    return report ? reported(session, *report, arguments) : fail(session, report.error());
+  }
+  const Result<std::string> bytes = readFile(arguments.source, limits::kTableBytes.most);
+  if (!bytes) return fail(session, bytes.error());
+  const Result<tables::ImportOptions> how = importOptions(arguments);
+  if (!how) return fail(session, how.error());
+  if (arguments.enter)
+    if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
+  const auto report = tables::importTable(project->catalogue(), *bytes, arguments.source.string(),
+                                          *how, kCommandLine, session.progress, session.stop);
+  return report ? reported(session, *report, arguments) : fail(session, report.error());
+}
+
+}  // namespace
+
+void addCatalogueImport(CLI::App& catalogue, Command& chosen) {
+  CLI::App* import = catalogue.add_subcommand(
+      "import", "Read a CSV table or an export folder; a preview without --enter");
+  const auto arguments = std::make_shared<ImportArguments>();
+  import->callback([arguments, &chosen] {
+    chosen = [arguments](Session& session) { return runImport(*arguments, session);
+};
+}  // namespace ostraka::app
+);
+import->add_option("PROJECT", arguments->project, "Folder of the project")
+    ->required()
+    ->check(CLI::ExistingDirectory);
+import->add_option("FILE", arguments->source, "Table (CSV) of sherds or contexts, or an export")
+    ->required()
+    ->check(CLI::ExistingPath);
+import->add_flag("--enter", arguments->enter, "Enter it; otherwise only say what would happen");
+import->add_flag("--make-places", arguments->make_places,
+                 "Make sites, trenches, contexts and bags that are not there");
+import->add_option("--refusals", arguments->refusals,
+                   "Write what was refused, and why, as CSV: a new file, or over an earlier one");
+import->add_option("--map", arguments->columns,
+                   "A column's field and unit, as Gewicht=weight_g:kg; COLUMN=- leaves it out");
+import
+    ->add_option("--confirm", arguments->confirmed,
+                 "Lines with a doubtful measurement that enter all the same, or all")
+    ->delimiter(',');
+}
+
+}  // namespace ostraka::app

@@ -1,0 +1,81 @@
+#include "files/output_place.h"
+
+#include <string>
+#include <system_error>
+
+namespace ostraka {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMostLinks = 40;  // as the system's own limit
+
+bool isThere(const fs::path& path) {
+  std::error_code failed;
+  return fs::exists(fs::symlink_status(path, failed));
+}
+
+// A link that leads to nothing yet: what is written there makes what it names.
+fs::path withoutDanglingLinks(const fs::path& path) {
+  fs::path walked;
+  for (auto part = path.begin(); part != path.end(); ++part) {
+    walked /= *part;
+    std::error_code failed;
+    if (fs::exists(walked, failed)) continue;
+    if (!fs::is_symlink(fs::symlink_status(walked, failed))) return path;
+    fs::path leads_to = walked.parent_path() / fs::read_symlink(walked, failed);
+    for (++part; part != path.end(); ++part) leads_to /= *part;
+    return leads_to;
+  }
+  return path;
+}
+
+// Where a writer would end up: without links and '..', as far as the path is there.
+fs::path resolved(const fs::path& target) {
+  std::error_code failed;
+  fs::path path = fs::absolute(target, failed);
+  for (int links = 0; links < kMostLinks; ++links) {
+    const fs::path canonical = fs::weakly_canonical(path, failed);
+    if (failed) break;
+    const fs::path followed = withoutDanglingLinks(canonical);
+    if (followed == path) break;
+    path = followed;
+  }
+  path = path.lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
+// The nearest folder with this file in it, of the place and those above it; else empty.
+fs::path nearestWith(const char* file, const fs::path& place) {
+  for (fs::path folder = place; !folder.empty(); folder = folder.parent_path()) {
+    if (isThere(folder / file)) return folder;
+    if (folder == folder.parent_path()) break;
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<void> checkOutputPlace(const fs::path& target, std::string_view filled) {
+  if (target.empty()) return {};
+  const fs::path place = resolved(target);
+  if (const fs::path bag = nearestWith("bagit.txt", place); !bag.empty())
+    return Error::unusable("This location belongs to the archive or export '" + bag.string() +
+                               "', which new files would make invalid; choose a location outside "
+                               "it.",
+                           target.string());
+  const fs::path project = nearestWith("catalogue.sqlite", place);
+  if (project.empty()) return {};
+  if (filled.empty())
+    return Error::unusable("This location belongs to the project '" + project.string() +
+                               "'; choose a location outside it.",
+                           target.string());
+  const fs::path folder = project / filled;
+  if (place.parent_path() == folder) return {};
+  return Error::unusable("This location belongs to the project '" + project.string() +
+                             "'; choose a folder directly in '" + folder.string() +
+                             "', or one outside the project.",
+                         target.string());
+}
+
+}  // namespace ostraka

@@ -1,0 +1,16 @@
+#pragma once
+#include <filesystem>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace ostraka {
+
+/// Whether something new may be made at a place that a person chose: not in a project (a folder
+/// with a catalogue.sqlite) and not in an archive or export (one with a bagit.txt), whose files are
+/// theirs alone. target: a file or a folder, which need not be there; links are followed.
+/// filled: the folder of a project, as "results", in which a command makes one folder, and that
+/// alone is no harm: PROJECT/results/NAME. Error: UnusableInput.
+Result<void> checkOutputPlace(const std::filesystem::path& target, std::string_view filled = {});
+
+}  // namespace ostraka

@@ -1,0 +1,361 @@
+// Sherds of a table or of records, each row whole or not at all.
+#include <algorithm>
+#include <set>
+
+#include "base/text.h"
+#include "base/uuid.h"
+#include "catalogue/places.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/measurements.h"
+#include "sherds/sherd_changes.h"
+#include "sherds/sherd_fields.h"
+#include "sherds/sherds.h"
+#include "store/names.h"
+#include "store/values.h"
+#include "tables/column_meanings.h"
+#include "tables/import_table.h"
+#include "tables/portions.h"
+#include "tables/table_joins.h"
+
+namespace ostraka::tables {
+namespace {
+
+using catalogue::Catalogue;
+using records::Confirmation;
+using records::FieldChange;
+using records::FieldKind;
+using records::Provenance;
+using records::SherdField;
+using records::SherdRecord;
+using store::SherdRow;
+
+const SherdField* fieldNamed(const std::string& name) {
+  for (const SherdField& field : sherds::sherdFields())
+    if (name == field.name) return &field;
+  return nullptr;
+}
+
+std::string valueOf(const ImportRow& row, const std::string& name) {
+  const auto found = row.values.find(name);
+  return found == row.values.end() || found->second == kClear ? std::string() : found->second;
+}
+
+class Importing {
+ public:
+  Importing(Catalogue& catalogue, const std::vector<ImportRow>& rows, const ImportOptions& options,
+            const Provenance& provenance, ImportReport& report)
+      : catalogue_(catalogue),
+        rows_(rows),
+        joins_(rows),
+        places_(catalogue, options.unknown_places, provenance),
+        makes_places_(options.unknown_places == UnknownPlaces::Make),
+        options_(options),
+        provenance_(provenance),
+        report_(report) {
+    if (const auto persons = catalogue::People(catalogue).all())
+      for (const auto& person : *persons) persons_[person.initials] = person.row;
+    for (const ImportRow& row : rows)
+      for (const char* column : {"number", "uuid"})
+        if (const std::string value = valueOf(row, column); !value.empty())
+          lines_[{column, store::uniqueKey(value)}].push_back(std::to_string(row.line));
+  }
+
+  Result<void> row(std::size_t at) {
+    const ImportRow& row = rows_[at];
+    SherdRow entered;
+    RowFate fate = RowFate::Same;
+    Refusal refusal{row.line, {}, {}, {}};
+    done_.clear();
+    undo_.clear();
+    asks_ = false;
+    const Result<void> done = catalogue_.together([&]() -> Result<void> {
+      const Result<SherdRow> sherd = find(row, refusal);
+      if (!sherd) return sherd.error();
+      const bool fresh = !*sherd;
+      Result<SherdRow> target = fresh ? add(row, refusal) : *sherd;
+      if (!target) return target.error();
+      entered = *target;
+      const Result<bool> changed = change(at, entered, fresh, refusal);
+      if (!changed) return changed.error();
+      fate = fresh ? RowFate::Fresh : *changed ? RowFate::Changed : RowFate::Same;
+      return {};
+    });
+    if (!done && done.error().code != ErrorCode::UnusableInput) return done;
+    if (!done) {
+      places_.forget();
+      if (refusal.reason.empty()) refusal.reason = done.error().sentence();
+      (asks_ ? report_.questions : report_.refusals).push_back(std::move(refusal));
+      ++(asks_ ? report_.asked : report_.refused);
+      report_.rows.emplace_back(row.line, asks_ ? RowFate::Asked : RowFate::Refused);
+      return {};
+    }
+    joins_.enteredAs(at, entered);
+    report_.rows.emplace_back(row.line, fate);
+    ++(fate == RowFate::Fresh     ? report_.fresh
+       : fate == RowFate::Changed ? report_.changed
+                                  : report_.same);
+    if (fate != RowFate::Changed) return {};
+    if (const Result<void> told = tellChanges(entered); !told) return told;
+    report_.changes.insert(report_.changes.end(), done_.begin(), done_.end());
+    report_.undo.insert(report_.undo.end(), undo_.rbegin(), undo_.rend());  // turned at the end
+    return {};
+  }
+
+  Result<void> tellLostJoins() {
+    const Result<std::vector<std::string>> lost = joins_.lost(catalogue_);
+    if (!lost) return lost.error();
+    if (!lost->empty())
+      report_.warnings.push_back(
+          "Joins with rows that were not imported are left out: " + joined(*lost, ", ") +
+          "; correct these rows, then import the table again.");
+    return {};
+  }
+
+ private:
+  static Error refuse(Refusal& refusal, std::string column, std::string value, std::string reason) {
+    refusal.column = std::move(column);
+    refusal.value = std::move(value);
+    refusal.reason = reason;
+    return {ErrorCode::UnusableInput, std::move(reason), {}};
+  }
+
+  Result<SherdRow> find(const ImportRow& row, Refusal& refusal) {
+    const std::string number = valueOf(row, "number"), uuid = valueOf(row, "uuid");
+    if (number.empty() && uuid.empty())
+      return refuse(refusal, "number", "", "The row has neither a number nor a uuid.");
+    for (const auto& [column, value] : {std::pair("number", number), std::pair("uuid", uuid)})
+      if (const auto same = lines_.find({column, store::uniqueKey(value)});
+          same != lines_.end() && same->second.size() > 1)
+        return refuse(refusal, column, value,
+                      "This appears in more than one row of the table, in the lines " +
+                          joined(same->second, ", ") + ".");
+    SherdRow by_uuid, by_number;
+    if (!uuid.empty()) {
+      if (!isUuid(uuid)) return refuse(refusal, "uuid", uuid, "Not a uuid.");
+      const Result<SherdRow> found = sherds::Sherds(catalogue_).byId(uuid);
+      if (!found) return found.error();
+      by_uuid = *found;
+    }
+    if (!number.empty()) {
+      const Result<SherdRow> found = sherds::Sherds(catalogue_).byNumber(number);
+      if (!found) return found.error();
+      by_number = *found;
+    }
+    if (by_number && !uuid.empty() && by_uuid != by_number)
+      return refuse(refusal, "number", number,
+                    "The number and the uuid belong to different sherds.");
+    return by_uuid ? by_uuid : by_number;
+  }
+
+  Result<SherdRow> add(const ImportRow& row, Refusal& refusal) {
+    if (valueOf(row, "context").empty() && !valueOf(row, "number").empty())
+      return refuse(refusal, "context", "", "A new sherd needs its context.");
+    SherdRecord record;
+    record.id = store::uniqueKey(valueOf(row, "uuid"));
+    record.batch = row.batch;
+    return sherds::Sherds(catalogue_).add(record, provenance_);
+  }
+
+  Result<bool> change(std::size_t at, SherdRow sherd, bool fresh, Refusal& refusal) {
+    const ImportRow& row = rows_[at];
+    if (makes_places_) {
+      const std::string site = valueOf(row, "site"), context = valueOf(row, "context");
+      if (!site.empty() && !context.empty()) {
+        const auto place = places_.context(site, valueOf(row, "trench"), context);
+        if (!place) return refuse(refusal, "context", context, place.error().sentence());
+        const std::string bag = valueOf(row, "bag");
+        if (!bag.empty())
+          if (const auto made = places_.bag(*place, bag); !made)
+            return refuse(refusal, "bag", bag, made.error().sentence());
+      }
+    }
+    const Result<SherdRecord> now = sherds::Sherds(catalogue_).get(sherd);
+    if (!now) return now.error();
+    std::vector<FieldChange> changes;
+    const bool confirmed =
+        options_.asked_rows == AskedRows::Enter || options_.confirmed_lines.contains(row.line);
+    const Confirmation confirmation = confirmed ? Confirmation::Given : Confirmation::None;
+    for (const auto& [name, typed] : row.values) {
+      if (typed.empty() || name == "joins") continue;
+      const SherdField* field = fieldNamed(name);
+      if (field && !field->editable) continue;
+      if (name == "number" && store::uniqueKey(typed) == store::uniqueKey(now->number))
+        continue;  // capitals make no difference
+      const std::string value = typed == kClear ? std::string() : typed;
+      // Else a measure of the program, rounded in a table, would come back as a person's.
+      const std::string before = sherds::textOf(*now, name);
+      if (field && field->kind == FieldKind::Number && !before.empty() &&
+          showsInTable(value, *store::parsedNumber(before)))
+        continue;
+      if (const auto unclear = row.unclear.find(name); unclear != row.unclear.end())
+        return refuse(refusal, name, value, unclear->second);
+      const bool by_program =
+          field && field->kind == FieldKind::Number && row.by_hand && !row.by_hand->contains(name);
+      if (by_program && fresh && store::parsedNumber(value)) {
+        if (const Result<void> done = measureByProgram({sherd, name, value}, refusal); !done)
+          return done.error();
+        continue;
+      }
+      if (by_program && !fresh) {  // a table of before the latest computation
+        const Result<std::vector<double>> computed =
+            sherds::Measurements(catalogue_).everComputed(sherd, kindOf(name));
+        if (!computed) return computed.error();
+        if (std::any_of(computed->begin(), computed->end(),
+                        [&](double one) { return showsInTable(value, one); }))
+          continue;
+      }
+      const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;
+      if (value != sherds::textOf(*now, own)) changes.push_back({sherd, own, value, confirmation});
+    }
+    const auto joins = joins_.of(at, *now, catalogue_);
+    if (!joins) return refuse(refusal, "joins", valueOf(row, "joins"), joins.error().sentence());
+    if (*joins && std::set((*joins)->begin(), (*joins)->end()) !=
+                      std::set(now->joins.begin(), now->joins.end())) {
+      std::vector<std::string> ids;
+      for (const SherdRow partner : **joins) {
+        const Result<SherdRecord> other = sherds::Sherds(catalogue_).get(partner);
+        if (!other) return other.error();
+        ids.push_back(other->id);
+      }
+      changes.push_back({sherd, "joins", store::joinTerms(ids)});
+    }
+    bool changed = false;
+    if (!changes.empty()) {
+      const Result<std::vector<FieldChange>> undo =
+          sherds::SherdChanges(catalogue_).apply(changes, provenance_);
+      if (!undo) return named(changes, row, undo.error(), refusal);
+      if (!confirmed)
+        if (const FieldChange* doubted = doubtedOf(*undo, row); doubted != nullptr) {
+          asks_ = true;
+          return refuse(refusal, doubted->field, row.values.at(doubted->field),
+                        questionOf(*undo, row));
+        }
+      changed = !undo->empty();
+      done_ = std::move(changes);
+      undo_ = *undo;
+    }
+    for (const auto& [measurement, initials] : row.measured) {
+      records::Measurement m = measurement;
+      m.sherd = sherd;
+      Provenance by = provenance_;
+      const auto person = persons_.find(initials);
+      by.person = person == persons_.end() ? store::PersonRow{} : person->second;
+      const auto before = now->measures.find(m.kind);
+      changed |= before == now->measures.end() || before->second != m.value;
+      if (const Result<void> done = sherds::Measurements(catalogue_).add(m, by); !done)
+        return refuse(refusal, m.kind, {}, done.error().sentence());
+    }
+    return changed;
+  }
+
+  // Of what would change; what stays as it was is not asked about.
+  static const FieldChange* doubtedOf(const std::vector<FieldChange>& changes,
+                                      const ImportRow& row) {
+    const auto found = std::find_if(changes.begin(), changes.end(), [&](const FieldChange& change) {
+      return row.doubtful.contains(change.field);
+    });
+    return found == changes.end() ? nullptr : &*found;
+  }
+  static std::string questionOf(const std::vector<FieldChange>& changes, const ImportRow& row) {
+    std::vector<std::string> sentences;
+    for (const FieldChange& change : changes)
+      if (const auto doubt = row.doubtful.find(change.field); doubt != row.doubtful.end())
+        sentences.push_back(doubt->second);
+    return joined(sentences, " ");
+  }
+
+  static std::string kindOf(const std::string& field) {  // rim_pct, beside length_mm
+    return records::unitOf(field).empty() ? field.substr(0, field.rfind('_')) : field;
+  }
+
+  // Computed where the table comes from: it gives way to what is computed or measured here.
+  Result<void> measureByProgram(const FieldChange& number, Refusal& refusal) {
+    const auto shown = sherds::SherdChanges(catalogue_)
+                           .preview(std::span(&number, 1));  // as strict as with typed ones
+    if (!shown) return shown.error();
+    if (!shown->front().refusal.empty())
+      return refuse(refusal, number.field, number.value, shown->front().refusal);
+    records::Measurement m;
+    m.sherd = number.sherd;
+    m.kind = kindOf(number.field);
+    m.value = *store::parsedNumber(number.value);
+    Provenance by = provenance_;
+    by.person = {};
+    return sherds::Measurements(catalogue_).add(m, by);
+  }
+
+  Result<void> tellChanges(SherdRow sherd) {
+    const Result<SherdRecord> after = sherds::Sherds(catalogue_).get(sherd);
+    if (!after) return after.error();
+    for (auto before = undo_.rbegin(); before != undo_.rend(); ++before)
+      report_.changed_values.push_back({after->number.empty() ? after->id : after->number,
+                                        before->field, before->value,
+                                        sherds::textOf(*after, before->field)});
+    return {};
+  }
+
+  // Which column it was.
+  Error named(const std::vector<FieldChange>& changes, const ImportRow& row, const Error& error,
+              Refusal& refusal) {
+    const auto shown = sherds::SherdChanges(catalogue_).preview(changes);
+    if (!shown) return error;
+    for (const records::ChangePreview& change : *shown)
+      if (!change.refusal.empty())
+        return refuse(refusal, change.change.field, change.change.value, change.refusal);
+    for (const records::ChangePreview& change : *shown)
+      if (change.asks()) {
+        asks_ = true;
+        const std::string more = questionOf(changes, row);
+        return refuse(refusal, change.change.field, change.change.value,
+                      change.question + (more.empty() ? "" : " " + more));
+      }
+    return error;
+  }
+
+  Catalogue& catalogue_;
+  const std::vector<ImportRow>& rows_;
+  TableJoins joins_;
+  Places places_;
+  bool makes_places_;
+  const ImportOptions& options_;
+  const Provenance& provenance_;
+  bool asks_ = false;  ///< the present row is not refused: a person may confirm it
+  ImportReport& report_;
+  std::vector<FieldChange> done_, undo_;  ///< of the present row
+  /// Of the rows that have this number or uuid.
+  std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines_;
+  std::map<std::string, store::PersonRow> persons_;
+};
+
+}  // namespace
+
+Result<void> previewOrEnter(Catalogue& catalogue, ImportMode mode,
+                            const std::function<Result<void>()>& work) {
+  bool whole = false;
+  const Result<void> done = catalogue.together([&]() -> Result<void> {
+    if (Result<void> worked = work(); !worked) return worked;
+    whole = true;
+    if (mode == ImportMode::Enter) return {};
+    return Error{ErrorCode::Cancelled, "The preview was undone.", {}};
+  });
+  return whole && mode == ImportMode::Preview ? Result<void>() : done;
+}
+
+Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<ImportRow>& rows,
+                                  const ImportOptions& options, const Provenance& provenance,
+                                  Progress& progress, std::stop_token stop) {
+  ImportReport report;
+  Importing importing(catalogue, rows, options, provenance, report);
+  const Result<std::size_t> entered = enterInPortions(
+      catalogue, rows.size(), options, progress, stop, [&](std::size_t i) -> Result<void> {
+        Result<void> done = importing.row(i);
+        return done && i + 1 == rows.size() ? importing.tellLostJoins() : done;
+      });
+  if (!entered) return entered.error();
+  std::reverse(report.undo.begin(), report.undo.end());
+  report.not_reached = static_cast<int>(rows.size() - *entered);
+  return report;
+}
+
+}  // namespace ostraka::tables

@@ -1,0 +1,78 @@
+#include "upkeep/value_check.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "store/database.h"
+#include "store/names.h"
+#include "store/values.h"
+
+namespace ostraka::upkeep {
+namespace {
+
+struct CheckedColumns {
+  std::string table;
+  bool has_rows = true;  ///< else its rows have no numbers
+  std::vector<std::string> texts, numbers;
+};
+
+std::vector<CheckedColumns> checkedColumns(store::Database& database) {
+  std::vector<CheckedColumns> all;
+  store::Statement tables = database.sql(
+      "SELECT name, wr = 0 FROM pragma_table_list WHERE schema = 'main' AND type = 'table' AND "
+      "name NOT LIKE 'sqlite_%' AND name NOT IN ('history', 'setting') ORDER BY name");
+  while (tables.next()) {
+    CheckedColumns table;
+    tables >> table.table >> table.has_rows;
+    store::Statement columns = database.sql("SELECT name, type FROM pragma_table_info(?)");
+    columns.with(table.table);
+    while (columns.next()) {
+      std::string name, type;
+      columns >> name >> type;
+      if (type == "TEXT") table.texts.push_back(name);
+      if (type == "REAL") table.numbers.push_back(name);
+    }
+    all.push_back(std::move(table));
+  }
+  return all;
+}
+
+void checkTable(store::Database& database, const CheckedColumns& table) {
+  std::string sql = table.has_rows ? "SELECT rowid" : "SELECT 0";
+  for (const auto* columns : {&table.texts, &table.numbers})
+    for (const std::string& column : *columns) sql += ", \"" + column + "\"";
+  store::Statement rows = database.sql(sql + " FROM \"" + table.table + "\"");
+  while (rows.next()) {
+    std::int64_t row = 0;
+    rows >> row;
+    const auto where = [&](const std::string& column) {
+      return table.table + "." + column + (row == 0 ? "" : ", row " + std::to_string(row));
+    };
+    for (const std::string& column : table.texts) {
+      std::string text;
+      rows >> text;
+      if (!store::isUtf8(text))
+        store::refuse("The text is not valid UTF-8 or contains a zero byte.", where(column));
+    }
+    for (const std::string& column : table.numbers) {
+      std::optional<double> number;
+      rows >> number;
+      if (number && !std::isfinite(*number))
+        store::refuse("'" + store::numberText(*number) +
+                          "' is not a number; write 12.5 or 12,5, without a unit.",
+                      where(column));
+    }
+  }
+}
+
+}  // namespace
+
+Result<void> checkValues(const catalogue::Catalogue& catalogue) {
+  return catalogue.database().asResult([&] {
+    for (const CheckedColumns& table : checkedColumns(catalogue.database()))
+      checkTable(catalogue.database(), table);
+  });
+}
+
+}  // namespace ostraka::upkeep

@@ -1,0 +1,101 @@
+#include "files/output_place.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace ostraka {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A project, an archive with a catalogue in it, as the program makes them, and a folder beside.
+struct OutputPlaces : testing::Test {
+  fs::path root = fs::canonical(fs::path(testing::TempDir())) /
+                  ("ostraka_places_" + std::to_string(::getpid()));
+  fs::path project = root / "Grabung ü 1", archive = root / "archive", beside = root / "beside";
+  fs::path before = fs::current_path();
+
+  void SetUp() override {
+    fs::remove_all(root);
+    for (const fs::path& folder :
+         {project / "batches" / "B0001", project / "results", archive / "data" / "batches", beside})
+      fs::create_directories(folder);
+    for (const fs::path& file : {project / "catalogue.sqlite", archive / "bagit.txt",
+                                 archive / "data" / "catalogue.sqlite"})
+      std::ofstream(file) << "x";
+  }
+  void TearDown() override {
+    fs::current_path(before);
+    fs::remove_all(root);
+  }
+
+  static void refused(const fs::path& target, const fs::path& owner, std::string_view filled = {}) {
+    const Result<void> checked = checkOutputPlace(target, filled);
+    ASSERT_FALSE(checked) << target;
+    EXPECT_EQ(checked.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(checked.error().where, target.string());
+    EXPECT_NE(checked.error().what.find("'" + owner.string() + "'"), std::string::npos)
+        << checked.error().what;
+  }
+  static void allowed(const fs::path& target, std::string_view filled = {}) {
+    const Result<void> checked = checkOutputPlace(target, filled);
+    EXPECT_TRUE(checked) << checked.error().sentence();
+  }
+};
+
+TEST_F(OutputPlaces, AreRefusedInAProjectAndInAnArchive) {
+  for (const char* below : {"", "new", "batches/B0001/new", "not/there/yet", "new/"}) {
+    refused(project / below, project);
+    refused(archive / below, archive);
+    refused(archive / "data" / below, archive);
+  }
+}
+
+TEST_F(OutputPlaces, AreGoodEverywhereElse) {
+  for (const char* place : {"beside", "beside/new", "not/there/yet", "Grabung ü 10", "archive2/"})
+    allowed(root / place);
+  allowed({});
+  allowed("/");
+}
+
+TEST_F(OutputPlaces, AreFoundBehindDotsAndFromTheCurrentFolder) {
+  refused(beside / ".." / "archive" / "new", archive);
+  refused(root / "absent" / ".." / "archive" / "new", archive);
+  allowed(project / ".." / "beside" / "new");
+  fs::current_path(project / "batches");
+  refused("new", project);
+  refused("../../archive/new", archive);
+  refused(".", project);
+  allowed("../../beside/new");
+}
+
+TEST_F(OutputPlaces, AreFoundBehindLinks) {
+  fs::create_directory_symlink(project / "batches", beside / "link");
+  refused(beside / "link" / "new", project);
+  refused(root / "absent" / ".." / "beside" / "link" / "new", project);
+  fs::create_symlink(archive / "not yet" / "there", beside / "dangling");
+  refused(beside / "dangling", archive);
+  refused(beside / "dangling" / "new", archive);
+  fs::create_symlink("../Grabung ü 1/plate.pdf", beside / "plate.pdf");
+  refused(beside / "plate.pdf", project);
+  fs::create_directory_symlink(beside, project / "out");
+  allowed(project / "out" / "new");
+  fs::create_symlink(beside / "round", beside / "round");
+  allowed(beside / "round");  // who writes there says that it is one
+}
+
+TEST_F(OutputPlaces, OfWhatFillsAProjectAreItsOwnFoldersAlone) {
+  allowed(project / "results" / "B0001", "results");
+  allowed(project / "results" / "B0001" / "", "results");
+  allowed(project / "batches" / "B0001", "batches");
+  for (const char* below :
+       {"", "results", "results/", "results/B0001/more", "batches/B0002", "new"})
+    refused(project / below, project, "results");
+  refused(archive / "data" / "results" / "B0001", archive, "results");
+  allowed(beside / "out", "results");
+}
+
+}  // namespace
+}  // namespace ostraka

@@ -1,0 +1,115 @@
+// Photographs that change while a batch is processed, as when a card is copied anew meanwhile.
+#include "pipeline/batch_inputs.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <functional>
+
+#include "files/files.h"
+#include "pipeline/process_batch.h"
+#include "virtualrig/simulate.h"
+
+namespace ostraka::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+class BatchInputsTest : public testing::Test {
+ protected:
+  BatchInputsTest() {
+    std::string pattern = (fs::temp_directory_path() / "ostraka_inputs_XXXXXX").string();
+    folder = ::mkdtemp(pattern.data());
+  }
+  ~BatchInputsTest() override { fs::remove_all(folder); }
+  static void write(const fs::path& file, const std::string& bytes) {
+    ASSERT_TRUE(writeFileAtomically(file, bytes).has_value());
+  }
+  fs::path folder;
+};
+
+TEST_F(BatchInputsTest, AreTheSameWhileTheirBytesAreHoweverOftenTheyAreWritten) {
+  batch::Batch batch;
+  batch.folder = folder;
+  for (const char* name : {"front/a.jpg", "front/b.jpg", "back/a.jpg"}) {
+    write(folder / name, name);
+    batch.shots.push_back({batch::Side::Front, 0, 0, folder / name, {}, 1, 1});
+  }
+  const BatchInputs inputs(batch, 2);
+  EXPECT_EQ(inputs.hashes().at("back/a.jpg"), sha256("back/a.jpg"));
+  EXPECT_TRUE(inputs.checkUnchanged().has_value());
+  write(folder / "front/b.jpg", "front/b.jpg");
+  EXPECT_TRUE(inputs.checkUnchanged().has_value()) << "copied anew";
+  write(folder / "front/b.jpg", "front/a.jpg");
+  const Result<void> changed = inputs.checkUnchanged();
+  ASSERT_FALSE(changed.has_value()) << "as long as before";
+  EXPECT_EQ(changed.error().where, (folder / "front/b.jpg").string());
+  write(folder / "front/b.jpg", "front/b.jpg");
+  EXPECT_TRUE(inputs.checkUnchanged().has_value());
+  fs::remove(folder / "back/a.jpg");
+  EXPECT_FALSE(inputs.checkUnchanged().has_value());
+}
+
+// At the beginning of a stage does something, once, and hears what is reused.
+class AtStage final : public Progress {
+ public:
+  AtStage(std::string stage, std::function<void()> act)
+      : stage_(std::move(stage)), act_(std::move(act)) {}
+  void begin(std::string_view stage, double) override {
+    if (stage == stage_) act_();
+  }
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel, std::string_view text) override { notes.emplace_back(text); }
+  std::vector<std::string> notes;
+
+ private:
+  std::string stage_;
+  std::function<void()> act_;
+};
+
+TEST_F(BatchInputsTest, ThatChangeDuringAStageLeaveNoRecordOfIt) {
+  virtualrig::SimulateOptions simulated;
+  simulated.seed = 7;
+  simulated.sherds = 2;
+  simulated.width = 800;
+  simulated.output = folder / "batch";
+  simulated.threads = 0;
+  QuietProgress quiet;
+  const Result<void> made = virtualrig::simulateBatch(simulated, quiet, {});
+  ASSERT_TRUE(made.has_value()) << made.error().sentence();
+  std::vector<fs::path> fronts;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "batch/front"))
+    fronts.push_back(entry.path());
+  std::sort(fronts.begin(), fronts.end());
+  const std::string first = *readFile(fronts[0]), second = *readFile(fronts[1]);
+  ProcessOptions options;
+  options.batch = folder / "batch";
+  options.output = folder / "out";
+
+  AtStage swapping("masks of the front side", [&] {
+    write(fronts[0], second);
+    write(fronts[1], first);
+  });
+  const Result<ProcessSummary> changed = processBatch(options, swapping, {});
+  ASSERT_FALSE(changed.has_value());
+  EXPECT_EQ(changed.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(changed.error().where, fronts[0].string());
+  EXPECT_FALSE(fs::exists(folder / "out/work/masks_front/stage.json"));
+  EXPECT_FALSE(fs::exists(folder / "out/report.json"));
+
+  write(fronts[0], first);
+  write(fronts[1], second);
+  std::stop_source stop;
+  AtStage stopping("stereo of the front side", [&] { stop.request_stop(); });
+  ASSERT_FALSE(processBatch(options, stopping, stop.get_token()).has_value());
+  EXPECT_THAT(stopping.notes, Contains(HasSubstr("rig: reused from an earlier run")));
+  EXPECT_THAT(stopping.notes, Not(Contains(HasSubstr("masks_front: reused"))));
+  EXPECT_TRUE(fs::exists(folder / "out/work/masks_front/stage.json"));
+}
+
+}  // namespace
+}  // namespace ostraka::pipeline

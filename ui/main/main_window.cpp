@@ -27,7 +27,6 @@
 #include "ui/queue/queue_screen.h"
 #include "ui/settings/settings_page.h"
 #include "ui/viewport/sherd_view.h"
-#include "ui/widgets/message_panel.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
@@ -222,9 +221,8 @@ void MainWindow::showScreen(int index) {
 
 void MainWindow::showScreenNamed(const QString& icon_name, const QString& what) {
   const int index = work_->screenNamed(icon_name);
-  if (index < 0) return;
   showScreen(index);
-  if (!what.isEmpty()) screens()[static_cast<std::size_t>(index)]->showItem(what);
+  if (index >= 0 && !what.isEmpty()) screens()[static_cast<std::size_t>(index)]->showItem(what);
 }
 
 void MainWindow::showSettings() {
@@ -259,10 +257,7 @@ void MainWindow::showShortcuts() {
 }
 
 void MainWindow::leaveSidePage() {
-  if (session() == nullptr)
-    all_->setCurrentWidget(start_area_);
-  else
-    showScreen(work_->shown());
+  session() == nullptr ? all_->setCurrentWidget(start_area_) : showScreen(work_->shown());
 }
 
 void MainWindow::applySettings(const WindowSettings& settings) {

@@ -53,10 +53,6 @@ void CardInHand::updateCandidates() {
   emit candidatesChanged();
 }
 
-QString CardInHand::name() const {
-  return nameOf(trial_.front >= 0 ? batch_.front(trial_.front) : batch_.back(trial_.back));
-}
-
 int CardInHand::chosen() const {
   for (std::size_t i = 0; i < candidates_.size(); ++i)
     if (candidates_[i].back == trial_.back) return static_cast<int>(i);

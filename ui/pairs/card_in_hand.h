@@ -31,7 +31,6 @@ class CardInHand final : public QObject {
   int front() const { return trial_.front; }
   const review::ReviewCard* card() const { return batch_.review().ofFront(trial_.front); }
   int row() const { return cards_.rowAbout(trial_); }  ///< -1: none
-  QString name() const;                                ///< of its front, or of the lone back
   const Trial& trial() const { return trial_; }
   const std::vector<review::ReviewCandidate>& candidates() const { return candidates_; }
   int chosen() const;  ///< index among the candidates; -1: none of them

@@ -126,7 +126,7 @@ void PairReview::accept() {
   decision.front_from_back = trial.front_from_back;
   decision.settle =
       trial.made == Made::ByHand ? decisions::Settle::AsGiven : decisions::Settle::ByFractures;
-  const QString front = hand_.name(), back = nameOf(batch_.back(trial.back));
+  const QString front = batch_.nameOf(hand_.trial()), back = nameOf(batch_.back(trial.back));
   const review::LiveFit fit =
       hand_.isMeasured() ? hand_.fit() : review::LiveFit{.fracture_overlap = 1};
   const std::size_t before = batch_.decisions().size();
@@ -139,7 +139,7 @@ void PairReview::accept() {
 
 void PairReview::setAside() {
   if (hand_.row() < 0 || !personIsKnown()) return;
-  decide(about(DecisionKind::Aside), tr("setting aside %1").arg(hand_.name()));
+  decide(about(DecisionKind::Aside), tr("setting aside %1").arg(batch_.nameOf(hand_.trial())));
 }
 
 void PairReview::reshoot() {
@@ -147,7 +147,7 @@ void PairReview::reshoot() {
   PairDecision decision = about(DecisionKind::Reshoot);
   if (const review::ReviewCard* card = hand_.card(); card != nullptr && card->back >= 0)
     decision.scans.push_back(batch_.back(card->back));
-  decide(decision, tr("reshooting %1").arg(hand_.name()));
+  decide(decision, tr("reshooting %1").arg(batch_.nameOf(hand_.trial())));
 }
 
 void PairReview::giveBack(int front, int back) {

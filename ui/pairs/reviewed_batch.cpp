@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/pairs/free_words.h"
+
 namespace ostraka::ui {
 namespace {
 
@@ -34,6 +36,10 @@ std::vector<ReviewRow> ReviewedBatch::rows() const {
   std::vector<ReviewRow> rows = rowsOf(review_);
   markPieces(rows, table(), decisions_, followed_);
   return rows;
+}
+
+QString ReviewedBatch::nameOf(const Trial& trial) const {
+  return ui::nameOf(trial.front >= 0 ? front(trial.front) : back(trial.back));
 }
 
 Result<void> ReviewedBatch::add(const decisions::PairDecision& decision) {

@@ -26,6 +26,7 @@ class ReviewedBatch {
   const decisions::ScanRef& front(int i) const { return table().fronts.at(std::size_t(i)); }
   const decisions::ScanRef& back(int i) const { return table().backs.at(std::size_t(i)); }
   std::vector<ReviewRow> rows() const;
+  QString nameOf(const Trial& trial) const;  ///< of its front, or of the lone back
 
   /// A decision that stands in the file by now.
   Result<void> add(const decisions::PairDecision& decision);

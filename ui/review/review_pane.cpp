@@ -338,7 +338,7 @@ void ReviewPane::blankOther() {
 void ReviewPane::acceptMarked() {
   if (pictures_->isCutting()) return pictures_->cutHere();
   if (joining_->isOn()) return joining_->takeMarked();
-  if (!isUnseen()) review_.accept();
+  if (!isUnseen() || !review_.whyNotAccept().isEmpty()) review_.accept();
 }
 
 void ReviewPane::next() {

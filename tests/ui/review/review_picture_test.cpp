@@ -86,7 +86,7 @@ void ReviewPictureTest::aPairIsNotAcceptedBeforeItIsSeen() {
   QTRY_VERIFY(screen_->primary()->isEnabled());
   review()->select(review()->hand().front() == 0 ? 1 : 0);
   QVERIFY(!screen_->primary()->isEnabled());
-  key(Qt::Key_Return);
+  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
   QVERIFY(!std::filesystem::exists(out_.output / "decisions.json"));
   QTRY_VERIFY(screen_->primary()->isEnabled());
   key(Qt::Key_Return);

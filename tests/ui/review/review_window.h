@@ -99,6 +99,8 @@ class ReviewWindow : public QObject {
   void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
     // For a moment nothing has it: the window manager is still busy with the window.
     QTRY_VERIFY(QApplication::focusWidget() != nullptr);
+    // A person decides on what is seen.
+    if (key == Qt::Key_Return) QTRY_VERIFY(!review()->hand().isFetching());
     QTest::keyClick(QApplication::focusWidget(), key, modifiers);
   }
   PairReview* review() { return screen_->review(); }

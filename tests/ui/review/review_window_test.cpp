@@ -107,7 +107,9 @@ void ReviewWindowTest::swappedLookAlikesAreFixedByMouse() {
   QCOMPARE(cardOf(1).state, CardState::Decided);
   QCOMPARE(review()->hand().front(), 0);
   QCOMPARE(cardOf(0).back, 0);
-  QTest::mouseClick(screen_->findChild<QPushButton*>("acceptButton"), Qt::LeftButton);
+  auto* accept = screen_->findChild<QPushButton*>("acceptButton");
+  QTRY_VERIFY(accept->isEnabled());
+  QTest::mouseClick(accept, Qt::LeftButton);
   QTRY_COMPARE(review()->waiting(), 0);
   QCOMPARE(cardOf(0).back, 0);
 }

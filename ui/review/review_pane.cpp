@@ -72,7 +72,10 @@ ReviewPane::ReviewPane(PairReview& review, QWidget* parent)
             scene_ = scene;
             showScene(*scene);
           });
-  connect(&hand_, &CardInHand::sceneFetched, this, &ReviewPane::showFigures);
+  connect(&hand_, &CardInHand::sceneFetched, this, [this] {
+    blankOther();  // where its pictures cannot be had
+    showFigures();
+  });
   blanking_.setSingleShot(true);
   blanking_.setInterval(kBlankAfter_ms);
   connect(&blanking_, &QTimer::timeout, this, &ReviewPane::blankOther);
@@ -324,7 +327,7 @@ bool ReviewPane::showsOther() const {
 
 // Nobody can judge a pair whose pictures are on their way.
 bool ReviewPane::isUnseen() const {
-  return hand_.isFetching() && (!scene_ || showsOther());
+  return showsOther() || (!scene_ && hand_.isFetching());
 }
 
 void ReviewPane::blankOther() {

@@ -208,9 +208,7 @@ class Entering {
     }
     if (Batches(catalogue_).byNumber(number_)) {
       // Not nextNumber, which skips folders: this import's own copies lie there when it enters.
-      const Result<std::vector<records::BatchRecord>> all = Batches(catalogue_).all();
-      if (!all) return all.error();
-      for (std::size_t n = all->size() + 1; Batches(catalogue_).byNumber(batch.number); ++n) {
+      for (int n = 1; Batches(catalogue_).byNumber(batch.number); ++n) {
         const std::string digits = std::to_string(n);
         batch.number = "B" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
       }

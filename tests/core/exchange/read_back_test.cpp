@@ -413,7 +413,7 @@ TEST_F(ReadingBack, FilesLieUnderTheNumberThatIsEnteredThoughABatchIsBegunMeanwh
   };
   Looking beginning([&] {
     if (!fs::exists(photograph("B0002")) || Batches(other.catalogue()).all()->size() != 1) return;
-    EXPECT_EQ(*Batches(other.catalogue()).nextNumber(), "B0002");
+    EXPECT_EQ(*Batches(other.catalogue()).nextNumber(), "B0003");
     EXPECT_TRUE(Batches(other.catalogue()).add({}, {}));
   });
   const Result<tables::ImportReport> report =
@@ -422,9 +422,9 @@ TEST_F(ReadingBack, FilesLieUnderTheNumberThatIsEnteredThoughABatchIsBegunMeanwh
   EXPECT_EQ(report->fresh, 3);
   const records::BatchRecord entered =
       **Batches(other.catalogue()).byId(Batches(catalogue()).get(batch)->id);
-  EXPECT_EQ(entered.number, "B0003");
-  EXPECT_EQ(*readFile(photograph("B0003")), "JPEG");
-  EXPECT_FALSE(fs::exists(other.folder() / "batches/B0002")) << "it is another batch's folder";
+  EXPECT_EQ(entered.number, "B0002");
+  EXPECT_EQ(*readFile(photograph("B0002")), "JPEG");
+  EXPECT_FALSE(fs::exists(other.folder() / "batches/B0003")) << "it is another batch's folder";
   for (const store::SherdRow row : rows) {
     const store::SherdRow there =
         *sherds::Sherds(other.catalogue()).byId(sherds::Sherds(catalogue()).get(row)->id);

@@ -143,13 +143,13 @@ class PlateMasker {
     if (stop.stop_requested()) return Error::cancelled();
     const ground::SheetPicture picture = ground::buildSheetPicture(samples, *printed);
     still_light_ = picture.still_light;
+    const ShadowDepths depths = depthsOfLastingShade(picture);
     samples.clear();
     parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
       if (stop.stop_requested()) return;
       cv::Mat1b known;
       const cv::Mat2f grid_of_pixel = ground::gridOfPixels(images_[i], grid, options_.bend);
-      const cv::Mat3f predicted = predictBareSheet(picture, i, *printed, grid_of_pixel, known);
-      const cv::Mat3f bare = smoothed(predicted);
+      const cv::Mat3f bare = smoothed(predictBareSheet(picture, i, *printed, grid_of_pixel, known));
       cv::Mat3f residual = smoothed(ground::logColours(photographs_[i])) - bare;
       residual.setTo(cv::Scalar::all(0), ~known);
       cv::Mat1b shade;
@@ -158,6 +158,7 @@ class PlateMasker {
                   cv::BORDER_CONSTANT, cv::Scalar::all(0));
       const ResidualNoise noise = measureNoise(residual, bare, known, shade);
       Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
+      depths.addTo(evidence.log_odds, residual, photographs_[i]);
       const cv::Mat1f seen_bare = ground::seenBare(picture, residual, grid_of_pixel);
       evidence.clear = cv::max(evidence.clear, seen_bare);
       evidence.log_odds -= seen_bare.mul(evidence.log_odds + kBareOdds);
@@ -295,8 +296,7 @@ class PlateMasker {
     return groups > 0;
   }
 
-  // Where light stands still, shadows last, and the first hull holds them too. What most of the
-  // photographs took for shadow by its colour leaves the hull of the masks.
+  // The first hull holds lasting shadows; what most photographs took for shadow leaves this one.
   void carveByMasks(const std::stop_token& stop) {
     std::vector<hull::HullView> views;
     for (std::size_t i = 0; i < views_.size(); ++i) {

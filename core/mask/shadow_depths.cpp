@@ -14,6 +14,8 @@ constexpr float kLeastShadow = 0.15F;  // log; shallower is the plate's own chan
 constexpr double kPriorDepths = 20;    // samples, spread over all depths
 // At a sherd's foot, within the hull's margin, shadows are deeper than any beside it.
 constexpr float kDeeper = 3;
+// Where it lasts, it was seen almost to the foot.
+constexpr float kDeeperInSight = 1.5F;
 constexpr double kEverywhere = 1 / 3.0;  // density that Evidence takes for any depth
 constexpr double kMostShadeOdds = 3;
 constexpr float kSureClay = 3;  // log odds
@@ -57,6 +59,27 @@ float darkestClay(std::span<const ShadowSight> sights, int reduction) {
   return *at - kSteeper;
 }
 
+using Counts = std::array<double, std::tuple_size_v<decltype(ShadowDepths::odds)>>;
+
+// By how often each darkness was seen; a shadow may be `deeper` times as dark as one that was seen.
+void setOdds(ShadowDepths& depths, const Counts& counts, float deeper) {
+  double all = 0;
+  for (const double count : counts) all += count;
+  const std::size_t first = depthStep(kLeastShadow, counts.size()) + 1;
+  for (std::size_t k = first; k < counts.size(); ++k) {
+    double most = 0;
+    for (auto j = static_cast<std::size_t>(static_cast<float>(k) / deeper); j <= k; ++j)
+      most = std::max(most, counts[j]);
+    const double density = (most + kPriorDepths / static_cast<double>(counts.size())) /
+                           ((all + kPriorDepths) * kShadowStep);
+    depths.odds[k] =
+        static_cast<float>(std::clamp(std::log(kEverywhere / density), 0.0, kMostShadeOdds));
+  }
+  // Once too dark for a shadow, darker is no more like one.
+  for (std::size_t k = first; k < counts.size(); ++k)
+    depths.odds[k] = std::max(depths.odds[k], depths.odds[k - 1]);
+}
+
 }  // namespace
 
 void ShadowDepths::addTo(cv::Mat1f& log_odds, const cv::Mat3f& residual,
@@ -71,8 +94,7 @@ void ShadowDepths::addTo(cv::Mat1f& log_odds, const cv::Mat3f& residual,
 
 ShadowDepths learnShadowDepths(std::span<const ShadowSight> sights, int reduction) {
   ShadowDepths depths;
-  std::array<double, std::tuple_size_v<decltype(depths.odds)>> counts{};
-  double all = 0;
+  Counts counts{};
   for (const ShadowSight& view : sights) {
     cv::Mat1b near;
     cv::dilate(view.group, near, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
@@ -84,23 +106,21 @@ ShadowDepths learnShadowDepths(std::span<const ShadowSight> sights, int reductio
         const float darkness = -shadeOf(v);
         if (darkness < kLeastShadow || !isNeutralShade(v)) continue;
         counts[depthStep(darkness, counts.size())] += 1;
-        all += 1;
       }
   }
-  const std::size_t first = depthStep(kLeastShadow, counts.size()) + 1;
-  for (std::size_t k = first; k < counts.size(); ++k) {
-    double most = 0;
-    for (auto j = static_cast<std::size_t>(static_cast<float>(k) / kDeeper); j <= k; ++j)
-      most = std::max(most, counts[j]);
-    const double density = (most + kPriorDepths / static_cast<double>(counts.size())) /
-                           ((all + kPriorDepths) * kShadowStep);
-    depths.odds[k] =
-        static_cast<float>(std::clamp(std::log(kEverywhere / density), 0.0, kMostShadeOdds));
-  }
-  // Once too dark for a shadow, darker is no more like one.
-  for (std::size_t k = first; k < counts.size(); ++k)
-    depths.odds[k] = std::max(depths.odds[k], depths.odds[k - 1]);
+  setOdds(depths, counts, kDeeper);
   depths.darkest_clay = darkestClay(sights, reduction);
+  return depths;
+}
+
+ShadowDepths depthsOfLastingShade(const ground::SheetPicture& picture) {
+  ShadowDepths depths;
+  Counts counts{};
+  for (int y = 0; y < picture.shade.rows; ++y)
+    for (int x = 0; x < picture.shade.cols; ++x)
+      if (picture.shade(y, x) != 0)
+        counts[depthStep(-shadeOf(picture.correction(y, x)), counts.size())] += 1;
+  if (*std::max_element(counts.begin(), counts.end()) > 0) setOdds(depths, counts, kDeeperInSight);
   return depths;
 }
 

@@ -3,6 +3,8 @@
 #include <opencv2/core/mat.hpp>
 #include <span>
 
+#include "ground/sheet_picture.h"
+
 namespace ostraka::mask {
 
 /// What one view tells of shadows; group and plate are reduced.
@@ -29,5 +31,8 @@ inline constexpr float kShadowStep = 0.1F;
 /// Shadows are learnt from what lies in them beside the hull, where no sherd stands; clay from what
 /// surely is some.
 ShadowDepths learnShadowDepths(std::span<const ShadowSight> sights, int reduction);
+/// Where light stands still over a sheet, shadows are known by themselves (SheetPicture::shade) and
+/// seen to the sherds' feet. No odds where there is no shade.
+ShadowDepths depthsOfLastingShade(const ground::SheetPicture& picture);
 
 }  // namespace ostraka::mask

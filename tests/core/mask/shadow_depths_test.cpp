@@ -75,5 +75,20 @@ TEST(ShadowDepths, NeverSpeakOfWhatIsLit) {
   EXPECT_FLOAT_EQ(shadeOddsAt(depths, 0, 250), 0);
 }
 
+TEST(ShadowDepths, OfLastingShadeAreThoseThatTheSheetShows) {
+  ground::SheetPicture sheet;
+  EXPECT_FLOAT_EQ(shadeOddsAt(depthsOfLastingShade(sheet), 3, 30), 0) << "nothing is known";
+  sheet.shade = cv::Mat1b(60, 60, uchar{0});
+  sheet.correction = cv::Mat3f(60, 60, cv::Vec3f::all(-3));  // of stains, which are no shade
+  sheet.shade.colRange(10, 30) = 255;
+  for (int x = 10; x < 30; ++x)
+    sheet.correction.col(x).setTo(cv::Scalar::all(-0.05 * (x - 9)));  // to -1
+  const ShadowDepths depths = depthsOfLastingShade(sheet);
+  EXPECT_FLOAT_EQ(shadeOddsAt(depths, 0.9F, 30), 0);
+  EXPECT_FLOAT_EQ(shadeOddsAt(depths, 1.35F, 30), 0) << "half as deep again towards the foot";
+  EXPECT_GT(shadeOddsAt(depths, 1.8F, 30), 2);
+  EXPECT_GT(shadeOddsAt(depths, 1.8F, 1), 2) << "whatever clay is like";
+}
+
 }  // namespace
 }  // namespace ostraka::mask

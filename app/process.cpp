@@ -80,8 +80,8 @@ void printTable(const ProcessSummary& summary) {
                 summary.warnings.size());
   if (summary.ambiguous() > 0)
     std::printf(summary.ambiguous() == 1
-                    ? "%d pair needs review; the report shows the alternatives.\n"
-                    : "%d pairs need review; the report shows the alternatives.\n",
+                    ? "%d pair needs review: the report says why; decide it in the window.\n"
+                    : "%d pairs need review: the report says why; decide them in the window.\n",
                 summary.ambiguous());
   for (const std::string& doubt : summary.scale_doubts)
     std::printf("Decide this before measuring anything: %s\n", doubt.c_str());

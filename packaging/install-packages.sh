@@ -14,7 +14,7 @@ fi
 
 packages="
   build-essential cmake ninja-build ccache mold file clang libclang-rt-14-dev
-  libeigen3-dev libopencv-dev libopencv-contrib-dev libceres-dev libnanoflann-dev
+  libeigen3-dev libopencv-dev libopencv-contrib-dev libceres-dev libnanoflann-dev libpcl-dev
   libsqlite3-dev libusb-1.0-0-dev libgphoto2-dev libexif-dev libheif-dev libraw-dev libqrencode-dev libzxingcore-dev
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
   libvtk9-dev pkgconf poppler-utils xvfb xauth openbox libgl1-mesa-dri fonts-dejavu-core

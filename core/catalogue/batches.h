@@ -19,7 +19,10 @@ class Batches : public Subject {
   Result<records::BatchRecord> byNumber(const std::string&) const;
   /// None when it is not there.
   Result<std::optional<records::BatchRecord>> byId(const std::string& id) const;
-  Result<std::string> nextNumber() const;
+  /// One above the largest, B0031. What somebody put into a folder of that name would become part
+  /// of the batch: such a number is passed over, unless the folders are the caller's own.
+  enum class Folders { Avoided, Own };
+  Result<std::string> nextNumber(Folders = Folders::Avoided) const;
   /// Gets the next number (B0031) within the transaction, unless it has one.
   Result<store::BatchRow> add(const records::BatchRecord&, const records::Provenance&);
   Result<void> save(const records::BatchRecord&, const records::Provenance&);

@@ -14,6 +14,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int kFloat = 5126, kUnsignedShort = 5123, kUnsignedInt = 5125;
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 
 template <class T>
@@ -27,6 +28,14 @@ void appendBytes(std::string& bytes, T value) {
 struct Buffer {
   std::string bytes;
   ordered_json views = ordered_json::array(), accessors = ordered_json::array();
+
+  // A whole file; returns the number of its view.
+  int addImage(const std::string& file) {
+    views.push_back({{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", file.size()}});
+    bytes += file;
+    bytes.resize((bytes.size() + 3) / 4 * 4, '\0');
+    return static_cast<int>(views.size()) - 1;
+  }
 
   // Closes what was appended since `begin` as one accessor; returns its number.
   int close(std::size_t begin, int target, int component, std::size_t count, const char* type) {
@@ -93,6 +102,15 @@ int addColors(Buffer& buffer, const TriangleMesh& mesh) {
   return index;
 }
 
+int addPlaces(Buffer& buffer, const std::vector<Eigen::Vector2f>& uv) {
+  const std::size_t begin = buffer.bytes.size();
+  for (const Eigen::Vector2f& place : uv) {
+    appendBytes(buffer.bytes, place.x());
+    appendBytes(buffer.bytes, place.y());
+  }
+  return buffer.close(begin, kArrayBuffer, kFloat, uv.size(), "VEC2");
+}
+
 int addSeen(Buffer& buffer, const TriangleMesh& mesh) {
   const std::size_t begin = buffer.bytes.size();
   for (const std::uint8_t s : mesh.seen) appendBytes(buffer.bytes, s ? 1.0f : 0.0f);
@@ -132,7 +150,9 @@ void appendChunk(std::string& file, std::uint32_t type, std::string chunk, char 
 
 }  // namespace
 
-Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras) {
+namespace {
+
+Result<void> checkFaces(const TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.size());
   if (mesh.triangles.empty())
     return Error{ErrorCode::UnusableInput, "The mesh has no faces to write.", {}};
@@ -141,10 +161,46 @@ Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras)
       return Error{ErrorCode::UnusableInput,
                    "A face of the mesh refers to a vertex that does not exist.",
                    {}};
+  return {};
+}
+
+std::string joined(const ordered_json& root, std::string binary) {
+  std::string file = "glTF";
+  appendBytes(file, std::uint32_t{2});
+  appendBytes(file, std::uint32_t{0});
+  appendChunk(file, kJsonChunk, root.dump(), ' ');
+  appendChunk(file, kBinaryChunk, std::move(binary), '\0');
+  const auto size = static_cast<std::uint32_t>(file.size());
+  std::memcpy(file.data() + 8, &size, sizeof size);
+  return file;
+}
+
+void addTexture(Buffer& buffer, const GlbTexture& texture, ordered_json& root) {
+  root["images"] = ordered_json::array(
+      {{{"bufferView", buffer.addImage(texture.jpeg)}, {"mimeType", "image/jpeg"}}});
+  // Smaller copies in between, as from afar; what lies beyond the edge is the edge.
+  root["samplers"] = ordered_json::array(
+      {{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}}});
+  root["textures"] = ordered_json::array({{{"sampler", 0}, {"source", 0}}});
+  root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  if (texture.seen_png.empty()) return;
+  root["images"].push_back(
+      {{"bufferView", buffer.addImage(texture.seen_png)}, {"mimeType", "image/png"}});
+  root["nodes"][0]["extras"]["ostraka"]["seen_image"] = 1;
+}
+
+Result<std::string> formatted(const TriangleMesh& mesh, const GlbTexture* texture,
+                              const GlbExtras& extras) {
+  if (const Result<void> good = checkFaces(mesh); !good) return good.error();
+  if (texture != nullptr && texture->uv.size() != mesh.vertices.size())
+    return Error{ErrorCode::UnusableInput, "Not every vertex has a place in the texture.", {}};
   Buffer buffer;
   ordered_json attributes = {{"POSITION", addPositions(buffer, mesh)}};
   if (mesh.normals.size() == mesh.vertices.size()) attributes["NORMAL"] = addNormals(buffer, mesh);
-  if (mesh.colors.size() == mesh.vertices.size()) attributes["COLOR_0"] = addColors(buffer, mesh);
+  if (texture != nullptr)
+    attributes["TEXCOORD_0"] = addPlaces(buffer, texture->uv);
+  else if (mesh.colors.size() == mesh.vertices.size())
+    attributes["COLOR_0"] = addColors(buffer, mesh);
   if (mesh.seen.size() == mesh.vertices.size()) attributes["_SEEN"] = addSeen(buffer, mesh);
   const int indices = addIndices(buffer, mesh);
 
@@ -162,23 +218,25 @@ Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras)
                                                                  {"indices", indices},
                                                                  {"material", 0},
                                                                  {"mode", 4}}})}}});
+  if (texture != nullptr) addTexture(buffer, *texture, root);
   root["accessors"] = buffer.accessors;
   root["bufferViews"] = buffer.views;
   root["buffers"] = ordered_json::array({{{"byteLength", buffer.bytes.size()}}});
-
-  std::string file = "glTF";
-  appendBytes(file, std::uint32_t{2});
-  appendBytes(file, std::uint32_t{0});
-  appendChunk(file, 0x4E4F534A, root.dump(), ' ');
-  appendChunk(file, 0x004E4942, std::move(buffer.bytes), '\0');
-  const std::uint32_t size = static_cast<std::uint32_t>(file.size());
-  std::memcpy(file.data() + 8, &size, sizeof size);
-  return file;
+  return joined(root, std::move(buffer.bytes));
 }
 
-Result<void> writeGlb(const std::filesystem::path& path, const TriangleMesh& mesh,
-                      const GlbExtras& extras) {
-  const Result<std::string> bytes = formatGlb(mesh, extras);
+}  // namespace
+
+Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras) {
+  return formatted(mesh, nullptr, extras);
+}
+
+Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbTexture& texture,
+                              const GlbExtras& extras) {
+  return formatted(mesh, &texture, extras);
+}
+
+Result<void> writeGlb(const std::filesystem::path& path, const Result<std::string>& bytes) {
   if (!bytes) return Error{bytes.error().code, bytes.error().what, path.string()};
   return writeFileAtomically(path, *bytes);
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "cloud/point_cloud.h"
@@ -14,11 +15,22 @@ struct GlbExtras {
   double filled_percent = -1;  ///< < 0: left out
 };
 
+/// A picture on the mesh.
+struct GlbTexture {
+  std::vector<Eigen::Vector2f> uv;  ///< per vertex, 0..1 from the picture's top left corner
+  std::string jpeg;                 ///< the picture, sRGB, a whole file
+  std::string seen_png;  ///< a mask of the same size, 0: filled in; extras.ostraka.seen_image; or
+                         ///< empty
+};
+
 /// glTF 2.0 binary: metres, +Y up, baked into the positions ((x, y, z) mm -> (x, z, -y) / 1000),
 /// normals, COLOR_0 linear 16 bit RGBA, _SEEN as float 0 or 1, 16 or 32 bit indices. One mesh, one
 /// node. Errors: UnusableInput for a mesh without triangles or with a wrong index.
 Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras);
-Result<void> writeGlb(const std::filesystem::path& path, const TriangleMesh& mesh,
-                      const GlbExtras& extras);
+/// With a texture in place of COLOR_0, which readers would multiply it with.
+Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbTexture& texture,
+                              const GlbExtras& extras);
+/// What formatGlb made, into this file; its error names the file.
+Result<void> writeGlb(const std::filesystem::path& path, const Result<std::string>& bytes);
 
 }  // namespace ostraka

@@ -14,11 +14,11 @@
 #include "exchange/drawn_sherds.h"
 #include "exchange/export_plan.h"
 #include "exchange/lighter_model.h"
-#include "exchange/metadata.h"
 #include "exchange/model_files.h"
-#include "exchange/sherd_json.h"
 #include "exchange/views_out.h"
 #include "files/files.h"
+#include "metadata/metadata.h"
+#include "metadata/sherd_json.h"
 #include "model/volume_moment.h"
 #include "records/records.h"
 #include "records/sherd.h"
@@ -62,9 +62,10 @@ class Exporting {
     if (Result<void> seen = views(plan); !seen) return seen.error();
     if (Result<void> centred = centres(sherds, plan.project()); !centred) return centred.error();
     if (Result<void> written = records(sherds, rows); !written) return written.error();
-    const auto beside = metadataOf(catalogue_, sherds, *project, options_.program, bag_.files());
+    const auto beside =
+        metadata::metadataOf(catalogue_, sherds, *project, options_.program, bag_.files());
     if (!beside) return beside.error();
-    for (const MetadataFile& file : *beside)
+    for (const metadata::MetadataFile& file : *beside)
       if (const auto added = bag_.add(file.path, file.text); !added) return added.error();
     const auto read_again = [this](const fs::path& written) -> Result<void> {
       const auto whole = archive::checkBag(written, progress_, stop_);
@@ -269,7 +270,7 @@ class Exporting {
     for (const records::SherdRecord& sherd : sherds) {
       if (stop_.stop_requested()) return Error::cancelled();
       const Result<std::string> text =
-          sherdJson(catalogue_, sherd, files_[sherd.row], options_.program);
+          metadata::sherdJson(catalogue_, sherd, files_[sherd.row], options_.program);
       if (!text) return text.error();
       const auto added = bag_.add("sherds/" + slugOf(sherd) + ".json", *text);
       if (!added) return added.error();
@@ -287,7 +288,7 @@ class Exporting {
   std::int64_t done_ = 0, total_ = 0;
   store::SherdRow lighter_of_;
   Result<LighterModel> lighter_ = LighterModel();
-  std::map<store::SherdRow, std::vector<SherdFile>> files_;
+  std::map<store::SherdRow, std::vector<metadata::SherdFile>> files_;
   FilesOfSherds named_;
 };
 

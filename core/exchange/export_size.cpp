@@ -5,10 +5,10 @@
 #include "cloud/ply.h"
 #include "exchange/export_plan.h"
 #include "exchange/lighter_model.h"
-#include "exchange/metadata.h"
-#include "exchange/sherd_json.h"
 #include "exchange/views_out.h"
 #include "files/files.h"
+#include "metadata/metadata.h"
+#include "metadata/sherd_json.h"
 #include "records/records.h"
 #include "records/sherd.h"
 
@@ -181,7 +181,7 @@ class Sizing {
       some.push_back(sherd.row);
       if (!options_.forms.contains(Form::Json)) continue;
       const Result<std::string> text =
-          sherdJson(catalogue_, sherd, of_sherds_[sherd.row], options_.program);
+          metadata::sherdJson(catalogue_, sherd, of_sherds_[sherd.row], options_.program);
       if (!text) return text.error();
       record_bytes += static_cast<std::int64_t>(text->size());
     }
@@ -205,7 +205,8 @@ class Sizing {
     };
     FilesOfSherds named;
     for (const store::SherdRow row : some)
-      for (const SherdFile& file : of_sherds_[row]) named[row][file.role + "_file"] = file.path;
+      for (const metadata::SherdFile& file : of_sherds_[row])
+        named[row][file.role + "_file"] = file.path;
     std::set<store::ContextRow> contexts;
     for (const records::SherdRecord& sherd : sherds_)
       if (sherd.context) contexts.insert(sherd.context);
@@ -224,9 +225,10 @@ class Sizing {
   Result<void> metadata() {
     const Result<records::ProjectRecord> project = Settings(catalogue_).project();
     if (!project) return project.error();
-    const auto beside = metadataOf(catalogue_, sherds_, *project, options_.program, files_);
+    const auto beside =
+        metadata::metadataOf(catalogue_, sherds_, *project, options_.program, files_);
     if (!beside) return beside.error();
-    for (const MetadataFile& file : *beside)
+    for (const metadata::MetadataFile& file : *beside)
       add(file.path, static_cast<std::int64_t>(file.text.size()));
     return {};
   }
@@ -238,7 +240,7 @@ class Sizing {
   std::stop_token stop_;
   ExportSize size_;
   std::vector<archive::BagFile> files_;
-  std::map<store::SherdRow, std::vector<SherdFile>> of_sherds_;
+  std::map<store::SherdRow, std::vector<metadata::SherdFile>> of_sherds_;
 };
 
 }  // namespace

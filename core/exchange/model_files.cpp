@@ -7,9 +7,9 @@
 
 #include "cloud/obj.h"
 #include "cloud/ply.h"
-#include "exchange/json_fields.h"
 #include "files/json.h"
 #include "files/json_text.h"
+#include "metadata/json_fields.h"
 #include "store/values.h"
 
 namespace ostraka::exchange {
@@ -106,7 +106,7 @@ Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
   if (label.deviation_mm >= 0) extras["deviation_mm"] = label.deviation_mm;
   if (label.farthest_mm >= 0) extras["farthest_mm"] = label.farthest_mm;
   if (!label.scale_doubts.empty()) extras["scale_doubts"] = label.scale_doubts;
-  Result<std::string> written = jsonText(json, where, -1);
+  Result<std::string> written = metadata::jsonText(json, where, -1);
   if (!written) return written;
   std::string& text = *written;
   text.append((4 - text.size() % 4) % 4, ' ');

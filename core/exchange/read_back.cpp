@@ -8,9 +8,9 @@
 #include "base/text.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
-#include "exchange/metadata.h"
-#include "exchange/sherd_json.h"
 #include "files/checksum.h"
+#include "metadata/metadata.h"
+#include "metadata/sherd_json.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/measurements.h"
@@ -137,7 +137,8 @@ class ReadingBack {
       if (!file.path.starts_with("data/sherds/")) continue;
       const Result<std::string> text = bag_.read(file, kMostRecordBytes);
       if (!text) return text.error();
-      Result<ReadSherdJson> read = parseSherdJson(*text, fs::path(file.path).filename().string());
+      Result<metadata::ReadSherdJson> read =
+          metadata::parseSherdJson(*text, fs::path(file.path).filename().string());
       if (!read) return read.error();
       read->row.line = static_cast<int>(records_.size()) + 1;
       const auto& values = read->row.values;
@@ -155,15 +156,15 @@ class ReadingBack {
   Result<tables::ImportReport> enter(const tables::ImportOptions& options, Progress& progress,
                                      std::stop_token stop) {
     Catalogue& catalogue = project_.catalogue();
-    Result<ReadBatches> beside = readMetadata(catalogue, bag_, provenance_);
+    Result<metadata::ReadBatches> beside = metadata::readMetadata(catalogue, bag_, provenance_);
     if (!beside) return beside.error();
     copies_ = std::move(beside->copies);
     fresh_batches_ = std::move(beside->fresh);
     lost_joins_.clear();
     tables::ImportReport kept;
     std::vector<tables::ImportRow> fresh;
-    std::vector<const ReadSherdJson*> fresh_records;
-    for (const ReadSherdJson& record : records_) {
+    std::vector<const metadata::ReadSherdJson*> fresh_records;
+    for (const metadata::ReadSherdJson& record : records_) {
       const std::string uuid =
           record.row.values.contains("uuid") ? record.row.values.at("uuid") : "";
       const Result<store::SherdRow> there = sherds::Sherds(catalogue).byId(uuid);
@@ -202,7 +203,7 @@ class ReadingBack {
         tables::importSherds(catalogue, fresh, options, provenance_, progress, stop);
     if (!report) return report;
     if (report->not_reached > 0) return Error::cancelled();
-    for (const ReadSherdJson* record : fresh_records)
+    for (const metadata::ReadSherdJson* record : fresh_records)
       if (Result<void> done = afterwards(*record); !done) return done.error();
     if (Result<void> all = copiesAreThere(); !all) return all.error();
     if (!lost_joins_.empty())
@@ -223,7 +224,7 @@ class ReadingBack {
     copied_.clear();
     const Result<OpenFolder> project = OpenFolder::open(project_.folder());
     if (!project) return project.error();
-    for (const FileCopy& file : copies_) {
+    for (const metadata::FileCopy& file : copies_) {
       if (stop.stop_requested()) return Error::cancelled();
       progress.report(static_cast<std::int64_t>(copied_.size()),
                       static_cast<std::int64_t>(copies_.size()));
@@ -245,9 +246,10 @@ class ReadingBack {
   /// False when other numbers were given to batches than when the files were copied: somebody began
   /// a batch meanwhile.
   bool liesWhereItIsEntered() const {
-    return std::equal(
-        copies_.begin(), copies_.end(), copied_.begin(), copied_.end(),
-        [](const FileCopy& a, const FileCopy& b) { return a.from == b.from && a.to == b.to; });
+    return std::equal(copies_.begin(), copies_.end(), copied_.begin(), copied_.end(),
+                      [](const metadata::FileCopy& a, const metadata::FileCopy& b) {
+                        return a.from == b.from && a.to == b.to;
+                      });
   }
 
   /// What copyFiles wrote, and the folders that it made, as far as they are empty.
@@ -264,7 +266,7 @@ class ReadingBack {
   // Before anything is written: each file is in the export, and no two get one place.
   Result<void> copiesAreThere() const {
     std::map<std::string, std::string> hashes;
-    for (const FileCopy& copy : copies_) {
+    for (const metadata::FileCopy& copy : copies_) {
       const archive::BagFile* file = bag_.find("data/" + copy.from);
       if (!file) return Error::unusable("This file is not part of the export.", copy.from);
       if (hashes.try_emplace(copy.to, file->sha256).first->second != file->sha256)
@@ -293,7 +295,7 @@ class ReadingBack {
   }
 
   // Joins, scans and files of a sherd that was not there before, once all sherds are there.
-  Result<void> afterwards(const ReadSherdJson& record) {
+  Result<void> afterwards(const metadata::ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
     if (!record.row.values.contains("uuid")) return {};
     const Result<store::SherdRow> sherd =
@@ -306,13 +308,13 @@ class ReadingBack {
     if (!had) return had.error();
     if (!had->empty()) return {};
     std::string model, preview;
-    for (const SherdFile& file : record.files) {
+    for (const metadata::SherdFile& file : record.files) {
       const Result<ContainedPath> place =
           tables::importPlace("imported/" + name_ + "/" + file.path, {});
       if (!place) return place.error();
       records::FileRecord f;
       f.path = place->text();
-      const auto verified = verifiedFile(bag_, file.path, file.sha256, file.bytes);
+      const auto verified = metadata::verifiedFile(bag_, file.path, file.sha256, file.bytes);
       if (!verified) return verified.error();
       f.sha256 = verified->sha256;
       f.bytes = verified->bytes;
@@ -329,7 +331,7 @@ class ReadingBack {
   }
 
   // With whom the export means: a number may be another sherd's here, or nobody knows whose.
-  Result<void> join(store::SherdRow sherd, const ReadSherdJson& record) {
+  Result<void> join(store::SherdRow sherd, const metadata::ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
     const auto joins = record.row.values.find("joins");
     if (joins == record.row.values.end()) return {};
@@ -356,7 +358,7 @@ class ReadingBack {
 
   // From which scans of its batch it was made, unless that is known already. A batch that was here
   // before has its own scans and decisions: one of the same name may be of another piece.
-  Result<void> scansOf(store::SherdRow row, const ReadSherdJson& record) {
+  Result<void> scansOf(store::SherdRow row, const metadata::ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
     const Result<records::SherdRecord> sherd = sherds::Sherds(catalogue).get(row);
     if (!sherd) return sherd.error();
@@ -376,12 +378,12 @@ class ReadingBack {
   const archive::BagReader& bag_;
   const records::Provenance& provenance_;
   std::string name_;  ///< of the export's folder, as part of other names
-  std::vector<ReadSherdJson> records_;
+  std::vector<metadata::ReadSherdJson> records_;
   std::map<std::string, std::string> uuids_;  ///< of the records, by number
   std::set<store::BatchRow> fresh_batches_;   ///< what entered last
   std::vector<std::string> lost_joins_;
-  std::vector<FileCopy> copies_;  ///< of what was entered last
-  std::vector<FileCopy> copied_;
+  std::vector<metadata::FileCopy> copies_;  ///< of what was entered last
+  std::vector<metadata::FileCopy> copied_;
   std::vector<fs::path> written_;
   std::set<fs::path> made_;  ///< those within others behind them
 };

@@ -6,13 +6,13 @@
 #include "calibration/calibrate.h"
 #include "calibration/free_cameras.h"
 #include "calibration/lenses.h"
+#include "checks/no_scale.h"
 #include "checks/photo_checks.h"
 #include "checks/scale_check.h"
 #include "colmap/colmap_program.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "pipeline/chain.h"
-#include "pipeline/no_plate.h"
 #include "pipeline/proposed_sheet.h"
 #include "pipeline/run_log.h"
 #include "rig/support_plane.h"
@@ -102,10 +102,12 @@ Result<SidePoses> poseSideWithoutPlate(const Run& run, batch::Side side,
       colmap::poseWithColmap(shots, workspace, options, progress, run.stop);
   if (!found) return found.error();
   const Result<std::optional<checks::KnownScale>> known =
-      knownScale(run.batch, side, *found, run.options.threads, run.stop);
+      checks::knownScale(run.batch, side, *found, run.options.threads, run.stop);
   if (!known) return known.error();
   SidePoses posed{
-      colmap::scaledTo(*found, *known ? (*known)->mm_per_unit : nominalScale(*found)), *known, {}};
+      colmap::scaledTo(*found, *known ? (*known)->mm_per_unit : checks::nominalScale(*found)),
+      *known,
+      {}};
   if (free)
     if (const auto plane = rig::findSupportPlane(posed.poses.images, posed.poses.points,
                                                  Eigen::Vector3d::UnitZ())) {
@@ -149,7 +151,7 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
   if (run.options.rig)
     notes.warnings.push_back(
         "The rig was not used: without plate.json the poses come from COLMAP.");
-  if (!has_scale) notes.warnings.push_back(noScaleWarning());
+  if (!has_scale) notes.warnings.push_back(checks::noScaleWarning());
   notes.figures["images"] = images.size();
   notes.figures["reprojection_rms_px"] = reprojection_px;
   notes.figures["has_scale"] = has_scale;

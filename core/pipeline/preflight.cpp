@@ -4,11 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <set>
 
 #include "colmap/colmap_program.h"
-#include "pipeline/no_plate.h"
+#include "pipeline/mask_source.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -43,15 +42,6 @@ std::string missingProgram(const batch::Batch& batch, const ProcessOptions& opti
 }
 
 }  // namespace
-
-double freeMemoryMb() {
-  std::ifstream info("/proc/meminfo");
-  for (std::string key, rest; info >> key; std::getline(info, rest)) {
-    double kilobytes = 0;
-    if (key == "MemAvailable:" && info >> kilobytes) return kilobytes / 1024;
-  }
-  return 0;
-}
 
 Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
                             double free_memory_mb) {

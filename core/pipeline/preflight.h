@@ -21,7 +21,4 @@ struct Preflight {
 Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
                             double free_memory_mb);
 
-/// What this computer can give to a program now, MB; 0 when the system does not say.
-double freeMemoryMb();
-
 }  // namespace ostraka::pipeline

@@ -6,11 +6,13 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "base/parallel.h"
+#include "base/memory.h"
+#include "base/part_progress.h"
 #include "batch/copied_photographs.h"
 #include "batch/photographs.h"
 #include "checks/camera_settings.h"
 #include "checks/lone_scans.h"
+#include "checks/no_scale.h"
 #include "checks/stillness.h"
 #include "cloud/ply.h"
 #include "decisions/candidate_table.h"
@@ -18,7 +20,6 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "pairing/common_scale.h"
-#include "pipeline/no_plate.h"
 #include "pipeline/output_folder.h"
 #include "pipeline/preflight.h"
 #include "pipeline/proposed_sheet.h"
@@ -157,7 +158,7 @@ Result<double> matchSizes(const Run& run, Staged<Poses>& poses, const Sides& fro
   if (!scale) return scale.error();
   stages.push_back({"sizes of the sides", scale->record});
   for (scan::Scan& scan : back.scans.value) scan = pairing::scaled(scan, scale->value);
-  resizeSide(poses.value.images, batch::Side::Back, scale->value);
+  checks::resizeSide(poses.value.images, batch::Side::Back, scale->value);
   return scale->value;
 }
 
@@ -227,29 +228,17 @@ SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
   return line;
 }
 
-// One of several equal parts of a stage: a bar does not begin again with each of them.
-class PartProgress final : public Progress {
- public:
-  PartProgress(Progress& outer, std::size_t part, std::size_t parts)
-      : outer_(outer),
-        part_(static_cast<std::int64_t>(part)),
-        parts_(static_cast<std::int64_t>(parts)) {}
-  void report(std::int64_t done, std::int64_t total) override {
-    outer_.report(part_ * total + done, parts_ * total);
-  }
-  void note(NoteLevel level, std::string_view text) override { outer_.note(level, text); }
-
- private:
-  Progress& outer_;
-  std::int64_t part_, parts_;
-};
-
 // The model of each pair, in their order, its part of the report and its line of the summary.
-Result<void> makeModels(const Run& run, const std::vector<DecidedPair>& decided, const Sides& front,
+Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
+                        const std::vector<DecidedPair>& decided, const Sides& front,
                         const Sides& back, double share, ReportInput& report,
                         ProcessSummary& summary) {
   run.progress.begin("models", share);
-  const std::string scans = front.scans.record.outputs_hash + back.scans.record.outputs_hash;
+  std::string inputs = poses.record.outputs_hash;
+  for (const Sides* side : {&front, &back})
+    inputs += side->masks.record.outputs_hash + side->scans.record.outputs_hash;
+  texture::SherdViews views = viewsOf(run, poses.value, front.masks.value, back.masks.value,
+                                      decided, front.scans.value, back.scans.value);
   for (std::size_t i = 0; i < decided.size(); ++i) {
     if (run.stop.stop_requested()) return Error::cancelled();
     const scan::Scan& f = front.scans.value[static_cast<std::size_t>(decided[i].front)];
@@ -258,7 +247,8 @@ Result<void> makeModels(const Run& run, const std::vector<DecidedPair>& decided,
     PartProgress progress(run.progress, i, decided.size());
     const Run one{run.options,    run.batch,       run.held,      run.work, run.inputs,
                   run.batch_hash, run.photographs, run.decisions, progress, run.stop};
-    const Result<StageRecord> record = modelStage(one, number, decided[i], f, b, scans);
+    const Result<StageRecord> record = modelStage(
+        one, number, decided[i], f, b, [&] { return views.of(i, run.stop); }, inputs);
     if (!record) return record.error();
     if (const Result<void> published = publish(run, number); !published) return published;
     report.stages.push_back({"model " + number, *record});
@@ -312,7 +302,7 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   report.back_masks = &back.masks.value;
   ProcessSummary summary;
   if (const auto r =
-          makeModels(run, pairs->value.pairs, front, back, shares.models, report, summary);
+          makeModels(run, poses, pairs->value.pairs, front, back, shares.models, report, summary);
       !r)
     return r.error();
   if (!wasPhotographed(run.batch, batch::Side::Back)) {

@@ -11,9 +11,9 @@ namespace ostraka::pipeline {
 /// Photographs by hand without plate.json: the sheet under the sherds is sought in those of the
 /// front, its size from ProcessOptions::marker_mm; a warning says so. Without marker_mm the size is
 /// a guess (hasGuessedSize), and no sheet is found where there are no markers. Leaves a batch alone
-/// that has a plate, was taken on a rig, or whose size scale.json or a board tells (no_plate.h).
-/// Errors: UnusableInput (marker_mm, also one that is not what a plate.json says), NotEnough,
-/// Cancelled.
+/// that has a plate, was taken on a rig, or whose size scale.json or a board tells
+/// (checks/no_scale.h). Errors: UnusableInput (marker_mm, also one that is not what a plate.json
+/// says), NotEnough, Cancelled.
 Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& options,
                                  Progress& progress, std::stop_token stop);
 

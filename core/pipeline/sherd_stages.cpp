@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/part_progress.h"
 #include "base/text.h"
 #include "cloud/glb.h"
 #include "cloud/ply.h"
@@ -10,15 +11,18 @@
 #include "model/preview.h"
 #include "pairing/common_scale.h"
 #include "pipeline/chain.h"
+#include "texture/texture.h"
 
 namespace ostraka::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+using batch::Side;
 using nlohmann::ordered_json;
 
 // The GLB is for showing: a tenth of a pixel's size off the model at most.
 constexpr double kGlbDeviation_mm = 0.03;
+constexpr std::size_t kPointsOfASherd = 2000;  // of a side: they bound what photographs show of it
 
 ordered_json toJson(const model::Measures& m) {
   return {{"length_mm", m.length_mm},
@@ -55,17 +59,41 @@ std::vector<std::string> warningsAbout(const model::SherdModel& model,
   return warnings;
 }
 
+// With what the photographs show; the colours of the scan's points where there are none.
+Result<std::string> glbOf(const Run& run, const TriangleMesh& mesh, const GlbExtras& extras,
+                          const ViewsOfSherd& views, Progress& progress, StageNotes& notes) {
+  const auto plainly = [&](const Error& why) -> Result<std::string> {
+    if (why.code == ErrorCode::Cancelled) return why;
+    notes.warnings.push_back("Sherd " + extras.number +
+                             " has no photographic texture: " + why.sentence());
+    return formatGlb(mesh, extras);
+  };
+  const Result<const std::vector<texture::View>*> shown = views();
+  if (!shown) return plainly(shown.error());
+  if ((*shown)->empty()) return formatGlb(mesh, extras);
+  const Result<texture::TexturedMesh> textured =
+      texture::textured(mesh, **shown, run.options.threads, progress, run.stop);
+  if (!textured) return plainly(textured.error());
+  notes.figures["texel_mm"] = textured->texel_mm;
+  notes.figures["texture_seen_share"] = textured->texture.seen_share;
+  return formatGlb(textured->mesh,
+                   {textured->uv, texture::asJpeg(textured->texture.picture),
+                    texture::asPng(textured->texture.seen)},
+                   extras);
+}
+
 Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::string& number,
                              const DecidedPair& pair, const scan::Scan& front,
-                             const scan::Scan& back) {
+                             const scan::Scan& back, const ViewsOfSherd& views) {
   if (const Result<void> r = writePly(folder / "front.ply", front.cloud, "plate_front"); !r)
     return r.error();
   if (const Result<void> r = writePly(folder / "back.ply", back.cloud, "plate_back"); !r)
     return r.error();
   model::ModelOptions options;
   options.threads = run.options.threads;
-  const Result<model::SherdModel> model = model::closeModel(
-      front.cloud, back.cloud, pair.front_from_back, options, run.progress, run.stop);
+  PartProgress first(run.progress, 0, 2), second(run.progress, 1, 2);
+  const Result<model::SherdModel> model =
+      model::closeModel(front.cloud, back.cloud, pair.front_from_back, options, first, run.stop);
   if (!model && model.error().code == ErrorCode::Cancelled) return model.error();
   if (!model)
     return StageNotes{{{"model", false}},
@@ -75,7 +103,10 @@ Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::
   const Result<TriangleMesh> light = model::decimated(model->mesh, kGlbDeviation_mm);
   if (!light) return light.error();
   const GlbExtras extras{front.id + "+" + back.id, number, {}, 100 * model->filled_share};
-  if (const Result<void> r = writeGlb(folder / "model.glb", *light, extras); !r) return r.error();
+  StageNotes textured;
+  const Result<std::string> glb = glbOf(run, *light, extras, views, second, textured);
+  if (!glb && glb.error().code == ErrorCode::Cancelled) return glb.error();
+  if (const Result<void> r = writeGlb(folder / "model.glb", glb); !r) return r.error();
   if (const Result<void> r = writePreview(folder / "preview.png", model->mesh); !r)
     return r.error();
   const model::Measures measures = model::measure(model->mesh);
@@ -89,7 +120,10 @@ Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::
                           {"side_gap_mm", model->side_gap_mm},
                           {"filled_share", model->filled_share},
                           {"measures", toJson(measures)}};
-  return StageNotes{std::move(figures), warningsAbout(*model, measures, number)};
+  figures.update(textured.figures);
+  std::vector<std::string> warnings = warningsAbout(*model, measures, number);
+  warnings.insert(warnings.end(), textured.warnings.begin(), textured.warnings.end());
+  return StageNotes{std::move(figures), std::move(warnings)};
 }
 
 }  // namespace
@@ -114,16 +148,42 @@ Result<Staged<double>> scaleStage(const Run& run, const Staged<Poses>& poses,
   return Staged<double>{record->notes.figures.value("front_over_back", 1.0), *record};
 }
 
+texture::SherdViews viewsOf(const Run& run, const Poses& poses, const Masks& front_masks,
+                            const Masks& back_masks, const std::vector<DecidedPair>& pairs,
+                            const std::vector<scan::Scan>& fronts,
+                            const std::vector<scan::Scan>& backs) {
+  std::vector<texture::Photograph> photographs;
+  for (const Side side : {Side::Front, Side::Back}) {
+    const Masks& masks = side == Side::Front ? front_masks : back_masks;
+    const std::vector<rig::PosedImage> images = poses.of(side);
+    for (std::size_t i = 0; i < std::min(images.size(), masks.size()); ++i)
+      photographs.push_back({images[i], masks[i]});
+  }
+  std::vector<texture::Subject> sherds;
+  for (const DecidedPair& pair : pairs) {
+    texture::Subject sherd{{}, pair.front_from_back};
+    const auto take = [&](const PointCloud& cloud) {
+      const std::size_t step = cloud.size() / kPointsOfASherd + 1;
+      for (std::size_t i = 0; i < cloud.size(); i += step) sherd.points.push_back(cloud.points[i]);
+    };
+    take(fronts[static_cast<std::size_t>(pair.front)].cloud);
+    take(transformed(backs[static_cast<std::size_t>(pair.back)].cloud, pair.front_from_back));
+    sherds.push_back(std::move(sherd));
+  }
+  return {std::move(photographs), std::move(sherds), run.options.threads};
+}
+
 Result<StageRecord> modelStage(const Run& run, const std::string& number, const DecidedPair& pair,
                                const scan::Scan& front, const scan::Scan& back,
-                               const std::string& inputs_hash) {
-  return runStage(
-      run, "model_" + number,
-      {{"inputs", inputs_hash},
-       {"front", front.id},
-       {"back", back.id},
-       {"pose", ostraka::toJson(pair.front_from_back)}},
-      [&](const fs::path& folder) { return makeModel(run, folder, number, pair, front, back); });
+                               const ViewsOfSherd& views, const std::string& inputs_hash) {
+  return runStage(run, "model_" + number,
+                  {{"inputs", inputs_hash},
+                   {"front", front.id},
+                   {"back", back.id},
+                   {"pose", ostraka::toJson(pair.front_from_back)}},
+                  [&](const fs::path& folder) {
+                    return makeModel(run, folder, number, pair, front, back, views);
+                  });
 }
 
 }  // namespace ostraka::pipeline

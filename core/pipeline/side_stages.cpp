@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/parallel.h"
+#include "base/part_progress.h"
 #include "batch/photograph.h"
 #include "cloud/ply.h"
 #include "files/files.h"
@@ -12,7 +13,7 @@
 #include "mask/network_mask.h"
 #include "mask/plate_mask.h"
 #include "pipeline/chain.h"
-#include "pipeline/no_plate.h"
+#include "pipeline/mask_source.h"
 #include "pipeline/run_log.h"
 #include "pipeline/view_masks.h"
 #include "rig/turntable.h"
@@ -150,15 +151,18 @@ Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedI
   options.threads = run.options.threads;
   options.bend = bend;
   const TurningPlate turning = turningPlate(*run.batch.plate, run.batch.way, images);
-  if (turning.plate.sheet) {
+  const bool on_sheet = turning.plate.sheet.has_value();
+  if (on_sheet) {
+    PartProgress first(run.progress, 0, 2);
     Result<std::vector<cv::Mat1b>> shown =
         shownOn({*turning.plate.sheet, bend, true}, images, *photographs, run.options.threads,
-                run.progress, run.stop);
+                first, run.stop);
     if (!shown && shown.error().code != ErrorCode::NotEnough) return shown.error();
     if (shown) options.shown = std::move(*shown);
   }
+  PartProgress rest(run.progress, on_sheet ? 1 : 0, on_sheet ? 2 : 1);
   return mask::maskByPlate(turning.images, *photographs, turning.plate,
-                           emptyPlates(run.batch, images), options, run.progress, run.stop);
+                           emptyPlates(run.batch, images), options, rest, run.stop);
 }
 
 // The share of all photographs' pixels that the masks cover: a figure for the report.

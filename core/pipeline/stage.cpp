@@ -1,10 +1,9 @@
 #include "pipeline/stage.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <chrono>
 
+#include "base/memory.h"
 #include "files/cannot_write.h"
 #include "files/files.h"
 #include "files/json.h"
@@ -65,12 +64,6 @@ std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string
 }
 
 }  // namespace
-
-double peakMemoryMb() {
-  struct rusage usage {};
-  ::getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
 
 Result<StageRecord> runStage(const FolderLock& held, const std::string& name,
                              const ordered_json& key, const StageWork& work, Progress& progress) {

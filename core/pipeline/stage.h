@@ -39,7 +39,4 @@ Result<StageRecord> runStage(const FolderLock& work_folder, const std::string& n
                              const nlohmann::ordered_json& key, const StageWork& work,
                              Progress& progress);
 
-/// Peak resident memory of this process so far, MB.
-double peakMemoryMb();
-
 }  // namespace ostraka::pipeline

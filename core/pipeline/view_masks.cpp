@@ -3,6 +3,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/parallel.h"
+#include "base/part_progress.h"
 #include "batch/photograph.h"
 #include "mask/coarse_heights.h"
 #include "mask/hull_mask.h"
@@ -93,8 +94,9 @@ Result<mask::MaskResult> masksFromViews(const std::vector<rig::PosedImage>& imag
     options.threads = threads;
     return mask::maskByHull(images, photographs, options, progress, stop);
   }
+  PartProgress first(progress, 0, 2), second(progress, 1, 2);
   Result<std::vector<cv::Mat1b>> shown =
-      shownOn({*ground, {}, false}, images, photographs, threads, progress, stop);
+      shownOn({*ground, {}, false}, images, photographs, threads, first, stop);
   if (!shown) return shown.error();
   batch::Plate plane;
   plane.sheet = ground;
@@ -102,7 +104,7 @@ Result<mask::MaskResult> masksFromViews(const std::vector<rig::PosedImage>& imag
   mask::PlateMaskOptions options;
   options.threads = threads;
   options.shown = std::move(*shown);
-  return mask::maskByPlate(images, photographs, plane, {}, options, progress, stop);
+  return mask::maskByPlate(images, photographs, plane, {}, options, second, stop);
 }
 
 }  // namespace ostraka::pipeline

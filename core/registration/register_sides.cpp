@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "baselines/fast_global_registration.h"
+#include "baselines/pcl_methods.h"
+#include "cloud/point_cloud.h"
 #include "registration/bilateral_boundary_icp.h"
 #include "registration/break_misfit.h"
 #include "registration/fracture_colour.h"
@@ -145,12 +148,15 @@ void turnLoose(FittedPose& best, std::vector<FittedPose>& rivals, const Strip& f
   best = *turned;
 }
 
-// The paper's registration. What it does not state about its pose (overlap, uncertainty, whether
-// the faces cross) is measured as for our own.
-Result<Registration> byBoundaries(const Strip& front, const Strip& back,
-                                  std::span<const Isometry3d> starts,
-                                  const Constraints& constraints,
-                                  const RegistrationOptions& options, std::stop_token stop) {
+// A pose of another people's method, and the start that it came from.
+struct FoundPose {
+  Isometry3d front_from_back;
+  int start = 0;
+};
+
+Result<FoundPose> byBoundaries(const Strip& front, const Strip& back,
+                               std::span<const Isometry3d> starts,
+                               const RegistrationOptions& options, std::stop_token stop) {
   BilateralBoundaryIcpOptions icp;
   icp.first_radius_mm = options.first_radius_mm;
   std::optional<BilateralBoundaryFit> best;
@@ -170,11 +176,86 @@ Result<Registration> byBoundaries(const Strip& front, const Strip& back,
     best_start = start.start;
   }
   if (!best) return *failure;
-  const PairFit pair(front, back, constraints, options);
+  return FoundPose{best->front_from_back, best_start};
+}
+
+PointCloud fractureOf(const Strip& strip) {
+  return {strip.fine.points, strip.fine.normals, {}, {}};
+}
+
+FittedPose measuredPose(const Isometry3d& front_from_back, int start, const PairFit& pair) {
   FittedPose pose;
-  pose.front_from_back = pose.begun = best->front_from_back;
-  pose.start = best_start;
+  pose.front_from_back = pose.begun = front_from_back;
+  pose.start = start;
   pair.measure(pose);
+  return pose;
+}
+
+// ICPs go on from each start; of where they end, the place where most of the strips fit counts.
+Result<FoundPose> byIcp(const Strip& front, const Strip& back, std::span<const Isometry3d> starts,
+                        const Constraints& constraints, const PairFit& pair,
+                        const RegistrationOptions& options, std::stop_token stop) {
+  const auto method =
+      options.method == Method::TrimmedIcp ? baselines::trimmedIcp : baselines::generalizedIcp;
+  baselines::IcpOptions icp;
+  icp.reach_mm = options.first_radius_mm;
+  const PointCloud front_points = fractureOf(front), back_points = fractureOf(back);
+  std::optional<FittedPose> best;
+  std::optional<Error> failure;
+  for (const FittedPose& start : startPoses(front, starts, constraints, options)) {
+    const auto found = method(front_points, back_points, start.front_from_back, icp, stop);
+    if (!found) {
+      if (found.error().code == ErrorCode::Cancelled) return found.error();
+      failure = found.error();
+      continue;
+    }
+    const FittedPose pose = measuredPose(*found, start.start, pair);
+    if (!best || better(pose, *best)) best = pose;
+  }
+  if (!best) return *failure;
+  return FoundPose{best->front_from_back, best->start};
+}
+
+// The others ask no start; theirs is the nearest.
+Result<FoundPose> byGlobalMethod(const Strip& front, const Strip& back,
+                                 std::span<const Isometry3d> starts, const PairFit& pair,
+                                 Method method, std::stop_token stop) {
+  const PointCloud front_points = fractureOf(front), back_points = fractureOf(back);
+  const auto found = [&]() -> Result<Isometry3d> {
+    switch (method) {
+      case Method::FeatureRansac:
+        return baselines::featureRansac(front_points, back_points, {}, stop);
+      case Method::FourPointSets:
+        return baselines::fourPointSets(front_points, back_points, {}, stop);
+      case Method::KeypointFourPointSets:
+        return baselines::keypointFourPointSets(front_points, back_points,
+                                                baselines::keypointDefaults(), stop);
+      default:
+        return baselines::fastGlobalRegistration(front_points, back_points, {}, stop);
+    }
+  }();
+  if (!found) return found.error();
+  const auto nearest =
+      std::min_element(starts.begin(), starts.end(), [&](const Isometry3d& a, const Isometry3d& b) {
+        return pair.distance(*found, a) < pair.distance(*found, b);
+      });
+  return FoundPose{*found, static_cast<int>(nearest - starts.begin())};
+}
+
+// What other people's methods do not state about their pose (overlap, uncertainty, whether the
+// faces cross) is measured as for our own.
+Result<Registration> byOthers(const Strip& front, const Strip& back,
+                              std::span<const Isometry3d> starts, const Constraints& constraints,
+                              const RegistrationOptions& options, std::stop_token stop) {
+  const PairFit pair(front, back, constraints, options);
+  const Method method = options.method;
+  const bool icp = method == Method::TrimmedIcp || method == Method::GeneralizedIcp;
+  const Result<FoundPose> found =
+      method == Method::BilateralBoundary ? byBoundaries(front, back, starts, options, stop)
+      : icp ? byIcp(front, back, starts, constraints, pair, options, stop)
+            : byGlobalMethod(front, back, starts, pair, method, stop);
+  if (!found) return found.error();
+  const FittedPose pose = measuredPose(found->front_from_back, found->start, pair);
   return checked(reported(pose, pair, front, back), front, back);
 }
 
@@ -202,8 +283,8 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
   if (auto ok = options.check(); !ok) return ok.error();
   if (starts.empty())
     return Error{ErrorCode::NotEnough, "No start pose was given for the registration.", {}};
-  if (options.method == Method::BilateralBoundary)
-    return byBoundaries(front, back, starts, constraints, options, stop);
+  if (options.method != Method::Default)
+    return byOthers(front, back, starts, constraints, options, stop);
   const PairFit pair(front, back, constraints, options);
   std::vector<FittedPose> poses = startPoses(front, starts, constraints, options);
   const auto each = [&](std::vector<FittedPose>& list, void (PairFit::*fit)(FittedPose&) const) {

@@ -9,13 +9,13 @@
 
 #include "batch/moved_batch.h"
 #include "batch/photograph.h"
+#include "checks/no_scale.h"
 #include "cloud/ply.h"
 #include "decisions/mask_strokes.h"
 #include "pairing/common_scale.h"
 #include "pairing/contour.h"
 #include "pairing/turning_angles.h"
 #include "pipeline/chain.h"
-#include "pipeline/no_plate.h"
 #include "registration/pair_fit.h"
 #include "review/review.h"
 #include "rig/camera.h"
@@ -263,7 +263,7 @@ Result<std::shared_ptr<const LivePairs>> LivePairs::open(const fs::path& output)
   }
   for (rig::PosedImage& image : state->images)
     image.file = batch::photographNow(image.file, output).string();
-  pipeline::resizeSide(state->images, Side::Back, state->table.back_scale);
+  checks::resizeSide(state->images, Side::Back, state->table.back_scale);
   for (std::size_t i = 0; i < state->table.fronts.size(); ++i)
     state->opened[{Side::Front, static_cast<int>(i)}];
   for (std::size_t i = 0; i < state->table.backs.size(); ++i)

@@ -2,7 +2,7 @@
 // apart. Prints one row per pair and a summary per set.
 //   registration_accuracy SHARED/scans [--sets b01,stereo] [--method M] [--starts N]
 //                         [--false] [--rows] [--batch SHARED/batches/demo]
-// M: default, bbicp; with the Point Cloud Library also trimmed, gicp, fpfh, 4pcs.
+// M: as in `ostraka process --registration M`.
 // --batch: the photographs' masks and true cameras as constraints (for the set stereo).
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -22,9 +23,6 @@
 #include "cloud/ply.h"
 #include "files/json.h"
 #include "registration/register_sides.h"
-#ifdef OSTRAKA_WITH_PCL
-#include "registration_rivals.h"
-#endif
 
 namespace {
 
@@ -178,25 +176,19 @@ void printRow(const std::string& set, const Pair& pair, const Row& row) {
       f.reason.c_str());
 }
 
-Result<registration::Registration> registerBy(const std::string& method, const scan::Scan& front,
-                                              const scan::Scan& back,
-                                              const std::vector<Isometry3d>& starts,
-                                              const registration::Constraints& constraints,
-                                              const registration::RegistrationOptions& options) {
-#ifdef OSTRAKA_WITH_PCL
-  if (method != "default" && method != "bbicp") {
-    const auto pose = bench::registerByRival(method, front.cloud, back.cloud, starts.front());
-    if (!pose) return Error{ErrorCode::Failed, "The method did not converge.", method};
-    registration::Registration found;
-    found.front_from_back = *pose;
-    found.uncertainty_mm = 1;
-    return found;
-  }
-#else
-  (void)method;
-#endif
-  QuietProgress quiet;
-  return registration::registerSides(front, back, starts, constraints, options, quiet, {});
+std::optional<registration::Method> methodNamed(const std::string& name) {
+  using registration::Method;
+  static const std::map<std::string, Method> kMethods = {{"default", Method::Default},
+                                                         {"bbicp", Method::BilateralBoundary},
+                                                         {"trimmed", Method::TrimmedIcp},
+                                                         {"gicp", Method::GeneralizedIcp},
+                                                         {"fpfh-ransac", Method::FeatureRansac},
+                                                         {"4pcs", Method::FourPointSets},
+                                                         {"k4pcs", Method::KeypointFourPointSets},
+                                                         {"fgr", Method::FastGlobal}};
+  const auto found = kMethods.find(name);
+  if (found == kMethods.end()) return std::nullopt;
+  return found->second;
 }
 
 void runSet(const Arguments& arguments, const std::string& set) {
@@ -208,7 +200,7 @@ void runSet(const Arguments& arguments, const std::string& set) {
         if (i != j && pairs[i].group >= 0 && pairs[i].group == pairs[j].group)
           pairs.push_back({pairs[i].front, pairs[j].back, pairs[i].truth, pairs[i].group, false});
   std::vector<double> rms, fracture_true, fracture_false, seconds, ratio;
-  int check_failed = 0, bad_unflagged = 0;
+  int check_failed = 0, bad_unflagged = 0, refused = 0;
   std::mt19937_64 random(1);
   const Views views = readViews(arguments.batch);
   const auto front_views = silhouettes(views, batch::Side::Front);
@@ -227,16 +219,19 @@ void runSet(const Arguments& arguments, const std::string& set) {
     else
       starts = allAround(front.cloud, back.cloud);
     registration::RegistrationOptions options;
-    if (arguments.method == "bbicp") options.method = registration::Method::BilateralBoundary;
+    options.method = *methodNamed(arguments.method);
     const double before = cpuSeconds();
     registration::Constraints constraints;
     constraints.front = front_views;
     constraints.back = back_views;
     constraints.front_on_plate = constraints.back_on_plate = plates;
-    auto found = registerBy(arguments.method, front, back, starts, constraints, options);
+    QuietProgress quiet;
+    const auto found =
+        registration::registerSides(front, back, starts, constraints, options, quiet, {});
     Row row;
     row.seconds = cpuSeconds() - before;
     if (!found) {
+      ++refused;
       std::printf("%s %s: %s\n", set.c_str(), pair.front.c_str(), found.error().sentence().c_str());
       continue;
     }
@@ -253,10 +248,10 @@ void runSet(const Arguments& arguments, const std::string& set) {
   }
   const auto share = std::count_if(rms.begin(), rms.end(), [](double r) { return r <= 0.1; });
   std::printf(
-      "| %s | %zu | %.3f | %.3f | %.3f | %ld | %.3f | %.3f | %d | %d | %.2f | %.2f | %.2f |\n",
+      "| %s | %zu | %.3f | %.3f | %.3f | %ld | %.3f | %.3f | %d | %d | %d | %.2f | %.2f | %.2f |\n",
       set.c_str(), rms.size(), percentile(rms, 0.5), percentile(rms, 0.95), percentile(rms, 1),
       static_cast<long>(share), percentile(fracture_true, 1), percentile(fracture_false, 0),
-      check_failed, bad_unflagged, percentile(ratio, 0.5), percentile(ratio, 0.95),
+      check_failed, bad_unflagged, refused, percentile(ratio, 0.5), percentile(ratio, 0.95),
       percentile(seconds, 0.5));
   std::fflush(stdout);
 }
@@ -292,11 +287,15 @@ int main(int argc, char** argv) {
     if (word == "--method" && i + 1 < argc) arguments.method = argv[++i];
     if (word == "--starts" && i + 1 < argc) arguments.starts = std::stoi(argv[++i]);
   }
+  if (!methodNamed(arguments.method)) {
+    std::fprintf(stderr, "%s: no such method\n", arguments.method.c_str());
+    return 2;
+  }
   std::printf(
       "| set | pairs | rms median | 95 %% | worst | <= 0.10 | fracture true max | fracture false "
       "min | "
       "check_failed "
-      "| > 0.40 unflagged | rms/sigma median | 95 %% | CPU s |\n");
+      "| > 0.40 unflagged | no pose | rms/sigma median | 95 %% | CPU s |\n");
   for (const auto& set : arguments.sets) runSet(arguments, set);
   return 0;
 }

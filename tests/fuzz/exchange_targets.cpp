@@ -1,5 +1,5 @@
 
-#include "exchange/sherd_json.h"
+#include "metadata/sherd_json.h"
 #include "must.h"
 #include "sherds/filter.h"
 #include "store/names.h"
@@ -34,7 +34,7 @@ void table(std::string_view bytes) {
 }
 
 void sherdJson(std::string_view bytes) {
-  const Result<exchange::ReadSherdJson> read = exchange::parseSherdJson(bytes, "fuzz.json");
+  const Result<metadata::ReadSherdJson> read = metadata::parseSherdJson(bytes, "fuzz.json");
   if (!read) {
     must(!read.error().what.empty(), "an error has a sentence");
     return;

@@ -13,7 +13,7 @@
 #include "batch/exif.h"
 #include "batch/photographs.h"
 #include "files/files.h"
-#include "pipeline/no_plate.h"
+#include "pipeline/mask_source.h"
 #include "pipeline/proposed_sheet.h"
 #include "rig/plate_print.h"
 

@@ -13,6 +13,12 @@ Sentences sentencesOfRegistration() {
       QT_TRANSLATE_NOOP(
           "ostraka::Error",
           "Fewer than 50 points lie on the fracture; rescan the sherd including its fracture."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "The chosen registration method did not converge; use the default method, "
+                        "or align the back by hand."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
+                        "Too few fracture points for the chosen registration method; use the "
+                        "default method."),
   };
   return kAll;
 }

@@ -98,6 +98,42 @@ TEST_F(Archive, WithDamageIsNotSealedAndLeavesNothing) {
   EXPECT_FALSE(fs::exists(at("archive.partial")));
 }
 
+// The project goes on changing while its files are copied.
+class AtTheFirstFile final : public Progress {
+ public:
+  explicit AtTheFirstFile(std::function<void()> act) : act_(std::move(act)) {}
+  void report(std::int64_t, std::int64_t) override {
+    if (act_) std::exchange(act_, {})();
+  }
+  void note(NoteLevel, std::string_view) override {}
+
+ private:
+  std::function<void()> act_;
+};
+
+TEST_F(Archive, HoldsItsFilesAgainstTheCatalogueThatItHolds) {
+  records::FileRecord late;
+  late.path = "batches/B0001/front/late.jpg";
+  late.role = "photo";
+  late.batch = batch;
+  AtTheFirstFile entering([&] {
+    put(project_->folder() / late.path, "late");
+    late.sha256 = sha256("late");
+    late.bytes = 4;
+    ASSERT_TRUE(Files(catalogue()).save(late, anna));
+  });
+  const Result<Archived> archived =
+      archiveProject(*project_, {at("archive"), "ostraka 1.0.0"}, entering, {});
+  ASSERT_TRUE(archived) << archived.error().sentence();
+  EXPECT_TRUE(archived->sealed) << "what entered meanwhile is not missing: it is not in it";
+  EXPECT_TRUE(archived->damage.empty());
+  ASSERT_TRUE(restore());
+  const Result<upkeep::Project> laptop = upkeep::Project::open(at("laptop"));
+  ASSERT_TRUE(laptop);
+  EXPECT_EQ(valueIn(Files(laptop->catalogue()).all()).size() + 1,
+            valueIn(Files(catalogue()).all()).size());
+}
+
 TEST_F(Archive, SealedWithDamageListsItInsideAndWhenItComesBack) {
   put(modelOf(0), "one bit another");
   const Result<Archived> sealed = archive(DamagedFiles::Seal);

@@ -113,6 +113,33 @@ TEST(Glb, ManyVerticesNeedLongIndices) {
             5125);
 }
 
+TEST(Glb, ATextureTakesThePlaceOfColours) {
+  const GlbTexture texture{{{0, 0}, {1, 0}, {0, 1}, {0.25f, 0.75f}}, "a JPEG", "a PNG"};
+  const auto file = formatGlb(paintedTetrahedron(), texture, {"", "ARM1-7", "", -1});
+  ASSERT_TRUE(file.has_value());
+  const Glb glb = parts(*file);
+  const auto& attributes = glb.json["meshes"][0]["primitives"][0]["attributes"];
+  EXPECT_FALSE(attributes.contains("COLOR_0")) << "readers multiply both";
+  const std::size_t uv = begin(glb, "TEXCOORD_0");
+  EXPECT_EQ(at<float>(glb.binary, uv + 24), 0.25f);
+  EXPECT_EQ(at<float>(glb.binary, uv + 28), 0.75f);
+  const auto imageAt = [&](int number) {
+    const auto& view = glb.json["bufferViews"][glb.json["images"][number]["bufferView"].get<int>()];
+    return glb.binary.substr(view["byteOffset"].get<std::size_t>(),
+                             view["byteLength"].get<std::size_t>());
+  };
+  EXPECT_EQ(imageAt(0), "a JPEG");
+  EXPECT_EQ(imageAt(1), "a PNG");
+  EXPECT_EQ(glb.json["images"][0]["mimeType"], "image/jpeg");
+  EXPECT_EQ(glb.json["textures"][0]["source"], 0);
+  EXPECT_EQ(glb.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"], 0);
+  EXPECT_EQ(glb.json["nodes"][0]["extras"]["ostraka"]["seen_image"], 1);
+  EXPECT_EQ(glb.json["nodes"][0]["extras"]["ostraka"]["number"], "ARM1-7");
+  EXPECT_FALSE(formatGlb(paintedTetrahedron(), {{{0, 0}}, "a JPEG", ""}, {}).has_value())
+      << "a vertex without a place";
+  EXPECT_EQ(writeGlb("nowhere/x.glb", formatGlb({}, {})).error().where, "nowhere/x.glb");
+}
+
 TEST(Glb, WrongMeshesAreRefused) {
   TriangleMesh mesh = paintedTetrahedron();
   mesh.triangles[0][0] = 4;

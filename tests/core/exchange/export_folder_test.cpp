@@ -5,7 +5,6 @@
 #include "archive/bagit.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
-#include "exchange/sherd_json.h"
 #include "exported_project.h"
 #include "records/records.h"
 #include "records/sherd.h"
@@ -397,25 +396,6 @@ TEST_F(Export, OfTheSameSherdsIsTheSameBytes) {
   ASSERT_TRUE(exportTo("two", all));
   EXPECT_EQ(*readFile(folder_.path() / "one/manifest-sha256.txt"),
             *readFile(folder_.path() / "two/manifest-sha256.txt"));
-}
-
-TEST_F(Export, RecordsOfStrangersAreReadWithCare) {
-  const auto why = [](const std::string& text) {
-    const Result<ReadSherdJson> read = parseSherdJson(text, "x.json");
-    return read ? std::string("accepted") : read.error().sentence();
-  };
-  EXPECT_NE(why("{}").find("Not a sherd record"), std::string::npos);
-  EXPECT_NE(why("[1]").find("Not a sherd record"), std::string::npos);
-  EXPECT_NE(why(R"({"format":"ostraka-sherd/1","number":7})").find("wrong type"),
-            std::string::npos);
-  EXPECT_NE(why(R"({"format":"ostraka-sherd/1","measurements":)"
-                R"([{"kind":"length","value":1,"unit":"cm"}]})")
-                .find("a unit other than mm"),
-            std::string::npos);
-  const Result<ReadSherdJson> own =
-      parseSherdJson(R"({"format":"ostraka-sherd/1","id":"x","mine":{"a":1}})", "x");
-  ASSERT_TRUE(own);
-  EXPECT_EQ(own->row.values.at("extra.mine"), R"({"a":1})") << "unknown keys survive";
 }
 
 }  // namespace

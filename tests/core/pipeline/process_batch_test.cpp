@@ -20,26 +20,12 @@
 #include "files/json.h"
 #include "rig/camera.h"
 #include "virtualrig/simulate.h"
+#include "watched_progress.h"
 
 namespace ostraka::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Asks to stop as soon as a stage of this name begins.
-class StopsAt final : public Progress {
- public:
-  StopsAt(std::string stage, std::stop_source& stop) : stage_(std::move(stage)), stop_(stop) {}
-  void begin(std::string_view stage, double) override {
-    if (stage == stage_) stop_.request_stop();
-  }
-  void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel, std::string_view) override {}
-
- private:
-  std::string stage_;
-  std::stop_source& stop_;
-};
 
 class ProcessBatch : public testing::Test {
  protected:
@@ -94,8 +80,8 @@ class ProcessBatch : public testing::Test {
 fs::path ProcessBatch::folder_;
 
 TEST_F(ProcessBatch, TurnsPhotographsIntoWholeSherdsWithTheirReports) {
-  QuietProgress quiet;
-  const Result<ProcessSummary> summary = process(folder_ / "out", 0, quiet);
+  NeverBack progress;
+  const Result<ProcessSummary> summary = process(folder_ / "out", 0, progress);
   ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
   ASSERT_EQ(summary->sherds.size(), 2u);
   EXPECT_TRUE(summary->whole());
@@ -113,6 +99,11 @@ TEST_F(ProcessBatch, TurnsPhotographsIntoWholeSherdsWithTheirReports) {
     const double wall = sherd.at("figures").at("measures").at("thickness_mean_mm").get<double>();
     EXPECT_GT(wall, 2.5);
     EXPECT_LT(wall, 11.0);
+    EXPECT_GT(sherd.at("figures").at("texture_seen_share").get<double>(), 0.97);
+  }
+  for (const char* number : {"01", "02"}) {
+    const Result<std::string> glb = readFile(folder_ / "out" / "sherds" / number / "model.glb");
+    EXPECT_NE(glb->find("baseColorTexture"), std::string::npos);
   }
 }
 

@@ -66,6 +66,46 @@ TEST(RegisterSides, WhatTheBilateralBoundaryIcpFindsIsMeasuredAsOurs) {
   EXPECT_TRUE(astray->check_failed);
 }
 
+class OtherPeoplesMethods : public testing::TestWithParam<Method> {};
+INSTANTIATE_TEST_SUITE_P(RegisterSides, OtherPeoplesMethods,
+                         testing::Values(Method::TrimmedIcp, Method::GeneralizedIcp,
+                                         Method::FeatureRansac, Method::FourPointSets,
+                                         Method::KeypointFourPointSets, Method::FastGlobal));
+
+// A pose that is off by more than may pass (0.40 mm) fails the check.
+TEST_P(OtherPeoplesMethods, AreMeasuredAsOursAndFlaggedWhereTheyAreOff) {
+  const SimulatedSherd sherd = raised(simulatedSherd({}), ContactOptions{}.scanned_face_gap_mm);
+  RegistrationOptions options;
+  options.method = GetParam();
+  const std::vector<Isometry3d> starts = {startOff(sherd, 200, 0), startOff(sherd, 0.5, 0.02)};
+  const auto found = run(sherd.front, sherd.back, starts, options);
+  if (!found) {  // a break with few corners: it says so
+    EXPECT_EQ(GetParam(), Method::KeypointFourPointSets);
+    EXPECT_EQ(found.error().code, ErrorCode::Failed);
+    return;
+  }
+  EXPECT_EQ(found->start, 1) << "from there, or the one nearest to it";
+  EXPECT_GT(found->fracture_overlap, 0.2);
+  EXPECT_GT(found->fracture_rms_mm, 0.03) << "the scans' own noise";
+  EXPECT_GT(found->uncertainty_mm, 0.01);
+  EXPECT_NEAR(found->thickness_mm, 5.0, 2.0);
+  const double off = rms_mm(found->front_from_back, sherd.truth, sherd.back);
+  EXPECT_TRUE(found->check_failed || off < 0.4) << off << ", " << found->uncertainty_mm;
+}
+
+// Another break: each method lays something on something, and the check refuses it.
+TEST_P(OtherPeoplesMethods, NeverPassAnotherBreak) {
+  const SimulatedSherd sherd = simulatedSherd({}), other = simulatedSherd({.seed = 2, .shape = 1});
+  RegistrationOptions options;
+  options.method = GetParam();
+  const auto found = run(sherd.front, other.back, {startOff(sherd, 0.5, 0.02)}, options);
+  if (found) {
+    EXPECT_TRUE(found->check_failed || found->log_likelihood < 0) << found->log_likelihood;
+  } else {
+    EXPECT_EQ(found.error().code, ErrorCode::Failed);
+  }
+}
+
 TEST(RegisterSides, FindsTheKnownPoseInFramesWithoutPlate) {
   const SimulatedSherd sherd = simulatedSherd({.seed = 3});
   const auto found = run(sherd.front, sherd.back, {startOff(sherd, 1.0, 0.04)}, {}, false);

@@ -6,11 +6,11 @@
 #include "archive/bag_reader.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
-#include "exchange/batch_records.h"
+#include "metadata/batch_records.h"
 #include "records/records.h"
 #include "records/sherd.h"
 
-namespace ostraka::exchange {
+namespace ostraka::metadata {
 
 struct MetadataFile {
   std::string path, text;
@@ -30,4 +30,4 @@ Result<std::vector<MetadataFile>> metadataOf(const catalogue::Catalogue& catalog
 Result<ReadBatches> readMetadata(catalogue::Catalogue& catalogue, const archive::BagReader& bag,
                                  const records::Provenance& provenance);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::metadata

@@ -1,4 +1,4 @@
-#include "exchange/metadata.h"
+#include "metadata/metadata.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -7,16 +7,16 @@
 #include "archive/bagit.h"
 #include "catalogue/batches.h"
 #include "catalogue/places.h"
-#include "exchange/json_fields.h"
-#include "exchange/vocabularies.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 #include "files/json_text.h"
+#include "metadata/json_fields.h"
+#include "metadata/vocabularies.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "store/names.h"
 
-namespace ostraka::exchange {
+namespace ostraka::metadata {
 namespace {
 
 using namespace catalogue;
@@ -59,9 +59,10 @@ constexpr Part kParts[] = {
     {"sherds.ods", "sherds, contexts and their columns as one spreadsheet"},
     {"sherds/", "one JSON record per sherd (format ostraka-sherd/1, terms in context.jsonld)"},
     {"models/",
-     "closed surfaces: PLY and OBJ in mm with z up, GLB in metres with y up,\n"
-     "                 the GLB simplified, nearly all of it by less than 0.05 mm; models that\n"
-     "                 were simplified state their deviation in the file"},
+     "closed surfaces: PLY and OBJ in mm with z up, coloured; GLB in metres with y\n"
+     "                 up, simplified (nearly all of it by less than 0.05 mm), with the\n"
+     "                 photographs as texture and a mask of the texels that were filled in;\n"
+     "                 models that were simplified state their deviation in the file"},
     {"images/", "a picture of each model"},
     {"photographs/", "the photographs that the models were made from, unchanged"},
     {"drawings/", "drawings for print"},
@@ -430,4 +431,4 @@ Result<ReadBatches> readMetadata(Catalogue& catalogue, const archive::BagReader&
   }
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::metadata

@@ -8,7 +8,7 @@
 #include "records/sherd.h"
 #include "tables/import_table.h"
 
-namespace ostraka::exchange {
+namespace ostraka::metadata {
 
 /// A file of an export that belongs to a sherd.
 struct SherdFile {
@@ -29,4 +29,4 @@ struct ReadSherdJson {
 /// Unknown keys survive as the user's own fields. Errors: another format, a value of a wrong type.
 Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& where);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::metadata

@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -8,19 +10,7 @@
 #include "colmap/colmap_program.h"
 #include "rig/camera.h"
 
-namespace ostraka::pipeline {
-
-/// What is different for a batch without plate.json (the paper's layout, or photographs by hand):
-/// poses from COLMAP with a size of their own for each side, and masks that came with the
-/// photographs or are found from what photographs by hand agree on.
-
-enum class MaskSource { Plate, Given, Network, Views };
-
-/// Where the masks come from: as `masks` ("auto", "given", or a network's path) asks; "auto" means
-/// the plate, or without one the masks that came along, or without these the photographs by hand
-/// themselves. Errors: UnusableInput for a rig's photographs without plate and masks, since the
-/// room that stands still around a turning plate misleads COLMAP.
-Result<MaskSource> maskSource(const std::string& masks, const batch::Batch& batch);
+namespace ostraka::checks {
 
 /// Lengths that are stated in mm in this program follow from a pixel's size on the object. Without
 /// a known length a side is scaled so that a pixel is this long there: between the paper's
@@ -34,9 +24,9 @@ double nominalScale(const colmap::ColmapPoses& poses);
 /// mm per unit of one side's poses: from the lengths marked in scale.json, else from the board of
 /// board.json lying on the plate in the photographs. Nothing where neither gives one.
 /// Errors: Cancelled, and those of the photographs.
-Result<std::optional<checks::KnownScale>> knownScale(const batch::Batch& batch, batch::Side side,
-                                                     const colmap::ColmapPoses& poses, int threads,
-                                                     std::stop_token stop);
+Result<std::optional<KnownScale>> knownScale(const batch::Batch& batch, batch::Side side,
+                                             const colmap::ColmapPoses& poses, int threads,
+                                             std::stop_token stop);
 
 /// All lengths of one side's poses times `factor`.
 void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double factor);
@@ -44,4 +34,4 @@ void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double f
 /// The sentence that report and terminal must show for such a batch.
 std::string noScaleWarning();
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

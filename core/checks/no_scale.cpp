@@ -1,26 +1,10 @@
-#include "pipeline/no_plate.h"
-
-#include <algorithm>
+#include "checks/no_scale.h"
 
 #include "base/median.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
 
-namespace ostraka::pipeline {
-
-Result<MaskSource> maskSource(const std::string& masks, const batch::Batch& batch) {
-  if (masks == "given") return MaskSource::Given;
-  if (masks != "auto") return MaskSource::Network;
-  if (batch.plate) return MaskSource::Plate;
-  if (std::any_of(batch.shots.begin(), batch.shots.end(),
-                  [](const batch::Shot& shot) { return !shot.mask_file.empty(); }))
-    return MaskSource::Given;
-  if (batch.way == batch::Way::FreeCamera) return MaskSource::Views;
-  return Error{ErrorCode::UnusableInput,
-               "Masks cannot be made without plate.json; put masks next to the photographs, or "
-               "choose a network (--masks MODEL.onnx).",
-               batch.folder.string()};
-}
+namespace ostraka::checks {
 
 double nominalScale(const colmap::ColmapPoses& poses) {
   std::vector<double> pixels;
@@ -34,16 +18,15 @@ double nominalScale(const colmap::ColmapPoses& poses) {
   return middle > 0 ? kNominalPixel_mm / middle : 1;
 }
 
-Result<std::optional<checks::KnownScale>> knownScale(const batch::Batch& batch, batch::Side side,
-                                                     const colmap::ColmapPoses& poses, int threads,
-                                                     std::stop_token stop) {
+Result<std::optional<KnownScale>> knownScale(const batch::Batch& batch, batch::Side side,
+                                             const colmap::ColmapPoses& poses, int threads,
+                                             std::stop_token stop) {
   std::vector<batch::KnownLength> lengths;
   for (const batch::KnownLength& known : batch.known_lengths)
     if (known.side == side) lengths.push_back(known);
-  if (const std::optional<checks::KnownScale> marked =
-          checks::scaleFromLengths(poses.images, lengths))
+  if (const std::optional<KnownScale> marked = scaleFromLengths(poses.images, lengths))
     return marked;
-  if (!batch.board) return std::optional<checks::KnownScale>();
+  if (!batch.board) return std::optional<KnownScale>();
   std::vector<calibration::TargetView> views(poses.images.size());
   std::vector<std::optional<Error>> errors(poses.images.size());
   parallelFor(poses.images.size(), threads, [&](std::size_t i) {
@@ -62,7 +45,7 @@ Result<std::optional<checks::KnownScale>> knownScale(const batch::Batch& batch, 
   if (stop.stop_requested()) return Error::cancelled();
   for (const std::optional<Error>& error : errors)
     if (error) return *error;
-  return checks::scaleFromBoard(poses.images, views);
+  return scaleFromBoard(poses.images, views);
 }
 
 void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double factor) {
@@ -76,4 +59,4 @@ std::string noScaleWarning() {
          "beside the sherds on both sides, or mark a known length on both in scale.json.";
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::checks

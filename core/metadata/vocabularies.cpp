@@ -1,18 +1,18 @@
-#include "exchange/vocabularies.h"
+#include "metadata/vocabularies.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "catalogue/settings.h"
-#include "exchange/json_fields.h"
+#include "metadata/json_fields.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
 #include "store/names.h"
 #include "store/values.h"
 
-namespace ostraka::exchange {
+namespace ostraka::metadata {
 
 using namespace catalogue;
 using nlohmann::json;
@@ -74,4 +74,4 @@ Result<void> readVocabularies(Catalogue& catalogue, const json& vocabularies,
   return {};
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::metadata

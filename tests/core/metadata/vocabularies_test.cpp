@@ -1,4 +1,4 @@
-#include "exchange/vocabularies.h"
+#include "metadata/vocabularies.h"
 
 #include <gmock/gmock.h>
 

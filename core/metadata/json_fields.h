@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::exchange {
+namespace ostraka::metadata {
 
 /// What is empty is left out of a record.
 inline void put(nlohmann::ordered_json& object, const char* key, const std::string& value) {
@@ -25,4 +25,4 @@ inline void put(nlohmann::ordered_json& object, const char* key, nlohmann::order
 Result<std::string> jsonText(const nlohmann::ordered_json& value, const std::string& where,
                              int indent = 1);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::metadata

@@ -1,4 +1,4 @@
-#include "exchange/json_fields.h"
+#include "metadata/json_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "store/names.h"
 #include "store/values.h"
 
-namespace ostraka::exchange {
+namespace ostraka::metadata {
 namespace {
 
 using nlohmann::ordered_json;
@@ -41,4 +41,4 @@ Result<std::string> jsonText(const ordered_json& value, const std::string& where
   return value.dump(indent);
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::metadata

@@ -7,7 +7,7 @@
 #include "records/records.h"
 #include "records/sherd.h"
 
-namespace ostraka::exchange {
+namespace ostraka::metadata {
 
 /// metadata/vocabularies.json: the terms that these sherds use, with their labels and URIs.
 Result<nlohmann::ordered_json> vocabulariesJson(const catalogue::Catalogue& catalogue,
@@ -18,4 +18,4 @@ Result<nlohmann::ordered_json> vocabulariesJson(const catalogue::Catalogue& cata
 Result<void> readVocabularies(catalogue::Catalogue& catalogue, const nlohmann::json& vocabularies,
                               const records::Provenance& provenance);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::metadata

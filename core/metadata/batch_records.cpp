@@ -1,13 +1,13 @@
-#include "exchange/batch_records.h"
+#include "metadata/batch_records.h"
 
 #include <nlohmann/json.hpp>
 
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "catalogue/places.h"
-#include "exchange/json_fields.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
+#include "metadata/json_fields.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "records/words.h"
@@ -15,7 +15,7 @@
 #include "sherds/restore.h"
 #include "tables/import_places.h"
 
-namespace ostraka::exchange {
+namespace ostraka::metadata {
 namespace {
 
 using namespace catalogue;
@@ -207,11 +207,10 @@ class Entering {
       return {};
     }
     if (Batches(catalogue_).byNumber(number_)) {
-      // Not nextNumber, which skips folders: this import's own copies lie there when it enters.
-      for (int n = 1; Batches(catalogue_).byNumber(batch.number); ++n) {
-        const std::string digits = std::to_string(n);
-        batch.number = "B" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
-      }
+      // This import's own copies lie in the folders already when the batch enters.
+      const Result<std::string> next = Batches(catalogue_).nextNumber(Batches::Folders::Own);
+      if (!next) return next.error();
+      batch.number = *next;
       batch.note += (batch.note.empty() ? "" : "\n") + ("Was " + number_ + " where it was made.");
     }
     read.numbers[number_] = batch.number;
@@ -405,4 +404,4 @@ Result<ReadBatches> readBatches(Catalogue& catalogue, const archive::BagReader& 
   return std::move(entering.read);
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::metadata

@@ -1,4 +1,4 @@
-#include "exchange/sherd_json.h"
+#include "metadata/sherd_json.h"
 
 #include <nlohmann/json.hpp>
 #include <set>
@@ -7,10 +7,10 @@
 #include "catalogue/batches.h"
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
-#include "exchange/json_fields.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 #include "files/json_text.h"
+#include "metadata/json_fields.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "records/words.h"
@@ -19,7 +19,7 @@
 #include "sherds/sherd_fields.h"
 #include "store/values.h"
 
-namespace ostraka::exchange {
+namespace ostraka::metadata {
 namespace {
 
 using catalogue::Catalogue;
@@ -228,4 +228,4 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
   return read;
 }
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::metadata

@@ -11,7 +11,7 @@
 #include "catalogue/catalogue.h"
 #include "records/records.h"
 
-namespace ostraka::exchange {
+namespace ostraka::metadata {
 
 /// metadata/batches.json: batches with their bags, photographs, scans and all decisions about their
 /// pairs. `exported`: the files of the bag so far; photographs that travel along are named.
@@ -42,4 +42,4 @@ Result<ReadBatches> readBatches(catalogue::Catalogue& catalogue, const archive::
                                 const std::map<std::string, std::int64_t>& rows,
                                 const records::Provenance& provenance);
 
-}  // namespace ostraka::exchange
+}  // namespace ostraka::metadata

@@ -1,0 +1,43 @@
+#pragma once
+#include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "base/result.h"
+#include "cloud/point_cloud.h"
+#include "rig/camera.h"
+#include "texture/view.h"
+
+namespace ostraka::texture {
+
+/// A photograph of a side: its camera, which may be that of a smaller picture, and its mask.
+struct Photograph {
+  rig::PosedImage image;  ///< image.file: the photograph's path
+  cv::Mat1b mask;
+};
+
+/// A sherd to be textured, mesh frame (the front's plate), mm.
+struct Subject {
+  std::vector<Eigen::Vector3f> points;  ///< of both sides; a few hundred suffice
+  Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
+};
+
+/// What the photographs of a batch show of its sherds, read when it is first asked for: each
+/// photograph once, at full size, of which only the parts with sherds are kept.
+class SherdViews {
+ public:
+  SherdViews(std::vector<Photograph> photographs, std::vector<Subject> sherds, int threads);
+  /// Of the sherd with this index. Errors: Cancelled, UnusableInput of a photograph.
+  Result<const std::vector<View>*> of(std::size_t sherd, const std::stop_token& stop);
+
+ private:
+  Result<void> read(const std::stop_token& stop);
+  std::vector<Photograph> photographs_;
+  std::vector<Subject> sherds_;
+  int threads_;
+  std::optional<std::vector<std::vector<View>>> views_;
+};
+
+}  // namespace ostraka::texture

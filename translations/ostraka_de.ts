@@ -8094,6 +8094,31 @@
       <translation>Weniger als 10 Punkte des Bruchs passen zueinander; von einer besseren Lage aus beginnen.</translation>
     </message>
     <message>
+      <source>No photograph shows the sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Foto zeigt die Scherbe.</translation>
+    </message>
+    <message>
+      <source>Not every vertex has a place in the texture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nicht jeder Punkt des Netzes hat einen Platz in der Textur.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no photographic texture: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe %1 hat keine Textur aus Fotos: %2</translation>
+    </message>
+    <message>
+      <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das gewählte Verfahren zum Fügen der Seiten hat keine Lage gefunden; das Standardverfahren verwenden oder die Rückseite von Hand ausrichten.</translation>
+    </message>
+    <message>
+      <source>Too few fracture points for the chosen registration method; use the default method.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zu wenige Punkte des Bruchs für das gewählte Verfahren zum Fügen der Seiten; das Standardverfahren verwenden.</translation>
+    </message>
+    <message>
       <source>No start pose was given for the registration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Für das Fügen der Seiten wurde keine Anfangslage angegeben.</translation>

@@ -8089,6 +8089,31 @@
       <translation>Λιγότερα από 10 σημεία των θραύσεων ταιριάζουν· ξεκινήστε από καλύτερη θέση.</translation>
     </message>
     <message>
+      <source>No photograph shows the sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία φωτογραφία δεν δείχνει το όστρακο.</translation>
+    </message>
+    <message>
+      <source>Not every vertex has a place in the texture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν έχουν όλες οι κορυφές θέση στην υφή.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no photographic texture: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όστρακο %1 δεν έχει φωτογραφική υφή: %2</translation>
+    </message>
+    <message>
+      <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η επιλεγμένη μέθοδος ένωσης δεν συνέκλινε· χρησιμοποιήστε την προεπιλεγμένη μέθοδο ή ευθυγραμμίστε την πίσω πλευρά με το χέρι.</translation>
+    </message>
+    <message>
+      <source>Too few fracture points for the chosen registration method; use the default method.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πολύ λίγα σημεία θραύσης για την επιλεγμένη μέθοδο ένωσης· χρησιμοποιήστε την προεπιλεγμένη μέθοδο.</translation>
+    </message>
+    <message>
       <source>No start pose was given for the registration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν δόθηκε αρχική θέση για την ένωση των όψεων.</translation>

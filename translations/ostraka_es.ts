@@ -8089,6 +8089,31 @@
       <translation>Coinciden menos de 10 puntos de las fracturas; parta de una pose mejor.</translation>
     </message>
     <message>
+      <source>No photograph shows the sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ninguna fotografía muestra el fragmento.</translation>
+    </message>
+    <message>
+      <source>Not every vertex has a place in the texture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No todos los vértices tienen un lugar en la textura.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no photographic texture: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El fragmento %1 no tiene textura fotográfica: %2</translation>
+    </message>
+    <message>
+      <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El método de registro elegido no convergió; use el método predeterminado o alinee el reverso a mano.</translation>
+    </message>
+    <message>
+      <source>Too few fracture points for the chosen registration method; use the default method.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay muy pocos puntos de fractura para el método de registro elegido; use el método predeterminado.</translation>
+    </message>
+    <message>
       <source>No start pose was given for the registration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se dio ninguna pose inicial para el registro de los lados.</translation>

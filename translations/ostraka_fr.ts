@@ -8089,6 +8089,31 @@
       <translation>Moins de 10 points des cassures se correspondent ; partez d’une meilleure pose.</translation>
     </message>
     <message>
+      <source>No photograph shows the sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune photographie ne montre le tesson.</translation>
+    </message>
+    <message>
+      <source>Not every vertex has a place in the texture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tous les sommets n’ont pas de place dans la texture.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no photographic texture: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tesson %1 n’a pas de texture photographique : %2</translation>
+    </message>
+    <message>
+      <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La méthode d’assemblage choisie n’a pas convergé ; utilisez la méthode par défaut ou alignez le revers à la main.</translation>
+    </message>
+    <message>
+      <source>Too few fracture points for the chosen registration method; use the default method.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Trop peu de points de cassure pour la méthode d’assemblage choisie ; utilisez la méthode par défaut.</translation>
+    </message>
+    <message>
       <source>No start pose was given for the registration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucune pose de départ n’a été donnée pour assembler les faces.</translation>

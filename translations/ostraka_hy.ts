@@ -8089,6 +8089,31 @@
       <translation>Կոտրվածքների 10-ից քիչ կետ է հանդիպում. սկսեք ավելի լավ դիրքից։</translation>
     </message>
     <message>
+      <source>No photograph shows the sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի լուսանկար չի ցույց տալիս բեկորը։</translation>
+    </message>
+    <message>
+      <source>Not every vertex has a place in the texture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ բոլոր գագաթներն ունեն տեղ հյուսվածքում։</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no photographic texture: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 բեկորը լուսանկարային հյուսվածք չունի՝ %2</translation>
+    </message>
+    <message>
+      <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրված միացման եղանակը չզուգամիտեց. օգտագործեք լռելյայն եղանակը կամ հետևի կողմը հավասարեցրեք ձեռքով։</translation>
+    </message>
+    <message>
+      <source>Too few fracture points for the chosen registration method; use the default method.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կոտրվածքի կետերը չափազանց քիչ են ընտրված միացման եղանակի համար. օգտագործեք լռելյայն եղանակը։</translation>
+    </message>
+    <message>
       <source>No start pose was given for the registration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երեսների միացման համար սկզբնական դիրք չի տրվել։</translation>

@@ -8042,6 +8042,31 @@
       <translation>Kırıkların 10’dan az noktası eşleşiyor; daha iyi bir duruştan başlayın.</translation>
     </message>
     <message>
+      <source>No photograph shows the sherd.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir fotoğraf parçayı göstermiyor.</translation>
+    </message>
+    <message>
+      <source>Not every vertex has a place in the texture.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Her köşenin dokuda bir yeri yok.</translation>
+    </message>
+    <message>
+      <source>Sherd %1 has no photographic texture: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numaralı parçanın fotoğraf dokusu yok: %2</translation>
+    </message>
+    <message>
+      <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seçilen birleştirme yöntemi yakınsamadı; varsayılan yöntemi kullanın veya arka yüzü elle hizalayın.</translation>
+    </message>
+    <message>
+      <source>Too few fracture points for the chosen registration method; use the default method.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seçilen birleştirme yöntemi için çok az kırık noktası var; varsayılan yöntemi kullanın.</translation>
+    </message>
+    <message>
       <source>No start pose was given for the registration.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yüzleri birleştirmek için başlangıç konumu verilmedi.</translation>

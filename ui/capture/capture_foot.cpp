@@ -4,14 +4,14 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
-#include "ui/capture/batch_description.h"
-#include "ui/capture/capture_wizard.h"
 #include "ui/capture/count_edit.h"
-#include "ui/capture/side_progress.h"
 #include "ui/import/place_edit.h"
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/tool_row.h"
+#include "ui/wizard/batch_description.h"
+#include "ui/wizard/capture_wizard.h"
+#include "ui/wizard/side_progress.h"
 
 namespace ostraka::ui {
 

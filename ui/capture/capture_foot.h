@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "ui/capture/capture_text.h"
 #include "ui/widgets/side_by_side.h"
+#include "ui/wizard/capture_text.h"
 
 class QAbstractButton;
 class QAction;

@@ -4,13 +4,13 @@
 
 #include "catalogue/settings.h"
 #include "ui/capture/capture_screen.h"
-#include "ui/capture/capture_wizard.h"
-#include "ui/capture/rig_connection.h"
 #include "ui/capture/rig_page.h"
-#include "ui/capture/rig_renewal.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/batch_importer.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/wizard/capture_wizard.h"
+#include "ui/wizard/rig_connection.h"
+#include "ui/wizard/rig_renewal.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 

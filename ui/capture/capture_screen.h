@@ -1,10 +1,10 @@
 #pragma once
 #include <QPointer>
 
-#include "ui/capture/capture_text.h"
-#include "ui/capture/rig_source.h"
 #include "ui/frame/screen.h"
 #include "ui/import/import_batch.h"
+#include "ui/wizard/capture_text.h"
+#include "ui/wizard/rig_source.h"
 
 class QAction;
 class QLabel;

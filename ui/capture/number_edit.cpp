@@ -6,8 +6,8 @@
 #include <QLabel>
 #include <QLineEdit>
 
-#include "ui/capture/sherd_numbers.h"
 #include "ui/look/look.h"
+#include "ui/wizard/sherd_numbers.h"
 
 namespace ostraka::ui {
 

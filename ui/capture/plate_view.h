@@ -2,7 +2,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "ui/capture/capture_facts.h"
+#include "ui/wizard/capture_facts.h"
 
 namespace ostraka::ui {
 

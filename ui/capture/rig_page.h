@@ -1,7 +1,7 @@
 #pragma once
 #include <QWidget>
 
-#include "ui/capture/rig_source.h"
+#include "ui/wizard/rig_source.h"
 
 class QAbstractButton;
 class QComboBox;

@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "batch/batch.h"
-#include "ui/capture/rig_connection.h"
-#include "ui/capture/side_progress.h"
 #include "ui/look/look.h"
 #include "ui/look/state_colours.h"
 #include "ui/widgets/thumbnails.h"
+#include "ui/wizard/rig_connection.h"
+#include "ui/wizard/side_progress.h"
 
 namespace ostraka::ui {
 

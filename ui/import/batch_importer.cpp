@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "catalogue/batches.h"
+#include "intake/enter_results.h"
 #include "records/records.h"
 #include "ui/frame/project_session.h"
 #include "ui/words/sentence.h"
@@ -73,10 +74,31 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
       emit failed(number.error());
       return;
     }
+    if (options.kind == ImportKind::Photographs) recordPhotographs(*number);
     emit imported(*number, copied->files, doubts_);
     session_->tellBatchChanged(*number);
   });
   emit started(job_->title());
+}
+
+// What vanishes or changes from now on is noticed. Where it fails the computation enters them.
+void BatchImporter::recordPhotographs(const QString& number) {
+  records::Provenance provenance = session_->provenance();
+  provenance.source = "import";
+  Job job = makeJob(
+      tr("Photographs of %1").arg(number),
+      [project = session_->folder(), number = number.toStdString(), provenance](
+          Progress& progress, std::stop_token stop) -> Result<int> {
+        Result<catalogue::Catalogue> rows = upkeep::Project::connect(project);
+        if (!rows) return rows.error();
+        const auto record = catalogue::Batches(*rows).byNumber(number);
+        if (!record) return record.error();
+        return intake::enterPhotographs(*rows, project, record->row, provenance, progress, stop);
+      },
+      JobPriority::Background);
+  job.is_promised = true;
+  JobHandle* handle = session_->jobs().start(std::move(job), this);
+  connect(handle, &JobHandle::finished, handle, &QObject::deleteLater);
 }
 
 void BatchImporter::cancel() {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "ui/capture/capture_screen.h"
-#include "ui/capture/capture_wizard.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/sidebar.h"
@@ -29,6 +28,7 @@
 #include "ui/viewport/sherd_view.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/thumbnails.h"
+#include "ui/wizard/capture_wizard.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 

@@ -89,7 +89,7 @@ QString CardInHand::figuresText() const {
   if (trial_.made == Made::ByHand) text += " " + tr("Turned by hand; B refines the fit.");
   if (trial_.made == Made::StartPoint)
     text += " " + tr("Start point %1; B refines the fit.").arg(trial_.shift);
-  const QString failed_check = slipSentence(fit_.failed_check, 0);
+  const QString failed_check = failedCheckSentence(fit_.failed_check, 0);
   if (fit_.check_failed && !failed_check.isEmpty() &&
       fit_.failed_check == registration::FailedCheck::UpsideDown)
     text += " " + failed_check;

@@ -54,7 +54,7 @@ QString askSentence(const ReviewCard& card, const CandidateTable& table, const C
     case Doubt::OtherPose:
       return tr("Ambiguous: a second position fits almost as well.");
     case Doubt::SelfCheck:
-      return slipSentence(card.failed_check, card.check_value);
+      return failedCheckSentence(card.failed_check, card.check_value);
     case Doubt::None:
       break;
   }
@@ -97,7 +97,7 @@ QString percent(double share) {
   return tr("%1 %").arg(QLocale().toString(std::floor(std::min(share, 1.0) * 100 + 1e-9), 'f', 0));
 }
 
-QString slipSentence(FailedCheck failed_check, double value) {
+QString failedCheckSentence(FailedCheck failed_check, double value) {
   switch (failed_check) {
     case FailedCheck::UpsideDown:
       return tr("The back lies upside down: both sides face the same way.");

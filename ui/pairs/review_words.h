@@ -33,6 +33,6 @@ QString percent(double share);     ///< "71 %", "under 1 %"
 QString scoreWords(double score);  ///< of a candidate; 0: the program gave it none
 QString mm(double value, int digits = 2);
 /// What the registration's own check says of a pose; empty when nothing.
-QString slipSentence(registration::FailedCheck failed_check, double value);
+QString failedCheckSentence(registration::FailedCheck failed_check, double value);
 
 }  // namespace ostraka::ui

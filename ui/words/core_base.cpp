@@ -136,6 +136,7 @@ Sentences sentencesOfBase() {
           "ostraka::Error",
           "The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'."),
       QT_TRANSLATE_NOOP("ostraka::Error", "The mesh has no faces to write."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "Not every vertex has a place in the texture."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "A face of the mesh refers to a vertex that does not exist."),
       QT_TRANSLATE_NOOP("ostraka::Error", "Not a PLY file; choose one, or export the scan again."),

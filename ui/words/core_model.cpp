@@ -29,6 +29,7 @@ Sentences sentencesOfModel() {
       QT_TRANSLATE_NOOP("ostraka::Error", "The mesh has no faces."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A face refers to a vertex that does not exist."),
       QT_TRANSLATE_NOOP("ostraka::Error", "A face has the same vertex twice."),
+      QT_TRANSLATE_NOOP("ostraka::Error", "No photograph shows the sherd."),
   };
   return kAll;
 }

@@ -13,11 +13,11 @@
 
 #include "catalogue/batches.h"
 #include "ui/capture/capture_screen.h"
-#include "ui/capture/capture_wizard.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/batch_importer.h"
 #include "ui/import/import_ask.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/wizard/capture_wizard.h"
 #include "upkeep/project.h"
 #include "virtualrig/batch_files.h"
 #include "virtualrig/simulate.h"

@@ -9,12 +9,12 @@
 #include "catalogue/settings.h"
 #include "fake_rig.h"
 #include "ui/capture/capture_screen.h"
-#include "ui/capture/capture_wizard.h"
-#include "ui/capture/rig_connection.h"
 #include "ui/capture/rig_page.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/wizard/capture_wizard.h"
+#include "ui/wizard/rig_connection.h"
 #include "upkeep/project.h"
 
 using namespace ostraka;

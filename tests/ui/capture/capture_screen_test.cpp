@@ -1,6 +1,6 @@
 // The wizard's screen by keys, with a rig that answers as the test says.
 #include "ui/capture/capture_screen.h"
-#include "ui/capture/batch_description.h"
+#include "ui/wizard/batch_description.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -22,11 +22,7 @@
 #include "rig/rig.h"
 #include "sherds/sherds.h"
 #include "ui/capture/capture_foot.h"
-#include "ui/capture/capture_wizard.h"
 #include "ui/capture/number_edit.h"
-#include "ui/capture/plate_pictures.h"
-#include "ui/capture/rig_connection.h"
-#include "ui/capture/sherd_numbers.h"
 #include "ui/capture/stop_board.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/batch_importer.h"
@@ -35,6 +31,10 @@
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/wizard/capture_wizard.h"
+#include "ui/wizard/plate_pictures.h"
+#include "ui/wizard/rig_connection.h"
+#include "ui/wizard/sherd_numbers.h"
 #include "upkeep/project.h"
 
 using namespace ostraka;

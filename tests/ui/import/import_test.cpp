@@ -7,6 +7,7 @@
 
 #include "batch/batch.h"
 #include "catalogue/batches.h"
+#include "catalogue/files.h"
 #include "catalogue/places.h"
 #include "files/files.h"
 #include "files/hold.h"
@@ -243,6 +244,13 @@ class ImportTest : public QObject {
     const QStringList doubts = imported[0][2].toStringList();
     QCOMPARE(doubts.size(), 1);  // and what is no picture is told at once
     QVERIFY(doubts[0].contains("cam0_pos04.jpg"));
+    // What vanishes before it is computed is noticed, since the catalogue has it from now on.
+    const catalogue::Batches batches(session_->project().catalogue());
+    QTRY_COMPARE(batches.photographs(batch.row)->size(), std::size_t{8});
+    const auto files = catalogue::Files(session_->project().catalogue()).of(batch.row);
+    QVERIFY(files.has_value());
+    QCOMPARE(files->size(), std::size_t{8});
+    QCOMPARE(files->front().sha256.size(), std::size_t{64});
   }
 
   void whatCouldNotBeComputedIsNotImported() {

@@ -17,13 +17,13 @@
 #include "sherds/filter.h"
 #include "sherds/sherds.h"
 #include "ui/capture/capture_screen.h"
-#include "ui/capture/capture_wizard.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/job.h"
 #include "ui/look/look.h"
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/wizard/capture_wizard.h"
 #include "upkeep/project.h"
 
 using namespace ostraka;

@@ -4,7 +4,7 @@
 
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
-#include "ui/capture/rig_source.h"
+#include "ui/wizard/rig_source.h"
 #include "upkeep/project.h"
 
 using namespace ostraka;

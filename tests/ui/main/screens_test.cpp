@@ -21,10 +21,6 @@
 #include "catalogue/batches.h"
 #include "catalogue/settings.h"
 #include "person.h"
-#include "ui/capture/batch_description.h"
-#include "ui/capture/capture_wizard.h"
-#include "ui/capture/plate_pictures.h"
-#include "ui/capture/side_progress.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
@@ -37,6 +33,10 @@
 #include "ui/viewport/sherd_view.h"
 #include "ui/widgets/message_panel.h"
 #include "ui/widgets/page_area.h"
+#include "ui/wizard/batch_description.h"
+#include "ui/wizard/capture_wizard.h"
+#include "ui/wizard/plate_pictures.h"
+#include "ui/wizard/side_progress.h"
 #include "upkeep/project.h"
 
 using namespace ostraka;

@@ -6,14 +6,11 @@
 #include <QLabel>
 #include <QTranslator>
 
-#include "../capture/fake_rig.h"
+#include "../wizard/fake_rig.h"
 #include "catalogue/batches.h"
 #include "person.h"
 #include "sherds/sherds.h"
 #include "synthetic_out.h"
-#include "ui/capture/capture_wizard.h"
-#include "ui/capture/plate_pictures.h"
-#include "ui/capture/rig_connection.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
 #include "ui/jobs/job.h"
@@ -22,6 +19,9 @@
 #include "ui/queue/batch_queue.h"
 #include "ui/queue/queue_switches.h"
 #include "ui/viewport/sherd_view.h"
+#include "ui/wizard/capture_wizard.h"
+#include "ui/wizard/plate_pictures.h"
+#include "ui/wizard/rig_connection.h"
 #include "upkeep/project.h"
 
 using namespace ostraka;

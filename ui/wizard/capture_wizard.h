@@ -9,8 +9,8 @@
 
 #include "capture/sequence.h"
 #include "records/records.h"
-#include "ui/capture/batch_in_hand.h"
-#include "ui/capture/capture_facts.h"
+#include "ui/wizard/batch_in_hand.h"
+#include "ui/wizard/capture_facts.h"
 
 namespace ostraka::ui {
 

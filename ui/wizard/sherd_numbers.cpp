@@ -1,4 +1,4 @@
-#include "ui/capture/sherd_numbers.h"
+#include "ui/wizard/sherd_numbers.h"
 
 #include <algorithm>
 

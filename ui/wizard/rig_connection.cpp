@@ -1,9 +1,9 @@
-#include "ui/capture/rig_connection.h"
+#include "ui/wizard/rig_connection.h"
 
 #include <utility>
 
-#include "ui/capture/capture_wizard.h"
 #include "ui/frame/project_session.h"
+#include "ui/wizard/capture_wizard.h"
 
 namespace ostraka::ui {
 

@@ -6,9 +6,9 @@
 #include <memory>
 #include <optional>
 
-#include "ui/capture/rig_source.h"
 #include "ui/jobs/job.h"
 #include "ui/jobs/question.h"
+#include "ui/wizard/rig_source.h"
 
 namespace ostraka::ui {
 

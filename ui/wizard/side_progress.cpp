@@ -1,11 +1,11 @@
-#include "ui/capture/side_progress.h"
+#include "ui/wizard/side_progress.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "batch/batch.h"
-#include "ui/capture/capture_wizard.h"
-#include "ui/capture/doubt_words.h"
+#include "ui/wizard/capture_wizard.h"
+#include "ui/wizard/doubt_words.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {

@@ -1,4 +1,4 @@
-#include "ui/capture/rig_source.h"
+#include "ui/wizard/rig_source.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

@@ -1,16 +1,16 @@
-#include "ui/capture/capture_wizard.h"
+#include "ui/wizard/capture_wizard.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "batch/batch.h"
 #include "capture/batch_store.h"
-#include "ui/capture/batch_description.h"
-#include "ui/capture/doubt_words.h"
-#include "ui/capture/plate_pictures.h"
-#include "ui/capture/rig_connection.h"
-#include "ui/capture/side_progress.h"
 #include "ui/frame/project_session.h"
+#include "ui/wizard/batch_description.h"
+#include "ui/wizard/doubt_words.h"
+#include "ui/wizard/plate_pictures.h"
+#include "ui/wizard/rig_connection.h"
+#include "ui/wizard/side_progress.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 

@@ -1,9 +1,9 @@
-#include "ui/capture/doubt_words.h"
+#include "ui/wizard/doubt_words.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
-#include "ui/capture/capture_wizard.h"
+#include "ui/wizard/capture_wizard.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {

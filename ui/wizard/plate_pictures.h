@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/capture/capture_facts.h"
 #include "ui/jobs/job.h"
+#include "ui/wizard/capture_facts.h"
 
 namespace ostraka::ui {
 

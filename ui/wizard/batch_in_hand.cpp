@@ -1,4 +1,4 @@
-#include "ui/capture/batch_in_hand.h"
+#include "ui/wizard/batch_in_hand.h"
 
 #include <QDir>
 #include <QRegularExpression>

@@ -1,10 +1,10 @@
-#include "ui/capture/batch_description.h"
+#include "ui/wizard/batch_description.h"
 
 #include <map>
 
-#include "ui/capture/batch_in_hand.h"
-#include "ui/capture/capture_wizard.h"
 #include "ui/frame/project_session.h"
+#include "ui/wizard/batch_in_hand.h"
+#include "ui/wizard/capture_wizard.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "capture/sequence.h"
-#include "ui/capture/capture_facts.h"
-#include "ui/capture/rig_source.h"
+#include "ui/wizard/capture_facts.h"
+#include "ui/wizard/rig_source.h"
 
 namespace ostraka::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/capture/plate_pictures.h"
+#include "ui/wizard/plate_pictures.h"
 
 #include <algorithm>
 #include <utility>
@@ -7,10 +7,10 @@
 #include "batch/batch.h"
 #include "capture/label_code.h"
 #include "files/files.h"
-#include "ui/capture/batch_in_hand.h"
-#include "ui/capture/capture_wizard.h"
-#include "ui/capture/rig_connection.h"
 #include "ui/frame/project_session.h"
+#include "ui/wizard/batch_in_hand.h"
+#include "ui/wizard/capture_wizard.h"
+#include "ui/wizard/rig_connection.h"
 
 namespace ostraka::ui {
 namespace {

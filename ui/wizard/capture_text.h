@@ -2,7 +2,7 @@
 #include <QString>
 #include <vector>
 
-#include "ui/capture/capture_facts.h"
+#include "ui/wizard/capture_facts.h"
 
 namespace ostraka::ui {
 

@@ -9,8 +9,8 @@
 #include "base/result.h"
 #include "batch/batch.h"
 #include "records/records.h"
-#include "ui/capture/capture_facts.h"
 #include "ui/import/place_text.h"
+#include "ui/wizard/capture_facts.h"
 
 namespace ostraka::ui {
 

@@ -1,10 +1,10 @@
-#include "ui/capture/capture_text.h"
+#include "ui/wizard/capture_text.h"
 
-#include "ui/capture/batch_in_hand.h"
-#include "ui/capture/capture_wizard.h"
-#include "ui/capture/plate_pictures.h"
-#include "ui/capture/rig_connection.h"
-#include "ui/capture/side_progress.h"
+#include "ui/wizard/batch_in_hand.h"
+#include "ui/wizard/capture_wizard.h"
+#include "ui/wizard/plate_pictures.h"
+#include "ui/wizard/rig_connection.h"
+#include "ui/wizard/side_progress.h"
 
 namespace ostraka::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/capture/rig_renewal.h"
+#include "ui/wizard/rig_renewal.h"
 
 #include "checks/moved_cameras.h"
 #include "ui/frame/project_session.h"

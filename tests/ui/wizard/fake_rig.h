@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "ui/capture/rig_source.h"
+#include "ui/wizard/rig_source.h"
 
 /// A rig without pictures: what the wizard asks of it is written down, and it answers as a test
 /// says.

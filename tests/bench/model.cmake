@@ -1,2 +1,5 @@
 add_executable(model_accuracy model_accuracy.cpp)
 target_link_libraries(model_accuracy PRIVATE ostraka_model ostraka_cloud opencv_imgcodecs)
+add_executable(texture_accuracy texture_accuracy.cpp)
+target_link_libraries(texture_accuracy PRIVATE ostraka_texture ostraka_model ostraka_batch
+  nlohmann_json::nlohmann_json opencv_imgcodecs opencv_imgproc)

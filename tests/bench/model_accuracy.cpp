@@ -87,7 +87,7 @@ int main(int argc, char** argv) {
   const Result<void> ply = writePly(prefix + ".ply", made->mesh, "plate_front");
   if (!ply) return refuse(ply.error());
   if (fewer)
-    if (const Result<void> glb = writeGlb(prefix + ".glb", *fewer, {}); !glb)
+    if (const Result<void> glb = writeGlb(prefix + ".glb", formatGlb(*fewer, {})); !glb)
       return refuse(glb.error());
   cv::imwrite(prefix + ".png", model::renderPreview(made->mesh, {}));
   return 0;

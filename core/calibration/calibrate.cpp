@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/median.h"
+#include "base/part_progress.h"
 #include "base/text.h"
 #include "calibration/batch_corners.h"
 #include "calibration/bundle_adjustment.h"
@@ -41,8 +42,9 @@ class Poser {
                    "that 'ostraka plate' wrote with the plate into this folder.",
                    batch_.folder.string()};
     numberEverything();
+    PartProgress first(progress_, 0, 2);
     Result<std::vector<ShotMarkers>> shots =
-        findBatchMarkers(batch_, options_.threads, progress_, stop_);
+        findBatchMarkers(batch_, options_.threads, first, stop_);
     if (!shots) return shots.error();
     shots_ = std::move(*shots);
     for (const ShotMarkers& shot : shots_) {
@@ -68,10 +70,8 @@ class Poser {
 
   void numberEverything() {
     std::set<int> cameras, stops;
-    for (const batch::Shot& shot : batch_.shots) {
-      cameras.insert(shot.camera);
-      stops.insert(shot.stop);
-    }
+    for (const batch::Shot& shot : batch_.shots)
+      cameras.insert(shot.camera), stops.insert(shot.stop);
     camera_numbers_.assign(cameras.begin(), cameras.end());
     stop_numbers_.assign(stops.begin(), stops.end());
     state_.cameras.resize(camera_numbers_.size());
@@ -122,8 +122,9 @@ class Poser {
     }
     std::vector<TargetView> boards;
     if (batch_.board && !batch_.calibration.empty()) {
+      PartProgress second(progress_, 1, 2);
       Result<std::vector<TargetView>> found =
-          findBatchBoards(batch_, options_.threads, progress_, stop_);
+          findBatchBoards(batch_, options_.threads, second, stop_);
       if (!found) return found.error();
       boards = std::move(*found);
     }

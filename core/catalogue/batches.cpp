@@ -42,8 +42,8 @@ bool hasFolderOfBatch(const store::Database& database, const std::string& number
   return false;
 }
 
-std::string nextNumber(store::Database& database, Batches::Folders folders) {
-  // B0009, B0010, ... B9999, B10000: by value, not by letters.
+// B0009, B0010, ... B9999, B10000: by value, not by letters.
+std::set<std::int64_t> givenNumbers(store::Database& database) {
   std::set<std::int64_t> given;
   store::Statement rows = database.sql("SELECT number FROM batch WHERE number GLOB 'B[0-9]*'");
   while (rows.next()) {
@@ -51,9 +51,13 @@ std::string nextNumber(store::Database& database, Batches::Folders folders) {
     rows >> number;
     if (const auto value = countedBatch(number)) given.insert(*value);
   }
+  return given;
+}
+
+std::string nextNumber(store::Database& database) {
+  const std::set<std::int64_t> given = givenNumbers(database);
   const auto taken = [&](std::int64_t number) {
-    return given.contains(number) || (folders == Batches::Folders::Avoided &&
-                                      hasFolderOfBatch(database, batchNumber(number)));
+    return given.contains(number) || hasFolderOfBatch(database, batchNumber(number));
   };
   std::int64_t next = given.empty() ? 1 : *given.rbegin() + 1;
   while (taken(next)) ++next;
@@ -120,15 +124,24 @@ std::string opt(const std::optional<std::int64_t>& value) {
 
 }  // namespace
 
-Result<std::string> Batches::nextNumber(Folders folders) const {
-  return database_->asResult([&] { return catalogue::nextNumber(*database_, folders); });
+Result<std::string> Batches::nextNumber() const {
+  return database_->asResult([&] { return catalogue::nextNumber(*database_); });
+}
+
+Result<std::string> Batches::lowestFreeNumber() const {
+  return database_->asResult([&] {
+    const std::set<std::int64_t> given = givenNumbers(*database_);
+    std::int64_t lowest = 1;
+    while (given.contains(lowest)) ++lowest;
+    return batchNumber(lowest);
+  });
 }
 
 Result<store::BatchRow> Batches::add(const records::BatchRecord& wanted,
                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     records::BatchRecord b = wanted;
-    if (b.number.empty()) b.number = catalogue::nextNumber(*database_, Folders::Avoided);
+    if (b.number.empty()) b.number = catalogue::nextNumber(*database_);
     checkBatch(b);
     store::valueOrThrow(store::checkedBatchNumber(b.number));
     if (!b.id.empty() && !isUuid(b.id))

@@ -19,10 +19,12 @@ class Batches : public Subject {
   Result<records::BatchRecord> byNumber(const std::string&) const;
   /// None when it is not there.
   Result<std::optional<records::BatchRecord>> byId(const std::string& id) const;
-  /// One above the largest, B0031. What somebody put into a folder of that name would become part
-  /// of the batch: such a number is passed over, unless the folders are the caller's own.
-  enum class Folders { Avoided, Own };
-  Result<std::string> nextNumber(Folders = Folders::Avoided) const;
+  /// One above the largest, B0031; a number whose folder is there is passed over: what somebody put
+  /// into it would become part of the batch.
+  Result<std::string> nextNumber() const;
+  /// The lowest that no batch has, whatever lies in its folder: that of files which were copied
+  /// before their batch enters, though another batch began meanwhile.
+  Result<std::string> lowestFreeNumber() const;
   /// Gets the next number (B0031) within the transaction, unless it has one.
   Result<store::BatchRow> add(const records::BatchRecord&, const records::Provenance&);
   Result<void> save(const records::BatchRecord&, const records::Provenance&);

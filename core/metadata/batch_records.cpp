@@ -207,10 +207,10 @@ class Entering {
       return {};
     }
     if (Batches(catalogue_).byNumber(number_)) {
-      // This import's own copies lie in the folders already when the batch enters.
-      const Result<std::string> next = Batches(catalogue_).nextNumber(Batches::Folders::Own);
-      if (!next) return next.error();
-      batch.number = *next;
+      // This import's own copies lie there already when the batch enters.
+      const Result<std::string> free = Batches(catalogue_).lowestFreeNumber();
+      if (!free) return free.error();
+      batch.number = *free;
       batch.note += (batch.note.empty() ? "" : "\n") + ("Was " + number_ + " where it was made.");
     }
     read.numbers[number_] = batch.number;

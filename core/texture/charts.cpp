@@ -27,6 +27,8 @@ constexpr float kLeastCosine = 0.3f;
 // long.
 constexpr float kLeastStretch = 0.1f, kMostStretch = 3;
 
+constexpr double kWorthAChart = 64;  // texels; a chart's margin is worth more than less of it
+
 enum class Part : std::uint8_t { Front, Back, Fracture };
 
 struct Faces {
@@ -301,24 +303,86 @@ void unroll(const TriangleMesh& mesh, const Faces& faces, const Eigen::Matrix3f&
   }
 }
 
-// What is left: grown from its largest face as far as one looks at it from one direction.
-void seenAlongTheirOwn(const TriangleMesh& mesh, const Faces& faces, std::vector<int> rest,
-                       Layer& layer, std::vector<Chart>& charts) {
+// Slivers are no charts of their own: each is folded out across an edge of a face that has its
+// place. What it covers there it shares, a few texels.
+void foldOut(const TriangleMesh& mesh, const Faces& faces, const std::vector<int>& slivers,
+             std::vector<Chart>& charts) {
+  struct InChart {
+    std::size_t chart = 0, index = 0;
+  };
+  std::map<int, InChart> placed;
+  for (std::size_t c = 0; c < charts.size(); ++c)
+    for (std::size_t i = 0; i < charts[c].faces.size(); ++i) placed[charts[c].faces[i]] = {c, i};
+  const auto corner = [&](int face, int vertex) -> const Eigen::Vector2f& {
+    const InChart& at = placed.at(face);
+    const auto& t = mesh.triangles[static_cast<std::size_t>(face)];
+    const auto k = static_cast<std::size_t>(std::find(t.begin(), t.end(), vertex) - t.begin());
+    return charts[at.chart].corners[at.index][k];
+  };
+  std::vector<int> open = slivers;
+  while (!open.empty()) {
+    std::vector<int> still;
+    for (const int f : open) {
+      const auto& t = mesh.triangles[static_cast<std::size_t>(f)];
+      const auto& beside = faces.neighbours[static_cast<std::size_t>(f)];
+      const auto at = std::find_if(beside.begin(), beside.end(),
+                                   [&](int other) { return placed.contains(other); });
+      if (at == beside.end()) {
+        still.push_back(f);
+        continue;
+      }
+      const auto k = static_cast<std::size_t>(at - beside.begin());
+      const auto p = [&](std::size_t i) {
+        return mesh.vertices[static_cast<std::size_t>(t[(k + i) % 3])];
+      };
+      Corners corners;
+      const Eigen::Vector2f a = corner(*at, t[k]), b = corner(*at, t[(k + 1) % 3]);
+      const Eigen::Vector3f edge = (p(1) - p(0)).normalized();
+      const float along = edge.dot(p(2) - p(0)), off = edge.cross(p(2) - p(0)).norm();
+      const Eigen::Vector2f u = (b - a).normalized();
+      corners[k] = a;
+      corners[(k + 1) % 3] = b;
+      corners[(k + 2) % 3] = a + along * u + off * Eigen::Vector2f(-u.y(), u.x());
+      Chart& chart = charts[placed.at(*at).chart];
+      placed[f] = {placed.at(*at).chart, chart.faces.size()};
+      chart.faces.push_back(f);
+      chart.corners.push_back(corners);
+    }
+    if (still.size() == open.size()) break;  // a part of the mesh that is all slivers
+    open = std::move(still);
+  }
+  for (Chart& chart : charts) {
+    Eigen::Vector2f low = Eigen::Vector2f::Zero(), high = chart.size;
+    for (const Corners& t : chart.corners)
+      for (const Eigen::Vector2f& c : t) low = low.cwiseMin(c), high = high.cwiseMax(c);
+    for (Corners& t : chart.corners)
+      for (Eigen::Vector2f& c : t) c -= low;
+    chart.size = high - low;
+  }
+}
+
+// What is left: grown from its largest face as far as one looks at it from one direction. Faces
+// that are not worth a chart come back.
+std::vector<int> seenAlongTheirOwn(const TriangleMesh& mesh, const Faces& faces,
+                                   std::vector<int> rest, float least_mm2, Layer& layer,
+                                   std::vector<Chart>& charts) {
+  std::vector<int> slivers;
+  std::vector<char> open(mesh.triangles.size(), 0);
+  const auto areaOf = [&](int f) { return faces.areas[static_cast<std::size_t>(f)]; };
   while (!rest.empty()) {
-    std::vector<char> open(mesh.triangles.size(), 0);
     for (const int f : rest) open[static_cast<std::size_t>(f)] = 1;
-    const int seed = *std::max_element(rest.begin(), rest.end(), [&](int a, int b) {
-      return faces.areas[static_cast<std::size_t>(a)] < faces.areas[static_cast<std::size_t>(b)];
-    });
-    if (faces.areas[static_cast<std::size_t>(seed)] <= 0) return;
+    const int seed = *std::max_element(rest.begin(), rest.end(),
+                                       [&](int a, int b) { return areaOf(a) < areaOf(b); });
     const Eigen::Vector3f axis = faces.normals[static_cast<std::size_t>(seed)];
     std::vector<int> grown;
     std::queue<int> next({seed});
     open[static_cast<std::size_t>(seed)] = 0;
+    float area = 0;
     while (!next.empty()) {
       const int f = next.front();
       next.pop();
       grown.push_back(f);
+      area += areaOf(f);
       for (const int other : faces.neighbours[static_cast<std::size_t>(f)])
         if (other >= 0 && open[static_cast<std::size_t>(other)] &&
             faces.normals[static_cast<std::size_t>(other)].dot(axis) > 2 * kLeastCosine) {
@@ -326,17 +390,22 @@ void seenAlongTheirOwn(const TriangleMesh& mesh, const Faces& faces, std::vector
           next.push(other);
         }
     }
-    Eigen::Matrix3f axes;
-    const Eigen::Vector3f right = axis.unitOrthogonal();
-    axes << right, axis.cross(right), axis;
-    std::vector<Corners> corners;
-    for (const int f : grown) corners.push_back(seenAlong(mesh, f, axes));
     std::vector<int> again;
     for (const int f : rest)
       if (open[static_cast<std::size_t>(f)]) again.push_back(f);
-    charts.push_back(layer.lay(grown, corners, again));
+    if (area < least_mm2) {
+      slivers.insert(slivers.end(), grown.begin(), grown.end());
+    } else {
+      Eigen::Matrix3f axes;
+      const Eigen::Vector3f right = axis.unitOrthogonal();
+      axes << right, axis.cross(right), axis;
+      std::vector<Corners> corners;
+      for (const int f : grown) corners.push_back(seenAlong(mesh, f, axes));
+      charts.push_back(layer.lay(grown, corners, again));
+    }
     rest = std::move(again);
   }
+  return slivers;
 }
 
 }  // namespace
@@ -368,7 +437,10 @@ std::vector<Chart> chartsOf(const TriangleMesh& mesh, double texel_mm) {
     if (parts[f] == Part::Fracture && faces.areas[f] > 0) strip.push_back(static_cast<int>(f));
   if (!strip.empty())
     unroll(mesh, faces, axes, strip, std::max(row_mm, 1e-3f), layer, charts, rest);
-  seenAlongTheirOwn(mesh, faces, std::move(rest), layer, charts);
+  const auto least_mm2 = static_cast<float>(kWorthAChart * texel_mm * texel_mm);
+  const std::vector<int> slivers =
+      seenAlongTheirOwn(mesh, faces, std::move(rest), least_mm2, layer, charts);
+  foldOut(mesh, faces, slivers, charts);
   return charts;
 }
 

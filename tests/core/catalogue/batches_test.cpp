@@ -49,6 +49,12 @@ TEST_F(BatchesTest, TheNextNumberHasNoFolderYet) {
   EXPECT_EQ(*Batches(catalogue()).nextNumber(), "B0004");
   EXPECT_EQ(Batches(catalogue()).get(newBatch({}))->number, "B0004");
   EXPECT_EQ(Batches(catalogue()).get(newBatch({}))->number, "B0006");
+  // Unless the folders are those of a batch that is about to enter.
+  EXPECT_EQ(*Batches(catalogue()).lowestFreeNumber(), "B0001");
+  records::BatchRecord first;
+  first.number = "B0001";
+  ASSERT_TRUE(Batches(catalogue()).add(first, anna));
+  EXPECT_EQ(*Batches(catalogue()).lowestFreeNumber(), "B0002");
 }
 
 TEST_F(BatchesTest, AStateIsKeptWithWhoAndWhen) {

@@ -16,7 +16,7 @@ struct ShadowSight {
   const cv::Mat1f& log_odds;  ///< Evidence::log_odds
 };
 
-/// How much more a dark pixel without colour looks like a sherd than Evidence::log_odds says, by
+/// How much more a dark pixel looks like a sherd than Evidence::log_odds says, by
 /// its darkness (log, steps of kShadowStep): there a shadow may be as deep as it likes, but in one
 /// room shadows end somewhere, and what is darker is black clay; not darker, though, than clay is.
 struct ShadowDepths {

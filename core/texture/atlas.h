@@ -29,7 +29,7 @@ struct Texels {
   cv::Mat1i face;
   cv::Mat_<cv::Vec2f> weights;  ///< barycentric, of the face's first and second corner
 };
-/// A texel whose centre lies up to half a texel outside its face counts as the face's: what is
+/// A texel whose centre lies up to 0.7 of a texel outside its face counts as the face's: what is
 /// drawn between two texels takes from both.
 Texels texelsOf(const std::vector<Chart>& charts, const Atlas& atlas);
 

@@ -28,47 +28,60 @@ struct Prepared {
   const View* view = nullptr;
   DepthMap depth;
   cv::Mat1b surely;  // inside the sherd, off its edge
-  cv::Mat3f coarse;  // the picture's coarse band
-  cv::Mat1f detail;  // how much fine band there is around
+  cv::Mat3b coarse;  // the picture's coarse band
+  cv::Mat1b detail;  // how much fine band there is around
+
+  bool isSurelySherd(const Vector2d& pixel) const {
+    if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= surely.cols - 1.0 &&
+          pixel.y() <= surely.rows - 1.0))
+      return false;
+    return surely(cvRound(pixel.y()), cvRound(pixel.x())) != 0;
+  }
 };
 
 Prepared prepared(const TriangleMesh& mesh, const View& view, double texel_mm) {
   Prepared p{&view, DepthMap(mesh, view), {}, {}, {}};
-  cv::erode(view.mask, p.surely, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}), {-1, -1}, 1,
+  // Two pixels off the outline, or one and a half of the mask's own.
+  const int off = std::max(2, static_cast<int>(std::ceil(1.5 * view.mask_step)));
+  cv::erode(view.mask >= 128, p.surely,
+            cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * off + 1, 2 * off + 1}), {-1, -1}, 1,
             cv::BORDER_CONSTANT, cv::Scalar(0));
   const double pixel_mm = finestPixel_mm(mesh, {view});
-  const double sigma = std::max(1.0, kCoarse * kCell * texel_mm / std::max(pixel_mm, 1e-9));
-  // Of the sherd only: the plate around it is no part of its colour.
+  const double sigma =
+      pixel_mm > 0 ? std::clamp(kCoarse * kCell * texel_mm / pixel_mm, 1.0, 50.0) : 1;
+  // Of the sherd only: what lies around it is no part of its colour.
   cv::Mat1f inside, inside_blurred;
-  view.mask.convertTo(inside, CV_32F);
-  cv::threshold(inside, inside, 0.5, 1, cv::THRESH_BINARY);
+  cv::Mat1b(view.mask >= 128).convertTo(inside, CV_32F, 1 / 255.0);
   cv::GaussianBlur(inside, inside_blurred, {}, sigma);
   cv::Mat3f picture;
   view.picture.convertTo(picture, CV_32F);
-  cv::Mat3f within(picture.size());
+  cv::Mat3f coarse(picture.size());
   for (int y = 0; y < picture.rows; ++y)
-    for (int x = 0; x < picture.cols; ++x) within(y, x) = picture(y, x) * inside(y, x);
-  cv::GaussianBlur(within, p.coarse, {}, sigma);
-  p.detail.create(picture.size());
+    for (int x = 0; x < picture.cols; ++x) coarse(y, x) = picture(y, x) * inside(y, x);
+  cv::GaussianBlur(coarse, coarse, {}, sigma);
+  cv::Mat1f detail(picture.size());
   for (int y = 0; y < picture.rows; ++y)
     for (int x = 0; x < picture.cols; ++x) {
-      p.coarse(y, x) *= 1 / std::max(inside_blurred(y, x), 1e-3f);
-      const cv::Vec3f fine = picture(y, x) - p.coarse(y, x);
-      p.detail(y, x) = inside(y, x) * (std::abs(fine[0]) + std::abs(fine[1]) + std::abs(fine[2]));
+      coarse(y, x) *= 1 / std::max(inside_blurred(y, x), 1e-3f);
+      const cv::Vec3f fine = picture(y, x) - coarse(y, x);
+      detail(y, x) = inside(y, x) * (std::abs(fine[0]) + std::abs(fine[1]) + std::abs(fine[2]));
     }
-  cv::GaussianBlur(p.detail, p.detail, {}, sigma);
+  cv::GaussianBlur(detail, detail, {}, sigma);
+  coarse.convertTo(p.coarse, CV_8U);
+  detail.convertTo(p.detail, CV_8U);
   return p;
 }
 
-// By two or four neighbours; pixel: well inside.
-template <class Value>
-Value linearAt(const cv::Mat_<Value>& m, const Vector2d& pixel) {
-  const int x = std::clamp(static_cast<int>(std::floor(pixel.x())), 0, m.cols - 2);
-  const int y = std::clamp(static_cast<int>(std::floor(pixel.y())), 0, m.rows - 2);
+// By the four pixels around.
+template <class Sum, class Value>
+Sum linearAt(const cv::Mat_<Value>& m, const Vector2d& pixel) {
+  const auto x = static_cast<int>(std::clamp(std::floor(pixel.x()), 0.0, m.cols - 1.0));
+  const auto y = static_cast<int>(std::clamp(std::floor(pixel.y()), 0.0, m.rows - 1.0));
+  const int x1 = std::min(x + 1, m.cols - 1), y1 = std::min(y + 1, m.rows - 1);
   const auto fx = static_cast<float>(std::clamp(pixel.x() - x, 0.0, 1.0));
   const auto fy = static_cast<float>(std::clamp(pixel.y() - y, 0.0, 1.0));
-  return (1 - fy) * ((1 - fx) * m(y, x) + fx * m(y, x + 1)) +
-         fy * ((1 - fx) * m(y + 1, x) + fx * m(y + 1, x + 1));
+  return (1 - fy) * ((1 - fx) * Sum(m(y, x)) + fx * Sum(m(y, x1))) +
+         fy * ((1 - fx) * Sum(m(y1, x)) + fx * Sum(m(y1, x1)));
 }
 
 // Catmull and Rom's cubic: keeps what a linear one would blur.
@@ -193,20 +206,17 @@ class Baking {
 
   static Sample sampleOf(const Place& place, const Prepared& p) {
     const Vector3d in_camera = p.view->camera_from_mesh * place.point;
-    if (in_camera.z() <= 0) return {};
+    if (!p.view->isInSight(in_camera)) return {};
     const Vector3d normal = p.view->camera_from_mesh.linear() * place.normal;
     const double cosine = -normal.dot(in_camera.normalized());
     if (cosine < kLeastSight) return {};
     const Vector2d pixel = p.view->intrinsics.project(in_camera) - p.view->corner.cast<double>();
-    const int x = static_cast<int>(std::lround(pixel.x())),
-              y = static_cast<int>(std::lround(pixel.y()));
-    if (x < 0 || y < 0 || x >= p.surely.cols || y >= p.surely.rows || p.surely(y, x) == 0)
-      return {};
+    if (!p.isSurelySherd(pixel)) return {};
     if (!p.depth.sees(pixel, in_camera.z(), cosine)) return {};
-    const cv::Vec3f level = linearAt(p.coarse, pixel);
+    const cv::Vec3f level = linearAt<cv::Vec3f>(p.coarse, pixel);
     // Pixels to a mm^2 of surface, with a factor for what the lens has blurred there.
     const double density = p.view->intrinsics.fx / in_camera.z();
-    const double detail = 1 + linearAt(p.detail, pixel);
+    const double detail = 1 + linearAt<float>(p.detail, pixel);
     return {{level[0], level[1], level[2]},
             static_cast<float>(cosine * density * density * detail)};
   }
@@ -268,18 +278,20 @@ class Baking {
                  cv::Vec3f& out) const {
     const Place place = placeAt(x, y);
     cv::Vec3f fine(0, 0, 0);
-    bool is_seen = false;
+    float sum = 0;
     for (std::size_t v = 0; v < samples.size(); ++v) {
       if (!(samples[v].weight > 0)) continue;
       const Vector2d pixel = views_[v].view->project(place.point);
+      // The cell is seen; beside it the outline may run.
+      if (!views_[v].isSurelySherd(pixel)) continue;
       const cv::Vec3f difference =
-          cubicAt(views_[v].view->picture, pixel) - linearAt(views_[v].coarse, pixel);
+          cubicAt(views_[v].view->picture, pixel) - linearAt<cv::Vec3f>(views_[v].coarse, pixel);
       for (int k = 0; k < 3; ++k)
         fine[k] += samples[v].weight * gains_(static_cast<Eigen::Index>(v), k) * difference[k];
-      is_seen = true;
+      sum += samples[v].weight;
     }
-    if (is_seen) out = coarse + fine;
-    return is_seen;
+    if (sum > 0) out = coarse + fine / sum;
+    return sum > 0;
   }
 
   const TriangleMesh& mesh_;

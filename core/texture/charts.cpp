@@ -303,6 +303,13 @@ void unroll(const TriangleMesh& mesh, const Faces& faces, const Eigen::Matrix3f&
   }
 }
 
+Eigen::Matrix3f axesAlong(const Eigen::Vector3f& axis) {
+  Eigen::Matrix3f axes;
+  const Eigen::Vector3f right = axis.unitOrthogonal();
+  axes << right, axis.cross(right), axis;
+  return axes;
+}
+
 // Slivers are no charts of their own: each is folded out across an edge of a face that has its
 // place. What it covers there it shares, a few texels.
 void foldOut(const TriangleMesh& mesh, const Faces& faces, const std::vector<int>& slivers,
@@ -348,11 +355,20 @@ void foldOut(const TriangleMesh& mesh, const Faces& faces, const std::vector<int
       chart.faces.push_back(f);
       chart.corners.push_back(corners);
     }
-    if (still.size() == open.size()) break;  // a part of the mesh that is all slivers
+    // A part of the mesh that is all slivers: the first of them is a chart after all.
+    if (still.size() == open.size()) {
+      placed[still.front()] = {charts.size(), 0};
+      charts.push_back(
+          {{still.front()},
+           {seenAlong(mesh, still.front(),
+                      axesAlong(faces.normals[static_cast<std::size_t>(still.front())]))},
+           Eigen::Vector2f::Zero()});
+      still.erase(still.begin());
+    }
     open = std::move(still);
   }
   for (Chart& chart : charts) {
-    Eigen::Vector2f low = Eigen::Vector2f::Zero(), high = chart.size;
+    Eigen::Vector2f low = Eigen::Vector2f::Constant(INFINITY), high = -low;
     for (const Corners& t : chart.corners)
       for (const Eigen::Vector2f& c : t) low = low.cwiseMin(c), high = high.cwiseMax(c);
     for (Corners& t : chart.corners)
@@ -396,11 +412,8 @@ std::vector<int> seenAlongTheirOwn(const TriangleMesh& mesh, const Faces& faces,
     if (area < least_mm2) {
       slivers.insert(slivers.end(), grown.begin(), grown.end());
     } else {
-      Eigen::Matrix3f axes;
-      const Eigen::Vector3f right = axis.unitOrthogonal();
-      axes << right, axis.cross(right), axis;
       std::vector<Corners> corners;
-      for (const int f : grown) corners.push_back(seenAlong(mesh, f, axes));
+      for (const int f : grown) corners.push_back(seenAlong(mesh, f, axesAlong(axis)));
       charts.push_back(layer.lay(grown, corners, again));
     }
     rest = std::move(again);

@@ -18,15 +18,18 @@ template <class Visit>
 void forEachInside(const std::array<Eigen::Vector2d, 3>& t, int width, int height, double slack,
                    Visit visit) {
   const double cross = crossOf(t);
-  if (std::abs(cross) < 1e-12) return;
+  if (!(std::abs(cross) >= 1e-12)) return;
   const Eigen::Vector2d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
   const Eigen::Vector2d high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
+  if (!low.allFinite() || !high.allFinite()) return;
   const double reach = slack > 0 ? 1 : 0;
-  const auto from = [&](int k) { return std::max(0.0, std::ceil(low[k] - reach)); };
-  const int x1 = static_cast<int>(std::min<double>(width - 1, std::floor(high.x() + reach)));
-  const int y1 = static_cast<int>(std::min<double>(height - 1, std::floor(high.y() + reach)));
-  for (int y = static_cast<int>(from(1)); y <= y1; ++y)
-    for (int x = static_cast<int>(from(0)); x <= x1; ++x) {
+  const double x0 = std::max(0.0, std::ceil(low.x() - reach));
+  const double y0 = std::max(0.0, std::ceil(low.y() - reach));
+  const double x1 = std::min<double>(width - 1, std::floor(high.x() + reach));
+  const double y1 = std::min<double>(height - 1, std::floor(high.y() + reach));
+  if (!(x0 <= x1 && y0 <= y1)) return;
+  for (int y = static_cast<int>(y0); y <= static_cast<int>(y1); ++y)
+    for (int x = static_cast<int>(x0); x <= static_cast<int>(x1); ++x) {
       const Eigen::Vector2d p(x, y);
       Eigen::Vector3d w;
       for (std::size_t k = 0; k < 3; ++k)

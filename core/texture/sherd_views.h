@@ -20,12 +20,13 @@ struct Photograph {
 
 /// A sherd to be textured, mesh frame (the front's plate), mm.
 struct Subject {
-  std::vector<Eigen::Vector3f> points;  ///< of both sides; a few hundred suffice
+  std::vector<Eigen::Vector3f> points;  ///< of both sides, about 1.5 mm apart
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
 };
 
 /// What the photographs of a batch show of its sherds, read when it is first asked for: each
-/// photograph once, at full size, of which only the parts with sherds are kept.
+/// photograph once, at full size, of which only the parts with sherds are kept. What one sherd
+/// hides of another is no part of the other's view.
 class SherdViews {
  public:
   SherdViews(std::vector<Photograph> photographs, std::vector<Subject> sherds, int threads);
@@ -38,6 +39,7 @@ class SherdViews {
   std::vector<Subject> sherds_;
   int threads_;
   std::optional<std::vector<std::vector<View>>> views_;
+  std::optional<Error> failed_;  ///< of the first reading: it is not tried for each sherd anew
 };
 
 }  // namespace ostraka::texture

@@ -2,16 +2,29 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-namespace ostraka::texture {
+#include "model/model.h"
 
-Result<TexturedMesh> textured(const TriangleMesh& mesh, const std::vector<View>& views, int threads,
-                              Progress& progress, const std::stop_token& stop) {
+namespace ostraka::texture {
+namespace {
+
+Error nothingShown() {
+  return {ErrorCode::NotEnough, "No photograph shows the sherd.", {}};
+}
+
+}  // namespace
+
+Result<TexturedMesh> textured(const TriangleMesh& plain, const std::vector<View>& views,
+                              int threads, Progress& progress, const std::stop_token& stop) {
+  TriangleMesh mesh = plain;
+  if (mesh.normals.size() != mesh.vertices.size()) mesh.normals = model::vertexNormals(mesh);
   const double pixel_mm = finestPixel_mm(mesh, views);
-  if (pixel_mm <= 0) return Error{ErrorCode::NotEnough, "No photograph shows the sherd.", {}};
+  if (pixel_mm <= 0) return nothingShown();
   const std::vector<Chart> charts = chartsOf(mesh, pixel_mm);
+  if (charts.empty()) return nothingShown();
   const Atlas atlas = packed(charts, pixel_mm);
   Result<Texture> texture = bake(mesh, charts, atlas, views, threads, progress, stop);
   if (!texture) return texture.error();
+  if (texture->seen_share <= 0) return nothingShown();
   UnwrappedMesh unwrapped = texture::unwrapped(mesh, charts, atlas);
   return TexturedMesh{std::move(unwrapped.mesh), std::move(unwrapped.uv), std::move(*texture),
                       atlas.texel_mm};

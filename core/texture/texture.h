@@ -20,7 +20,7 @@ struct TexturedMesh {
   double texel_mm = 0;
 };
 
-/// mesh: closed, outward, mm, with normals. A texel is as large as a pixel of the photograph that
+/// mesh: closed, outward, mm. A texel is as large as a pixel of the photograph that
 /// was taken from nearest. Errors: Cancelled; NotEnough when no photograph shows the mesh.
 Result<TexturedMesh> textured(const TriangleMesh& mesh, const std::vector<View>& views, int threads,
                               Progress& progress, const std::stop_token& stop);

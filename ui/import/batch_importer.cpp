@@ -98,7 +98,12 @@ void BatchImporter::recordPhotographs(const QString& number) {
       JobPriority::Background);
   job.is_promised = true;
   JobHandle* handle = session_->jobs().start(std::move(job), this);
-  connect(handle, &JobHandle::finished, handle, &QObject::deleteLater);
+  connect(handle, &JobHandle::finished, this,
+          [this, handle, number, session = session_](const JobOutcome& outcome) {
+            handle->deleteLater();
+            if (outcome.has_value() && session != nullptr && session == session_)
+              session->tellBatchChanged(number);
+          });
 }
 
 void BatchImporter::cancel() {

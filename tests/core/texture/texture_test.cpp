@@ -16,6 +16,18 @@ TEST(Texture, NeedsAPhotograph) {
   EXPECT_EQ(made.error().code, ErrorCode::NotEnough);
 }
 
+TEST(Texture, IsNoneWhereTheMasksShowAnotherPlace) {
+  const TriangleMesh tile = block({40, 30, 6}, 2);
+  cv::Mat1b mask(600, 800, uchar{0});
+  mask.colRange(0, 245) = 255;
+  const auto view =
+      cutOut(cv::Mat3b(600, 800, cv::Vec3b(50, 100, 150)), mask, lookingAt({0, 0, 150}, {0, 0, 0}),
+             Eigen::Isometry3d::Identity(), tile.vertices);
+  QuietProgress quiet;
+  EXPECT_EQ(textured(tile, {*view}, 1, quiet, {}).error().code, ErrorCode::NotEnough)
+      << "a black picture is no texture";
+}
+
 TEST(Texture, HasTexelsOfTheNearestPhotographsPixels) {
   const TriangleMesh tile = block({40, 30, 6}, 2);
   std::vector<View> views;

@@ -50,10 +50,8 @@ TEST(Atlas, KnowsTheFaceOfEachTexelAndWhereOnIt) {
     for (int x = 0; x < atlas.width; ++x) {
       if (texels.face(y, x) < 0) continue;
       const auto& t = tile.triangles[static_cast<std::size_t>(texels.face(y, x))];
-      const cv::Vec2f& w = texels.weights(y, x);
-      const Eigen::Vector3f p = w[0] * tile.vertices[t[0]] + w[1] * tile.vertices[t[1]] +
-                                (1 - w[0] - w[1]) * tile.vertices[t[2]];
-      if (tile.normals[t[0]].z() < 0.99f || p.z() < 5.99f) continue;
+      const Eigen::Vector3d p = pointOf(tile, texels, x, y);
+      if (tile.normals[t[0]].z() < 0.99f || p.z() < 5.99) continue;
       ++of_front;
       // The front's chart is the view from above, its first texel the far left corner.
       EXPECT_NEAR(p.x(), (x - atlas.places[0].x()) * 0.25 - 20, 0.01);

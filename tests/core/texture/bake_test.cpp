@@ -65,11 +65,7 @@ class Bake : public testing::Test {
       for (int y = 0; y < atlas.height; ++y)
         for (int x = 0; x < atlas.width; ++x) {
           if (!texture.seen(y, x)) continue;
-          const auto& t = tile.triangles[static_cast<std::size_t>(texels.face(y, x))];
-          const cv::Vec2f& w = texels.weights(y, x);
-          const Eigen::Vector3d p = (w[0] * tile.vertices[t[0]] + w[1] * tile.vertices[t[1]] +
-                                     (1 - w[0] - w[1]) * tile.vertices[t[2]])
-                                        .cast<double>();
+          const Eigen::Vector3d p = pointOf(tile, texels, x, y);
           if (!wanted(p)) continue;
           const cv::Vec3d expected = paint(p);
           for (int k = 0; k < 3; ++k) {
@@ -120,11 +116,7 @@ TEST_F(Bake, KeepsTheContrastOfTheFinestPattern) {
   for (int y = 0; y < atlas.height; ++y)
     for (int x = 0; x < atlas.width; ++x) {
       if (!texture.seen(y, x)) continue;
-      const auto& t = tile.triangles[static_cast<std::size_t>(texels.face(y, x))];
-      const cv::Vec2f& w = texels.weights(y, x);
-      const Eigen::Vector3d p = (w[0] * tile.vertices[t[0]] + w[1] * tile.vertices[t[1]] +
-                                 (1 - w[0] - w[1]) * tile.vertices[t[2]])
-                                    .cast<double>();
+      const Eigen::Vector3d p = pointOf(tile, texels, x, y);
       if (p.z() < 5.99) continue;
       const double wave = std::sin(2 * M_PI * p.x() / 3) * std::sin(2 * M_PI * p.y() / 3);
       both += wave * texture.picture(y, x)[1];

@@ -4,6 +4,7 @@
 
 #include "cloud/point_cloud.h"
 #include "model/model.h"
+#include "texture/atlas.h"
 #include "texture/view.h"
 
 namespace ostraka::texture {
@@ -65,6 +66,15 @@ inline rig::PosedImage lookingAt(const Eigen::Vector3d& from, const Eigen::Vecto
   image.camera_from_plate.linear() = axes;
   image.camera_from_plate.translation() = -axes * from;
   return image;
+}
+
+/// Where a texel of a chart lies on the mesh, mm.
+inline Eigen::Vector3d pointOf(const TriangleMesh& mesh, const Texels& texels, int x, int y) {
+  const auto& t = mesh.triangles[static_cast<std::size_t>(texels.face(y, x))];
+  const cv::Vec2f& w = texels.weights(y, x);
+  return (w[0] * mesh.vertices[t[0]] + w[1] * mesh.vertices[t[1]] +
+          (1 - w[0] - w[1]) * mesh.vertices[t[2]])
+      .cast<double>();
 }
 
 }  // namespace ostraka::texture

@@ -123,13 +123,13 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
                                 const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
                                 const Staged<std::vector<scan::Scan>>& fronts,
                                 const Staged<std::vector<scan::Scan>>& backs);
-/// What the photographs show of the pairs' sherds, in their order; of scans it is nothing.
+/// What the photographs show of the pairs' sherds, in their order.
 texture::SherdViews viewsOf(const Run& run, const Poses& poses, const Masks& front_masks,
                             const Masks& back_masks, const std::vector<DecidedPair>& pairs,
                             const std::vector<scan::Scan>& fronts,
                             const std::vector<scan::Scan>& backs);
 /// Leaves front.ply, back.ply, model.ply, model.glb and preview.png in OUT/work/model_<number>.
-/// views: those of this pair; asked for when the stage runs.
+/// views: those of this pair, asked for when the stage runs; none for scans.
 using ViewsOfSherd = std::function<Result<const std::vector<texture::View>*>()>;
 Result<StageRecord> modelStage(const Run& run, const std::string& number, const DecidedPair& pair,
                                const scan::Scan& front, const scan::Scan& back,

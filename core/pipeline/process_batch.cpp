@@ -247,8 +247,9 @@ Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
     PartProgress progress(run.progress, i, decided.size());
     const Run one{run.options,    run.batch,       run.held,      run.work, run.inputs,
                   run.batch_hash, run.photographs, run.decisions, progress, run.stop};
-    const Result<StageRecord> record = modelStage(
-        one, number, decided[i], f, b, [&] { return views.of(i, run.stop); }, inputs);
+    ViewsOfSherd shown;
+    if (!poses.value.images.empty()) shown = [&, i] { return views.of(i, run.stop); };
+    const Result<StageRecord> record = modelStage(one, number, decided[i], f, b, shown, inputs);
     if (!record) return record.error();
     if (const Result<void> published = publish(run, number); !published) return published;
     report.stages.push_back({"model " + number, *record});

@@ -68,9 +68,9 @@ Result<std::string> glbOf(const Run& run, const TriangleMesh& mesh, const GlbExt
                              " has no photographic texture: " + why.sentence());
     return formatGlb(mesh, extras);
   };
+  if (!views) return formatGlb(mesh, extras);
   const Result<const std::vector<texture::View>*> shown = views();
   if (!shown) return plainly(shown.error());
-  if ((*shown)->empty()) return formatGlb(mesh, extras);
   const Result<texture::TexturedMesh> textured =
       texture::textured(mesh, **shown, run.options.threads, progress, run.stop);
   if (!textured) return plainly(textured.error());

@@ -121,10 +121,11 @@ SheetPicture::Tone fitPaper(const std::vector<PaperSample>& samples) {
 
 class SheetPainter {
  public:
-  SheetPainter(std::span<const cv::Mat3b> samples, const cv::Mat1f& printed, Print print)
+  SheetPainter(std::span<const cv::Mat3b> samples, std::span<const cv::Mat1b> covered,
+               const cv::Mat1f& printed)
       : samples_(samples),
+        covered_(covered),
         printed_(printed),
-        print_(print),
         paper_(allOf(printed > kWhitePaper)),
         ink_(allOf((printed >= 0) & (printed < kBlackInk))) {}
 
@@ -180,14 +181,14 @@ class SheetPainter {
       for (int column = 0; column < printed_.cols; ++column) {
         if (printed_(row, column) < 0) continue;
         cv::Vec3f sum(0, 0, 0);
-        float total = print_ == Print::Known ? 1 : 1e-3F;
+        float total = 1;
         for (std::size_t i = 0; i < samples_.size(); ++i) {
           const cv::Vec3b& sample = samples_[i](row, column);
           if (!isSeen(sample)) continue;
           const SheetPicture::Tone& tone = picture_.tones[i];
           const cv::Vec3f rest =
               logs_(sample) - paperAt(tone, row, column) - mixture(printed_(row, column), tone.ink);
-          const float w = print_ == Print::Known ? bareWeight(rest, kStain) : 1;
+          const float w = bareWeight(rest, kStain);
           sum += w * rest;
           total += w;
         }
@@ -257,7 +258,7 @@ class SheetPainter {
     cv::Mat1f agreed(rows, columns, 0.F);
     for (int row = 0; row < rows; ++row)
       for (int column = 0; column < columns; ++column)
-        if (const auto shade = shadeAt(rests, counts, row, column)) {
+        if (const auto shade = shadeAt(rests, counts, coveredAt(row, column), row, column)) {
           shades(row, column) = *shade;
           agreed(row, column) = 1;
         }
@@ -345,12 +346,20 @@ class SheetPainter {
     return counts;
   }
 
-  // What the photograph with most company sees at a place, where it is a shadow's.
+  // By how many photographs a place, row and column of half the cells, is seen to be covered.
+  int coveredAt(int row, int column) const {
+    return static_cast<int>(
+        std::count_if(covered_.begin(), covered_.end(),
+                      [&](const cv::Mat1b& covered) { return covered(2 * row, 2 * column) != 0; }));
+  }
+
+  // What the photograph with most company sees at a place, where it is a shadow's; `covered` others
+  // look at something before it.
   static std::optional<cv::Vec3f> shadeAt(const std::vector<cv::Mat_<cv::Vec3s>>& rests,
-                                          const std::vector<cv::Mat1b>& counts, int row,
-                                          int column) {
+                                          const std::vector<cv::Mat1b>& counts, int covered,
+                                          int row, int column) {
     std::size_t best = 0;
-    int seen = 0;
+    int seen = covered;
     for (std::size_t i = 0; i < rests.size(); ++i) {
       if (counts[i](row, column) > counts[best](row, column)) best = i;
       seen += rests[i](row, column)[0] != kNoRest ? 1 : 0;
@@ -367,8 +376,8 @@ class SheetPainter {
   }
 
   std::span<const cv::Mat3b> samples_;
+  std::span<const cv::Mat1b> covered_;
   const cv::Mat1f& printed_;
-  const Print print_;
   cv::Mat1b paper_, ink_;
   Logs logs_;
   SheetPicture picture_;
@@ -432,17 +441,8 @@ Result<cv::Mat1f> printedSheet(const batch::Plate& plate, const PlateGrid& grid)
 }
 
 SheetPicture buildSheetPicture(std::span<const cv::Mat3b> samples, const cv::Mat1f& printed,
-                               Print print) {
-  return SheetPainter(samples, printed, print).run();
-}
-
-void forgetUnseen(std::span<const cv::Mat3b> samples, cv::Mat1f& printed) {
-  for (int row = 0; row < printed.rows; ++row)
-    for (int column = 0; column < printed.cols; ++column) {
-      int seen = 0;
-      for (const cv::Mat3b& sample : samples) seen += isSeen(sample(row, column)) ? 1 : 0;
-      if (seen < 2) printed(row, column) = -1;
-    }
+                               std::span<const cv::Mat1b> covered) {
+  return SheetPainter(samples, covered, printed).run();
 }
 
 cv::Mat3f predictBareSheet(const SheetPicture& picture, std::size_t index, const cv::Mat1f& printed,

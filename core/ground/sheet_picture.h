@@ -40,13 +40,10 @@ struct SheetPicture {
 /// samples: per photograph the 8-bit colours at the grid's cells, (0,0,0) where the cell is not in
 /// the picture; printed: printedSheet. What covers the sheet is left out as far as it is darker,
 /// brighter or of another tint than paper or ink.
-/// Print::Unknown: printed is bare everywhere, and whatever the samples show lies on the sheet.
-enum class Print { Known, Unknown };
+/// covered: empty, or per photograph 255 where it is known to look at something that stands before
+/// the cell; its sample there is (0,0,0).
 SheetPicture buildSheetPicture(std::span<const cv::Mat3b> samples, const cv::Mat1f& printed,
-                               Print print = Print::Known);
-
-/// Puts beyond the sheet (printed < 0) what fewer than two photographs show bare.
-void forgetUnseen(std::span<const cv::Mat3b> samples, cv::Mat1f& printed);
+                               std::span<const cv::Mat1b> covered = {});
 
 /// The bare sheet as photograph `index` would show it, log colours; 0 where the pixel does not see
 /// the sheet. known: 255 where it does.

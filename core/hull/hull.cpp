@@ -198,4 +198,12 @@ void dropGroupsAtSides(const HullSpace& space, std::vector<unsigned char>& voxel
     if (at_side[voxel]) voxel = 0;
 }
 
+bool bareAt(const HullSpace& space, const std::vector<unsigned char>& voxels,
+            const Eigen::Vector2d& p) {
+  const int column = static_cast<int>(std::lround((p.x() - space.low.x()) / space.pitch));
+  const int row = static_cast<int>(std::lround((p.y() - space.low.y()) / space.pitch));
+  if (column < 0 || row < 0 || column >= space.count.x() || row >= space.count.y()) return false;
+  return voxels[static_cast<std::size_t>(row) * space.count.x() + column] == 0;
+}
+
 }  // namespace ostraka::hull

@@ -56,6 +56,11 @@ inline constexpr int kMostGapLayers = 3;  ///< a stripe of the ground's colour a
 /// and gives their voxels the group's number, 1, 2, ... kMostGroups.
 int dropSmallGroups(const HullSpace& space, std::vector<unsigned char>& voxels, double min_area);
 
+/// Whether the hull leaves the floor bare at (x, y): its lowest layer is empty there. False beyond
+/// the space, of which nothing is known.
+bool bareAt(const HullSpace& space, const std::vector<unsigned char>& voxels,
+            const Eigen::Vector2d& p);
+
 /// Takes away numbered groups that reach a side of the space, unless all of them do: where nothing
 /// says what the ground is beyond, such a group is mostly that.
 void dropGroupsAtSides(const HullSpace& space, std::vector<unsigned char>& voxels);

@@ -108,9 +108,11 @@ cv::Mat1f heightsShown(const cv::Mat1b& shown, cv::Size size) {
   return half;
 }
 
-cv::Mat1b mayBeCovered(const cv::Mat1b& shown) {
-  cv::Mat1b covered;
-  cv::dilate(cv::Mat1b(shown == kRaisedShown), covered, disc(kEdge));
+cv::Mat1b coveredCells(const cv::Mat1b& shown, cv::Size size, const cv::Mat2f& pixel_of_cell) {
+  cv::Mat1b raised, covered;
+  cv::resize(cv::Mat1b(shown == kRaisedShown), raised, size, 0, 0, cv::INTER_NEAREST);
+  cv::remap(raised, covered, pixel_of_cell, cv::noArray(), cv::INTER_NEAREST, cv::BORDER_CONSTANT,
+            cv::Scalar::all(0));
   return covered;
 }
 

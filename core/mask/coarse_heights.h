@@ -31,8 +31,8 @@ cv::Mat1b shownBy(const PointCloud& cloud, std::span<const float> heights,
 /// edges, which are as coarse as the reconstruction.
 cv::Mat1f heightsShown(const cv::Mat1b& shown, cv::Size size);
 
-/// 255 where the photograph cannot be trusted to show the bare ground: what is raised and around
-/// it.
-cv::Mat1b mayBeCovered(const cv::Mat1b& shown);
+/// 255 in the cells of a grid before which `shown` has something raised. pixel_of_cell: where a
+/// photograph of `size` shows each.
+cv::Mat1b coveredCells(const cv::Mat1b& shown, cv::Size size, const cv::Mat2f& pixel_of_cell);
 
 }  // namespace ostraka::mask

@@ -13,6 +13,8 @@
 namespace ostraka::mask {
 namespace {
 
+constexpr float kUneven = 0.02F;  // log: lit plate is as bright as predicted but for so much
+
 float brightnessOf(const cv::Vec3f& v) {
   return (v[0] + v[1] + v[2]) / 3;
 }
@@ -75,7 +77,8 @@ struct PixelRow {
   std::vector<float> brightness, colour2;  ///< of the residual; the colour's length, squared
   std::vector<float> bare;                 ///< log brightness of the bare plate
   std::vector<float> edge;                 ///< how far a misplaced bare plate may be off
-  explicit PixelRow(int n) : brightness(n), colour2(n), bare(n), edge(n) {}
+  std::vector<float> in_shade;             ///< ResidualNoise::shadeTexture
+  explicit PixelRow(int n) : brightness(n), colour2(n), bare(n), edge(n), in_shade(n) {}
 };
 
 OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const ResidualNoise& noise,
@@ -84,7 +87,7 @@ OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const Re
   // Any clay: colour differences within +-0.6, brightness within a factor of e^2 either way.
   constexpr float kSherdDensity = 1 / (3.14159F * 0.36F * 4);
   const float *brightness = row.brightness.data(), *colour2 = row.colour2.data(),
-              *bare = row.bare.data(), *edges = row.edge.data();
+              *bare = row.bare.data(), *edges = row.edge.data(), *in_shade = row.in_shade.data();
   const float var_noise = noise.brightness * noise.brightness;
   const float var_colour = noise.colour * noise.colour;
   const float level = noise.level + ground::kDarkLevel, log_six = ground::logOf(6.F);
@@ -98,7 +101,7 @@ OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const Re
     const float gain = std::max(0.25F, darker * darker);
     const float var_c = var_colour * gain + 0.1F * edge * edge +
                         0.0016F * g * g;  // lamps' colours differ by some 4 %
-    const float var_g = var_noise * gain + 0.0004F + edge * edge;
+    const float var_g = var_noise * gain + kUneven * kUneven + edge * edge;
     const float chi_c = c2 / var_c;
     const float colour_density =
         (0.95F * ground::expOf(-0.5F * chi_c) + 0.05F / 9 * ground::expOf(-0.5F * chi_c / 9)) /
@@ -114,15 +117,18 @@ OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const Re
     const float tinted = ground::expOf(-0.5F * c2 / var_t) / (kTwoPi * var_t);
     const float plate_density =
         colour_density * (0.4F * lit + 0.05F * bounce + 0.2F * shadow) + 0.35F * shadow * tinted;
-    float odds = ground::logOf(kSherdDensity / (plate_density + 1e-4F * kSherdDensity));
+    // White clay has a white sheet's colour, however little noise there is.
+    float odds =
+        std::max(ground::logOf(kSherdDensity / (plate_density + 1e-4F * kSherdDensity)), -8.F);
     // Texture: clay's grain leaves some six times the energy of the plate's noise (likelihood
     // ratio of two variances over the window's sixteen independent samples). Smooth clay leaves
     // none, so a lack of texture says nothing.
-    // Measured in half light; beyond it shot noise explains what there is.
-    const float half_light = darker > 1.1F ? std::min(std::max(3 - darker, 0.F), 1.F) : 0.F;
-    const float in_shade = 1 + half_light * (noise.shade_texture - 1);
-    const float ratio = texture[x] * per_texture / (in_shade * gain + edge * edge * per_noise);
-    const float grain = std::min(std::max(0.5F * 16 * (ratio * (1 - 1 / 6.F) - log_six), 0.F), 7.F);
+    const float ratio = texture[x] * per_texture / (in_shade[x] * gain + edge * edge * per_noise);
+    // What else lies on a plate has a grain, too, the seldomer the stronger it is: one time in a
+    // thousand as much as clay's, and less with its square.
+    const float most = 7 + 2 * ground::logOf(std::max(ratio, 6.F) / 6);
+    const float grain =
+        std::min(std::max(0.5F * 16 * (ratio * (1 - 1 / 6.F) - log_six), 0.F), most);
     // Where a shadow leaves less than a third of the light, JPEG's rounding makes a grain of its
     // own.
     odds += grain * std::min(std::max(2 - darker / 3, 0.F), 1.F);
@@ -134,7 +140,42 @@ OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const Re
   }
 }
 
+// Medians where a shadow's depth is often seen; between them as they go on.
+std::array<float, ResidualNoise::kDepths> excessByDepth(
+    std::array<std::vector<float>, ResidualNoise::kDepths>& excess) {
+  constexpr std::size_t kFewest = 100;
+  std::array<float, ResidualNoise::kDepths> by_depth;
+  by_depth.fill(1);
+  int last = 0;
+  for (int depth = 1; depth < ResidualNoise::kDepths; ++depth) {
+    std::vector<float>& here = excess[static_cast<std::size_t>(depth)];
+    if (here.size() < kFewest) continue;
+    const float value = std::max(1.F, medianOf(here));
+    const float start = by_depth[static_cast<std::size_t>(last)];
+    for (int k = last + 1; k <= depth; ++k)
+      by_depth[static_cast<std::size_t>(k)] =
+          start * std::pow(value / start, static_cast<float>(k - last) / (depth - last));
+    last = depth;
+  }
+  const float most = by_depth[static_cast<std::size_t>(last)];
+  for (int k = 1; k < ResidualNoise::kDepths; ++k) {
+    float& value = by_depth[static_cast<std::size_t>(k)];
+    if (k > last) value = most;
+    // Below half the light shot noise explains more and more of it, below a third all.
+    value = (value - 1) * std::clamp(3 - std::exp(k * ResidualNoise::kDepthStep), 0.F, 1.F);
+  }
+  by_depth[0] = 0;
+  return by_depth;
+}
+
 }  // namespace
+
+float ResidualNoise::shadeTexture(float depth) const {
+  const float at = std::clamp(depth / kDepthStep, 0.F, kDepths - 1.001F);
+  const auto k = static_cast<std::size_t>(at);
+  const float t = at - static_cast<float>(k);
+  return 1 + (1 - t) * shade_texture[k] + t * shade_texture[k + 1];
+}
 
 cv::Mat3f smoothed(const cv::Mat3f& log_colours) {
   cv::Mat3f smooth;
@@ -142,7 +183,7 @@ cv::Mat3f smoothed(const cv::Mat3f& log_colours) {
   return smooth;
 }
 
-ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
+ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare, float bare_slope_px,
                            const cv::Mat1b& on_plate, const cv::Mat1b& shade) {
   // The plate's own texture, not only what the prediction misses of it: close to a sherd the plate
   // is seldom seen bare and its texture not predicted.
@@ -171,15 +212,20 @@ ResidualNoise measureNoise(const cv::Mat3f& residual, const cv::Mat3f& bare,
   noise.brightness = std::max(robustDeviation(brightness), rounding);
   noise.colour = std::max(robustDeviation(colour), rounding);
   if (shade.empty()) return noise;
-  std::vector<float> excess;
-  for (int y = 0; y < residual.rows; y += 3)
-    for (int x = 0; x < residual.cols; x += 3) {
+  const cv::Mat1f slope = slopeOf(bare);
+  std::array<std::vector<float>, ResidualNoise::kDepths> excess;
+  for (int y = 0; y < residual.rows; ++y)
+    for (int x = 0; x < residual.cols; ++x) {
       if (shade(y, x) == 0) continue;
       const float darker =
           (noise.level + ground::kDarkLevel) * std::exp(-brightnessOf(plate(y, x)));
-      excess.push_back(energy(y, x) / (noise.texture * std::max(0.25F, darker * darker)));
+      const auto depth = static_cast<int>(std::log(darker) / ResidualNoise::kDepthStep + 0.5F);
+      if (depth <= 0 || depth >= ResidualNoise::kDepths) continue;
+      if (bare_slope_px * slope(y, x) > kUneven) continue;  // a shadow's border
+      excess[static_cast<std::size_t>(depth)].push_back(
+          energy(y, x) / (noise.texture * std::max(0.25F, darker * darker)));
     }
-  if (excess.size() > 200) noise.shade_texture = std::max(1.F, medianOf(excess));
+  noise.shade_texture = excessByDepth(excess);
   return noise;
 }
 
@@ -192,6 +238,7 @@ Evidence weighEvidence(const cv::Mat3f& residual, const cv::Mat3f& bare, const R
   const cv::Mat1f slope = slopeOf(bare);
   const cv::Mat1f texture = calmestTexture(residual);
   PixelRow row(residual.cols);
+  const float level = std::log(noise.level + ground::kDarkLevel);
   for (int y = 0; y < residual.rows; ++y) {
     for (int x = 0; x < residual.cols; ++x) {
       const cv::Vec3f& v = residual(y, x);
@@ -200,6 +247,7 @@ Evidence weighEvidence(const cv::Mat3f& residual, const cv::Mat3f& bare, const R
       row.colour2[x] = c.dot(c);
       row.bare[x] = brightnessOf(bare(y, x));
       row.edge[x] = bare_slope_px * slope(y, x);
+      row.in_shade[x] = noise.shadeTexture(level - row.bare[x] - std::min(row.brightness[x], 0.F));
     }
     weighRow(row, texture[y], noise, residual.cols, evidence.log_odds[y], evidence.clear[y]);
   }

@@ -27,6 +27,7 @@
 namespace ostraka::mask {
 namespace {
 
+constexpr float kMisplaced_px = 0.5F;  // poses: a few tenths; the mosaic's cells are 1.4 px wide
 constexpr double kBareOdds = 6;  // log odds against a sherd where others see the same bare sheet
 constexpr double kInsideOverTable = 0.35;  // of the photographs that see a voxel
 constexpr double kCarvingShare = 0.15;     // of the photographs; some see a shadow as sherd
@@ -113,9 +114,8 @@ class PlateMasker {
       const cv::Mat3f bare = smoothed(ground::predictBare(picture, looks[k], k, grid));
       const cv::Mat3f residual = smoothed(looks[k].log_colours) - bare;
       const cv::Mat1b inside = ground::insideMarkers(looks[k].grid_of_pixel, grid);
-      const ResidualNoise noise = measureNoise(residual, bare, inside);
-      // Half a pixel: poses are good to a few tenths, the mosaic's cells are 1.4 pixels wide.
-      const Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
+      const ResidualNoise noise = measureNoise(residual, bare, kMisplaced_px, inside);
+      const Evidence evidence = weighEvidence(residual, bare, noise, kMisplaced_px);
       ViewState& view = views_[members[k]];
       view.residual = evidence.residual;
       view.log_odds = evidence.log_odds;
@@ -134,14 +134,19 @@ class PlateMasker {
     Result<cv::Mat1f> printed = ground::printedSheet(plate_, grid);
     if (!printed) return printed.error();
     std::vector<cv::Mat3b> samples(images_.size());
+    std::vector<cv::Mat1b> covered(options_.shown.size());
     parallelFor(images_.size(), options_.threads, [&](std::size_t i) {
       if (stop.stop_requested()) return;
       const cv::Mat2f pixels = ground::pixelsOfGrid(images_[i], grid, options_.bend);
       cv::remap(photographs_[i], samples[i], pixels, cv::noArray(), cv::INTER_LINEAR,
                 cv::BORDER_CONSTANT, cv::Scalar::all(0));
+      if (options_.shown.empty()) return;
+      // Even clay, too, looks alike from everywhere: what stands there shows nothing of the sheet.
+      covered[i] = coveredCells(options_.shown[i], photographs_[i].size(), pixels);
+      samples[i].setTo(cv::Scalar::all(0), covered[i]);
     });
     if (stop.stop_requested()) return Error::cancelled();
-    const ground::SheetPicture picture = ground::buildSheetPicture(samples, *printed);
+    const auto picture = ground::buildSheetPicture(samples, *printed, covered);
     still_light_ = picture.still_light;
     const ShadowDepths depths = depthsOfLastingShade(picture);
     samples.clear();
@@ -156,10 +161,11 @@ class PlateMasker {
       if (!picture.shade.empty())
         cv::remap(picture.shade, shade, grid_of_pixel, cv::noArray(), cv::INTER_NEAREST,
                   cv::BORDER_CONSTANT, cv::Scalar::all(0));
-      const ResidualNoise noise = measureNoise(residual, bare, known, shade);
-      Evidence evidence = weighEvidence(residual, bare, noise, 0.5F);
-      depths.addTo(evidence.log_odds, residual, photographs_[i]);
       const cv::Mat1f seen_bare = ground::seenBare(picture, residual, grid_of_pixel);
+      if (!shade.empty()) shade.setTo(0, seen_bare < 0.5F);  // a sherd before it
+      const auto noise = measureNoise(residual, bare, kMisplaced_px, known, shade);
+      Evidence evidence = weighEvidence(residual, bare, noise, kMisplaced_px);
+      depths.addTo(evidence.log_odds, residual, photographs_[i]);
       evidence.clear = cv::max(evidence.clear, seen_bare);
       evidence.log_odds -= seen_bare.mul(evidence.log_odds + kBareOdds);
       // Where the pixel beside is unknown the smoothing mixed both.
@@ -392,8 +398,11 @@ class PlateMasker {
     ViewState& view = views_[index];
     weighAgreement(
         {&images_[index], &view.residual, &view.group, hull_.reduction, options_.bend},
-        beside(index), [this](double x, double y) { return bareAt(x, y); }, view.allowed,
-        view.log_odds);
+        beside(index),
+        [this](double x, double y) {
+          return hull::bareAt(space_, voxels_, {x, y});
+        },
+        view.allowed, view.log_odds);
   }
 
   void learnColours() {
@@ -436,15 +445,6 @@ class PlateMasker {
     const cv::Mat1f odds = view.log_odds - hullOddsOf(view);
     const cv::Mat1b own = cutOutline(odds, view.allowed, view.residual, options);
     return settleStrips(own, with, kStripVoxels * space_.pitch / mm, view.residual, options);
-  }
-
-  // Whether the hull leaves the plate bare here: its lowest layer is empty.
-  bool bareAt(double x, double y) const {
-    const int column = static_cast<int>(std::lround((x - space_.low.x()) / space_.pitch));
-    const int row = static_cast<int>(std::lround((y - space_.low.y()) / space_.pitch));
-    if (column < 0 || row < 0 || column >= space_.count.x() || row >= space_.count.y())
-      return false;
-    return voxels_[static_cast<std::size_t>(row) * space_.count.x() + column] == 0;
   }
 
   // The other cameras' views of the same stop, as long as the light is the same.

@@ -160,6 +160,16 @@ Eigen::Vector2f SheetSurface::slope(const Eigen::Vector2f& p) const {
       .cwiseQuotient(half_);
 }
 
+Eigen::Isometry3d SheetSurface::tableFromPlate() const {
+  const Eigen::Vector2d slope = this->slope(Eigen::Vector2f::Zero()).cast<double>();
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  frame.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
+                                                      Eigen::Vector3d(-slope.x(), -slope.y(), 1))
+                       .toRotationMatrix();
+  frame.translation().z() = height(Eigen::Vector2f::Zero());
+  return frame;
+}
+
 Eigen::Isometry3d restingOn(const SheetSurface& sheet, const Eigen::Isometry3d& pose,
                             const std::vector<Eigen::Vector3f>& vertices_model) {
   const Eigen::Vector2f middle = pose.translation().head<2>().cast<float>();

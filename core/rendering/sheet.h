@@ -36,6 +36,9 @@ class SheetSurface final : public Ground {
   /// Above the table, mm, and its slope.
   float height(const Eigen::Vector2f& p) const;
   Eigen::Vector2f slope(const Eigen::Vector2f& p) const;
+  /// The frame in which plate.json states its markers, as a bent sheet has it: origin in the middle
+  /// of the paper, z across it there.
+  Eigen::Isometry3d tableFromPlate() const;
 
  private:
   bool ink(const Eigen::Vector2f& p) const;

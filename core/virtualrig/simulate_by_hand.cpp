@@ -172,13 +172,14 @@ class Photographer {
   double start_s_ = 0;
 };
 
-std::vector<rig::PosedImage> posedImages(const std::vector<FreeShot>& shots) {
+std::vector<rig::PosedImage> posedImages(const std::vector<FreeShot>& shots,
+                                         const Eigen::Isometry3d& table_from_plate) {
   std::vector<rig::PosedImage> images;
   int count = 0;
   for (const FreeShot& shot : shots) {
     if (!images.empty() && images.back().side != shot.side) count = 0;
     images.push_back({std::string(batch::name(shot.side)) + "/" + shot.name + ".jpg", shot.side,
-                      count++, 0, shot.intrinsics, shot.camera_from_plate});
+                      count++, 0, shot.intrinsics, shot.camera_from_plate * table_from_plate});
   }
   return images;
 }
@@ -204,7 +205,13 @@ Result<void> photographByHand(const std::vector<vessels::VirtualSherd>& sherds,
           rendering::writeSheet(options.output / "plate.json", photographer.sheet().plate());
       !r)
     return r;
-  if (Result<void> r = writeTruth(options.output / "truth", sherds, lying, posedImages(shots)); !r)
+  const Eigen::Isometry3d table_from_plate = photographer.sheet().tableFromPlate();
+  Layout truth = lying;
+  for (Eigen::Isometry3d& pose : truth.front) pose = table_from_plate.inverse() * pose;
+  for (Eigen::Isometry3d& pose : truth.back) pose = table_from_plate.inverse() * pose;
+  if (Result<void> r =
+          writeTruth(options.output / "truth", sherds, truth, posedImages(shots, table_from_plate));
+      !r)
     return r;
   const std::size_t half = shots.size() / 2;
   vessels::Random clutter(vessels::mixed(options.seed, 15));

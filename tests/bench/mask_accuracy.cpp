@@ -1,6 +1,7 @@
 // mask_accuracy BATCH [--no-empty] [--threads N] [--side S] [--dump FOLDER] [--cameras
 // CAMERAS.json]: masks of a batch with its true cameras, or those of a file, against the true
-// masks: IoU and distance of the outline, per photograph, per camera and in the mean.
+// masks: IoU and distance of the outline, per photograph, per camera and in the mean. Over a
+// printed sheet with a coarse reconstruction, as `process` makes them.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -13,6 +14,7 @@
 
 #include "batch/batch.h"
 #include "mask/plate_mask.h"
+#include "pipeline/view_masks.h"
 #include "rig/camera.h"
 
 using namespace ostraka;
@@ -120,6 +122,12 @@ int main(int argc, char** argv) {
       }
     QuietProgress quiet;
     const auto start = std::chrono::steady_clock::now();
+    options.shown.clear();
+    if (plate->sheet && !plate->round) {
+      auto shown = pipeline::shownOn({*plate->sheet, options.bend, true}, images, photographs,
+                                     options.threads, quiet, {});
+      if (shown) options.shown = std::move(*shown);
+    }
     const auto result = mask::maskByPlate(images, photographs, *plate, empties, options, quiet, {});
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (!result) return std::fprintf(stderr, "%s\n", result.error().sentence().c_str()), 1;

@@ -129,6 +129,36 @@ TEST(SheetPicture, TellsEvenBlackClayFromAShadowByItsOutlineThatStandsAboveTheSh
   EXPECT_NEAR(picture.correction(cellOf(-5, 10))[1], -1.2F, 0.05F);
 }
 
+// Even clay in the paper's plane, as a flash shows it, looks like a shadow from everywhere; a
+// coarse reconstruction knows better. Who looks past it agrees with the others, who are too few.
+TEST(SheetPicture, BelievesNoPhotographThatLooksAtSomethingBeforeTheSheet) {
+  const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
+  auto samples = sheetPhotographs(printed, [](std::size_t, double x, double y) {
+    if (inPatch(x, y, -5, 25, 12)) return -0.3F;
+    return inPatch(x, y, 30, 0, 12) || inPatch(x, y, -5, -15, 12) ? -1.2F : 0.F;
+  });
+  const SheetPicture unaware = buildSheetPicture(samples, printed);
+  ASSERT_TRUE(unaware.still_light);
+  EXPECT_NE(unaware.witnessed(cellOf(30, 0)), 0);
+  std::vector<cv::Mat1b> covered;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    covered.emplace_back(printed.size(), uchar{0});
+    if (i < 5) continue;  // of 12: they see it otherwise, or do not know
+    for (int row = 0; row < printed.rows; ++row)
+      for (int column = 0; column < printed.cols; ++column) {
+        const PlateGrid g = sheetGrid();
+        const double x = g.pitch_mm * (column - g.middle()), y = g.pitch_mm * (row - g.middle());
+        if (!inPatch(x, y, 30, 0, 12)) continue;
+        covered[i](row, column) = 255;
+        samples[i](row, column) = {0, 0, 0};
+      }
+  }
+  const SheetPicture picture = buildSheetPicture(samples, printed, covered);
+  ASSERT_TRUE(picture.still_light);
+  EXPECT_EQ(picture.witnessed(cellOf(30, 0)), 0);
+  EXPECT_NE(picture.shade(cellOf(-5, -15)), 0);
+}
+
 TEST(SheetPicture, NoticesThatTheLightTurnsOverTheSheet) {
   const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
   const auto samples = sheetPhotographs(printed, [](std::size_t i, double x, double y) {

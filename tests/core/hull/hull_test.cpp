@@ -58,6 +58,16 @@ TEST_F(Hull, KeepsTheBallAndEmptiesTheSpaceAround) {
   EXPECT_EQ(voxels[index(2, 2, 1)], 0);
 }
 
+TEST_F(Hull, LeavesTheFloorBareWhereItsLowestLayerIsEmpty) {
+  std::vector<unsigned char> voxels(
+      static_cast<std::size_t>(space_.count.x()) * space_.count.y() * space_.count.z(), 0);
+  voxels[index(25, 20, 0)] = 1;
+  voxels[index(10, 20, 3)] = 1;  // above the floor
+  EXPECT_FALSE(bareAt(space_, voxels, {5, 0}));
+  EXPECT_TRUE(bareAt(space_, voxels, {-10, 0}));
+  EXPECT_FALSE(bareAt(space_, voxels, {-21, 0})) << "beyond the space nothing is known";
+}
+
 TEST_F(Hull, OneViewThatIsWrongDoesNotEmptyIt) {
   views_[3].clear = 1;
   views_[3].inside = 0;

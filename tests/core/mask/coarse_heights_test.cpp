@@ -96,7 +96,7 @@ TEST(CoarseHeights, LieAboveABentSheet) {
   EXPECT_NEAR(heights[1], 7 - bend.at(0, 0), 1e-5);
 }
 
-TEST(CoarseHeights, SayNothingAlongTheEdgeAndTakeItForCovered) {
+TEST(CoarseHeights, SayNothingAlongTheEdge) {
   const cv::Mat1b shown = shownFromAbove(block());
   const cv::Mat1f odds = heightsShown(shown, {800, 600});
   ASSERT_EQ(odds.size(), cv::Size(400, 300));
@@ -105,8 +105,18 @@ TEST(CoarseHeights, SayNothingAlongTheEdgeAndTakeItForCovered) {
   const int edge = 200 + 42;
   EXPECT_EQ(odds(150, edge), 0);
   EXPECT_EQ(odds(150, 350), 0);
-  const cv::Mat1b covered = mayBeCovered(shown);
-  EXPECT_EQ(covered(150, edge + 2), 255);
+}
+
+// Cells of a grid that a photograph of twice the size shows at every other pixel.
+TEST(CoarseHeights, CoverTheCellsBehindWhatIsRaised) {
+  const cv::Mat1b shown = shownFromAbove(block());
+  cv::Mat2f pixels(300, 400);
+  for (int y = 0; y < pixels.rows; ++y)
+    for (int x = 0; x < pixels.cols; ++x) pixels(y, x) = cv::Vec2f(2.F * x, 2.F * y);
+  pixels(150, 201) = cv::Vec2f(-5, -5);  // it shows this one nowhere
+  const cv::Mat1b covered = coveredCells(shown, {800, 600}, pixels);
+  EXPECT_EQ(covered(150, 200), 255);
+  EXPECT_EQ(covered(150, 201), 0);
   EXPECT_EQ(covered(150, 260), 0);
 }
 

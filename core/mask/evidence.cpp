@@ -83,7 +83,7 @@ struct PixelRow {
 
 OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const ResidualNoise& noise,
                              int count, float* log_odds, float* clear) {
-  constexpr float kTwoPi = 6.2831853F;
+  constexpr float kTwoPi = 6.2831853F, kSurest = 8;
   // Any clay: colour differences within +-0.6, brightness within a factor of e^2 either way.
   constexpr float kSherdDensity = 1 / (3.14159F * 0.36F * 4);
   const float *brightness = row.brightness.data(), *colour2 = row.colour2.data(),
@@ -119,7 +119,7 @@ OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const Re
         colour_density * (0.4F * lit + 0.05F * bounce + 0.2F * shadow) + 0.35F * shadow * tinted;
     // White clay has a white sheet's colour, however little noise there is.
     float odds =
-        std::max(ground::logOf(kSherdDensity / (plate_density + 1e-4F * kSherdDensity)), -8.F);
+        std::max(ground::logOf(kSherdDensity / (plate_density + 1e-4F * kSherdDensity)), -kSurest);
     // Texture: clay's grain leaves some six times the energy of the plate's noise (likelihood
     // ratio of two variances over the window's sixteen independent samples). Smooth clay leaves
     // none, so a lack of texture says nothing.
@@ -132,7 +132,7 @@ OSTRAKA_CLONED void weighRow(const PixelRow& row, const float* texture, const Re
     // Where a shadow leaves less than a third of the light, JPEG's rounding makes a grain of its
     // own.
     odds += grain * std::min(std::max(2 - darker / 3, 0.F), 1.F);
-    odds = std::min(std::max(odds, -8.F), 8.F);
+    odds = std::min(std::max(odds, -kSurest), kSurest);
     log_odds[x] = odds;
     const float chi = chi_c / 9 + g * g / (9 * (var_g + 0.0025F));
     const float open = ground::expOf(-0.5F * chi * chi);

@@ -1,7 +1,7 @@
 // mask_accuracy BATCH [--no-empty] [--threads N] [--side S] [--dump FOLDER] [--cameras
 // CAMERAS.json]: masks of a batch with its true cameras, or those of a file, against the true
 // masks: IoU and distance of the outline, per photograph, per camera and in the mean. Over a
-// printed sheet with a coarse reconstruction, as `process` makes them.
+// printed sheet, taken to be flat, with a coarse reconstruction as `process` has it.
 #include <chrono>
 #include <cmath>
 #include <cstdio>

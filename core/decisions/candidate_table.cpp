@@ -10,6 +10,7 @@
 namespace ostraka::decisions {
 namespace {
 
+using batch::Side;
 using nlohmann::json;
 using nlohmann::ordered_json;
 using registration::FailedCheck;
@@ -180,6 +181,37 @@ std::string sherdNumber(const std::string& front_id) {
   return number.size() < 2 ? "0" + number : number;
 }
 
+namespace {
+
+// {"front": a bend or null, "back"}
+ordered_json supportsJson(const std::array<rig::Support, 2>& supports) {
+  ordered_json value;
+  for (const Side side : {Side::Front, Side::Back}) {
+    const rig::Support& own = supports[static_cast<std::size_t>(side)];
+    value[batch::name(side)] = own ? rig::toJson(*own) : ordered_json();
+  }
+  return value;
+}
+
+Result<std::array<rig::Support, 2>> supportsFrom(const json& value) {
+  std::array<rig::Support, 2> supports;
+  for (const Side side : {Side::Front, Side::Back}) {
+    const json& own = value.at(batch::name(side));
+    if (own.is_null()) continue;
+    const Result<rig::SheetBend> bend = rig::sheetBendFrom(own);
+    if (!bend) return bend.error();
+    supports[static_cast<std::size_t>(side)] = *bend;
+  }
+  return supports;
+}
+
+Error notATable(const std::filesystem::path& file) {
+  return Error::unusable("Not a candidate table; reprocess the batch, which redoes only its pairs.",
+                         file);
+}
+
+}  // namespace
+
 ordered_json toJson(const CandidateTable& table) {
   ordered_json candidates = ordered_json::array();
   for (const RegisteredCandidate& c : table.candidates) candidates.push_back(toJson(c, table));
@@ -188,7 +220,7 @@ ordered_json toJson(const CandidateTable& table) {
           {"backs", scansJson(table.backs, table.back_files)},
           {"back_scale", table.back_scale},
           {"has_scale", table.has_scale},
-          {"on_plate", table.on_plate},
+          {"supports", supportsJson(table.supports)},
           {"candidates", candidates}};
 }
 
@@ -201,16 +233,16 @@ Result<CandidateTable> readCandidates(const std::filesystem::path& file) {
     readScans(text->at("backs"), batch::Side::Back, table.backs, table.back_files);
     table.back_scale = numberAt(*text, "back_scale");
     table.has_scale = text->at("has_scale").get<bool>();
-    table.on_plate = text->at("on_plate").get<bool>();
+    const Result<std::array<rig::Support, 2>> supports = supportsFrom(text->at("supports"));
+    if (!supports) return notATable(file);
+    table.supports = *supports;
     for (const json& value : text->at("candidates")) {
       Result<RegisteredCandidate> candidate = candidateFrom(value, table, file.string());
       if (!candidate) return candidate.error();
       table.candidates.push_back(std::move(*candidate));
     }
   } catch (const json::exception&) {
-    return Error{ErrorCode::UnusableInput,
-                 "Not a candidate table; reprocess the batch, which redoes only its pairs.",
-                 file.string()};
+    return notATable(file);
   }
   return table;
 }

@@ -38,7 +38,7 @@ struct CandidateTable {
   std::vector<RegisteredCandidate> candidates;       ///< by front, then back
   double back_scale = 1;  ///< backs and their cameras are brought to the fronts' size by it
   bool has_scale = true;  ///< false: no length is known
-  bool on_plate = true;   ///< z = 0 of each side's frame is the plate
+  std::array<rig::Support, 2> supports;  ///< by side, as registration::Constraints has them
   /// Of results that were read; they go before the pose that the person gave.
   std::vector<RegisteredDecision> decided;
 

@@ -160,11 +160,12 @@ Result<StageNotes> decide(const Run& run, const fs::path& folder,
 Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, double back_scale,
                                 const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
                                 const Scans& fronts, const Scans& backs) {
+  std::array<rig::Support, 2> supports;
+  if (run.batch.plate) supports = {poses.value.bends[0], poses.value.bends[1]};
   const auto withConstraints = [&](const auto& call) {
     const auto front_views = silhouettes(poses.value.of(batch::Side::Front), front_masks.value);
     const auto back_views = silhouettes(poses.value.of(batch::Side::Back), back_masks.value);
-    const bool on_plate = run.batch.plate.has_value();
-    return call(registration::Constraints{front_views, back_views, on_plate, on_plate});
+    return call(registration::Constraints{front_views, back_views, supports[0], supports[1]});
   };
   const auto compare = [&](const fs::path& folder) -> Result<StageNotes> {
     const decisions::PairOptions options = optionsOf(run);
@@ -179,7 +180,7 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
     nameSources(run, batch::Side::Back, table->backs, table->back_files);
     table->back_scale = back_scale;
     table->has_scale = poses.value.has_scale;
-    table->on_plate = run.batch.plate.has_value();
+    table->supports = supports;
     const Result<decisions::PairTable> pairs = decisions::assigned(*table, options.assign);
     if (!pairs) return pairs.error();
     if (const Result<void> w = writeJson(folder / "candidates.json", toJson(*table)); !w)

@@ -249,10 +249,8 @@ constexpr const char* kBends = "sheet.json";
 // {"unit":"mm","front":{"reach","coefficients":[12]},"back":{...}}
 Result<void> writeBends(const fs::path& file, const std::array<rig::SheetBend, 2>& bends) {
   ordered_json sheets{{"unit", "mm"}};
-  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
-    const rig::SheetBend& bend = bends[sideIndex(side)];
-    sheets[batch::name(side)] = {{"reach", bend.reach_mm}, {"coefficients", bend.coefficients_mm}};
-  }
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
+    sheets[batch::name(side)] = rig::toJson(bends[sideIndex(side)]);
   return writeJson(file, sheets);
 }
 
@@ -260,16 +258,14 @@ Result<std::array<rig::SheetBend, 2>> readBends(const fs::path& file) {
   const Result<nlohmann::json> sheets = readJson(file);
   if (!sheets) return sheets.error();
   std::array<rig::SheetBend, 2> bends;
-  try {
-    for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
-      const nlohmann::json& own = sheets->at(batch::name(side));
-      bends[sideIndex(side)].reach_mm = own.at("reach").get<double>();
-      bends[sideIndex(side)].coefficients_mm =
-          own.at("coefficients").get<std::array<double, rig::SheetBend::kTerms>>();
-    }
-  } catch (const nlohmann::json::exception&) {
-    return Error::unusable(
-        "The file does not describe how the sheets bend; delete it to measure them again.", file);
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+    const bool told = sheets->contains(batch::name(side));
+    const Result<rig::SheetBend> bend =
+        rig::sheetBendFrom(told ? sheets->at(batch::name(side)) : nlohmann::json());
+    if (!bend)
+      return Error::unusable(
+          "The file does not describe how the sheets bend; delete it to measure them again.", file);
+    bends[sideIndex(side)] = *bend;
   }
   return bends;
 }

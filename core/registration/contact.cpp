@@ -33,7 +33,7 @@ bool holds(const std::array<Vector3d, 3>& t, const Vector2d& c) {
 // The dual simplex on 'the highest plane at the centre that stays below all points': a triangle
 // around the centre goes down to the point farthest below its plane until there is none.
 Contact restingFacet(const Strip& side, const Eigen::Isometry3d& plate_from_side,
-                     const Vector3d& centre_plate) {
+                     const Vector3d& centre_plate, const rig::SheetBend& ground) {
   std::vector<Vector3d> points;
   points.reserve(side.shell.size());
   std::vector<int> indices;
@@ -41,6 +41,7 @@ Contact restingFacet(const Strip& side, const Eigen::Isometry3d& plate_from_side
   for (std::size_t i = 0; i < side.shell.size(); ++i) {
     if (side.shell_normals[i].cast<double>().dot(down) < kFacesPlate) continue;
     points.push_back(plate_from_side * side.shell[i].cast<double>());
+    points.back().z() -= ground.at(points.back().x(), points.back().y());
     indices.push_back(static_cast<int>(i));
   }
   const Vector2d c = centre_plate.head<2>();
@@ -95,55 +96,64 @@ HeightError errorOf(bool inside, bool leans, const ContactOptions& options) {
           options.plate_gap_mm + options.grain_mm * options.edge_gap};
 }
 
+// Upward normal of the ground, its z being 1.
+Vector3d upOf(const rig::SheetBend& ground, const Vector3d& p) {
+  return {ground.at(p.x() - 0.5, p.y()) - ground.at(p.x() + 0.5, p.y()),
+          ground.at(p.x(), p.y() - 0.5) - ground.at(p.x(), p.y() + 0.5), 1};
+}
+
 void addRest(const Strip& side, const Eigen::Isometry3d& plate_from_side, const Vector3d& centre,
              const Eigen::Isometry3d& front_from_back, const Vector3d& pivot, bool side_is_back,
-             double widened, const ContactOptions& options, Evidence& evidence) {
-  const Contact contact = restingFacet(side, plate_from_side, centre);
+             const rig::SheetBend& ground, double widened, const ContactOptions& options,
+             Evidence& evidence) {
+  const Contact contact = restingFacet(side, plate_from_side, centre, ground);
   if (!contact.found) return;
   const Vector3d down = -(plate_from_side.linear().transpose() * Vector3d::UnitZ());
-  // Where the front stands on the back's plate, z_back = e_z . inv(T) p: moving the back by x moves
-  // the front's point against it, so the derivative is that of -n . p, n = R e_z.
-  const Vector3d n =
-      side_is_back ? Vector3d::UnitZ() : Vector3d(-front_from_back.linear() * Vector3d::UnitZ());
-  Evidence rest;
-  Vector6 shared = Vector6::Zero();  // the error in height that all three share, marginalised
-  const double common = options.grain_mm > 0 ? options.plate_sigma_mm : 0.001;
-  double weights = 1 / (common * common), slope = 0;
-  for (const int i : contact.points) {
+  Eigen::Matrix<double, 3, 6> rows;
+  Vector3d heights, rises, own_squares;
+  for (int k = 0; k < 3; ++k) {
+    const auto i = static_cast<std::size_t>(contact.points[static_cast<std::size_t>(k)]);
     const Vector3d p_side = side.shell[i].cast<double>();
+    const Vector3d p = plate_from_side * p_side;
     const bool leans = side.shell_normals[i].cast<double>().dot(down) < kLiesOnPlate;
     const auto [own, gap] = errorOf(side.shell_inside[i] != 0, leans, options);
-    const double sigma = std::max(widened, own);
-    const double height = (plate_from_side * p_side).z() - gap;
-    const Vector6 row = rowOf(side_is_back ? Vector3d(plate_from_side * p_side) : p_side, n, pivot);
-    const double w = 1 / (sigma * sigma);
-    rest.add(height / sigma, row / sigma);
-    shared += w * row;
-    weights += w;
-    slope += w * height;
+    own_squares[k] = std::pow(std::max(widened, own), 2);
+    heights[k] = p.z() - ground.at(p.x(), p.y()) - gap;
+    rises[k] = ground.rise(p.x(), p.y());
+    // Where the front stands on the back's plate, z_back = e_z . inv(T) p: moving the back by x
+    // moves the front's point against it, so the derivative is that of -n . p, n = R e_z.
+    const Vector3d n =
+        side_is_back ? upOf(ground, p) : Vector3d(-front_from_back.linear() * upOf(ground, p));
+    rows.row(k) = rowOf(side_is_back ? p : p_side, n, pivot).transpose();
   }
-  rest.information -= shared * shared.transpose() / weights;
-  rest.gradient -= shared * (slope / weights);
-  rest.cost -= 0.5 * slope * slope / weights;
-  evidence += rest;
+  // Of heights that err each by its own, all by the plate's, and in proportion by the share of its
+  // rise by which a sheet gives way: its second moment is 1/3.
+  const double common = options.grain_mm > 0 ? options.plate_sigma_mm : 0.001;
+  const Eigen::Matrix3d weight =
+      (Eigen::Matrix3d(own_squares.asDiagonal()) + Eigen::Matrix3d::Constant(common * common) +
+       rises * rises.transpose() / 3)
+          .inverse();
+  evidence.information += rows.transpose() * weight * rows;
+  evidence.gradient += rows.transpose() * weight * heights;
+  evidence.cost += 0.5 * heights.dot(weight * heights);
 }
 
 }  // namespace
 
 Evidence contactEvidence(const Strip& front, const Strip& back,
                          const Eigen::Isometry3d& front_from_back, const Vector3d& pivot,
-                         bool on_front, bool on_back, double widened,
-                         const ContactOptions& options) {
+                         const rig::Support& front_support, const rig::Support& back_support,
+                         double widened, const ContactOptions& options) {
   const Eigen::Isometry3d back_from_front = front_from_back.inverse();
   // The centre of mass of a sherd of even thickness: half way between its two faces.
   const Vector3d centre = 0.5 * (front.centre + front_from_back * back.centre);
   Evidence evidence;
-  if (on_front)
-    addRest(back, front_from_back, centre, front_from_back, pivot, true, widened, options,
-            evidence);
-  if (on_back)
+  if (front_support)
+    addRest(back, front_from_back, centre, front_from_back, pivot, true, *front_support, widened,
+            options, evidence);
+  if (back_support)
     addRest(front, back_from_front, back_from_front * centre, front_from_back, pivot, false,
-            widened, options, evidence);
+            *back_support, widened, options, evidence);
   return evidence;
 }
 

@@ -110,8 +110,8 @@ void PairFit::coarse(FittedPose& pose) const {
     const Vector3d at = pivot(pose.front_from_back);
     pose.evidence = fracture(pose, false, radius, radius, 0.3 * radius).evidence;
     pose.evidence +=
-        contactEvidence(front_, back_, pose.front_from_back, at, constraints_.front_on_plate,
-                        constraints_.back_on_plate, 0.2 * radius, contact_);
+        contactEvidence(front_, back_, pose.front_from_back, at, constraints_.front_support,
+                        constraints_.back_support, 0.2 * radius, contact_);
     pose.evidence += startEvidence(pose, at);
     solve(pose, at);
   }
@@ -125,8 +125,8 @@ void PairFit::askConstraints(FittedPose& pose, double radius,
   const FractureFit strip = fracture(pose, true, radius, robust, pose.sigma_mm);
   const auto rest = [&](bool on_front) {
     return contactEvidence(front_, back_, pose.front_from_back, at,
-                           on_front && constraints_.front_on_plate,
-                           !on_front && constraints_.back_on_plate, 0, contact_);
+                           on_front ? constraints_.front_support : std::nullopt,
+                           on_front ? std::nullopt : constraints_.back_support, 0, contact_);
   };
   const Vector3d seen = (front_.up - pose.front_from_back.linear() * back_.up).normalized();
   std::array<Evidence, 6> said = {

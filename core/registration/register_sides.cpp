@@ -36,7 +36,7 @@ std::vector<FittedPose> startPoses(const Strip& front, std::span<const Isometry3
   std::vector<FittedPose> poses;
   // On plates the rest tells the height; elsewhere the planes of two contours lie up to a wall's
   // thickness apart.
-  const bool grounded = constraints.front_on_plate && constraints.back_on_plate;
+  const bool grounded = constraints.front_support && constraints.back_support;
   for (int s = 0; s < static_cast<int>(starts.size()); ++s)
     for (const double h : {0.0, 1.0, -1.0}) {
       if (grounded && h != 0) continue;

@@ -9,6 +9,7 @@
 #include "base/result.h"
 #include "registration/strip.h"
 #include "rig/camera.h"
+#include "rig/sheet_bend.h"
 #include "scan/scan.h"
 
 namespace ostraka::registration {
@@ -22,8 +23,7 @@ struct SilhouetteView {
 /// What is known beside the two scans.
 struct Constraints {
   std::span<const SilhouetteView> front, back;  ///< in the scans' own frames; may be empty
-  /// The scan's frame is a plate's: z = 0 is the plate that the sherd rested on, z up.
-  bool front_on_plate = false, back_on_plate = false;
+  rig::Support front_support, back_support;     ///< in the scans' own frames, z up
 };
 
 /// Default is ours because no library weighs the fracture, the rest on the plate, the silhouettes

@@ -278,8 +278,8 @@ Result<LiveFit> LivePairs::settled(int front, int back, const Isometry3d& start,
   if (!f) return f.error();
   const Result<const Strip*> b = state_->stripOf(Side::Back, back);
   if (!b) return b.error();
-  const bool plate = state_->table.on_plate;
-  const registration::Constraints constraints{{}, {}, plate, plate};
+  const auto& supports = state_->table.supports;
+  const registration::Constraints constraints{{}, {}, supports[0], supports[1]};
   // The registration's own first rounds once more, for the eye.
   const registration::RegistrationOptions options;
   const registration::PairFit pair(**f, **b, constraints, options);
@@ -331,10 +331,10 @@ Result<decisions::RegisteredCandidate> LivePairs::compared(int front, int back,
   decisions::PairOptions options;
   options.threads = options.candidates.threads = 1;
   options.candidates.reach = 1e9;  // a person asks for this pair
-  const bool plate = state_->table.on_plate;
+  const auto& supports = state_->table.supports;
   QuietProgress quiet;
-  Result<decisions::CandidateTable> table =
-      decisions::compareSides({*f, 1}, {*b, 1}, {{}, {}, plate, plate}, options, quiet, stop);
+  Result<decisions::CandidateTable> table = decisions::compareSides(
+      {*f, 1}, {*b, 1}, {{}, {}, supports[0], supports[1]}, options, quiet, stop);
   if (!table) return table.error();
   if (table->candidates.empty())
     return Error{ErrorCode::NotEnough, "The outlines of these two sides cannot be overlaid.", {}};

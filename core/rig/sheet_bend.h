@@ -2,12 +2,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "base/result.h"
 
 namespace ostraka::rig {
 
 /// How a printed sheet leaves its plane: a polynomial of degree 2 to 4 without tilt or offset.
 struct SheetBend {
   static constexpr int kTerms = 12;
+  static constexpr double kHeld = 0.577;  ///< half the width of an A4 sheet, in half diagonals
   double reach_mm = 1;  ///< unit of x and y in the polynomial: the sheet's half diagonal
   std::array<double, kTerms> coefficients_mm{};
 
@@ -24,6 +29,15 @@ struct SheetBend {
         if (x * x + y * y <= 64)
           most = std::max(most, std::abs(height(coefficients_mm.data(), x / 8.0, y / 8.0)));
     return most;
+  }
+  /// How far the paper at (x, y) lies above its lowest place in the disc that any sheet holds, mm.
+  double rise(double x_mm, double y_mm) const {
+    double lowest = 0;
+    for (int x = -4; x <= 4; ++x)
+      for (int y = -4; y <= 4; ++y)
+        if (x * x + y * y <= 16)
+          lowest = std::min(lowest, height(coefficients_mm.data(), kHeld * x / 4, kHeld * y / 4));
+    return std::max(0.0, at(x_mm, y_mm) - lowest);
   }
   bool flat() const {
     for (const double c : coefficients_mm)
@@ -42,5 +56,13 @@ struct SheetBend {
     return z;
   }
 };
+
+/// What carries a sherd, in the plate's frame: z = 0 but for a sheet's bend. Absent: not known.
+using Support = std::optional<SheetBend>;
+
+/// {"reach": mm, "coefficients": [12], mm}.
+nlohmann::ordered_json toJson(const SheetBend& bend);
+/// Errors: UnusableInput.
+Result<SheetBend> sheetBendFrom(const nlohmann::json& value);
 
 }  // namespace ostraka::rig

@@ -127,8 +127,8 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
     backs = sized_backs;
   }
   registration::Constraints constraints;
-  constraints.front_on_plate = decisions::standOnPlate(fronts);
-  constraints.back_on_plate = decisions::standOnPlate(backs);
+  if (decisions::standOnPlate(fronts)) constraints.front_support.emplace();
+  if (decisions::standOnPlate(backs)) constraints.back_support.emplace();
   Result<decisions::PairTable> table =
       decisions::pairSides(fronts, backs, constraints, pair_options, progress, stop);
   if (!table) return table.error();

@@ -224,7 +224,7 @@ void runSet(const Arguments& arguments, const std::string& set) {
     registration::Constraints constraints;
     constraints.front = front_views;
     constraints.back = back_views;
-    constraints.front_on_plate = constraints.back_on_plate = plates;
+    if (plates) constraints.front_support = constraints.back_support = rig::SheetBend{};
     QuietProgress quiet;
     const auto found =
         registration::registerSides(front, back, starts, constraints, options, quiet, {});

@@ -127,6 +127,7 @@ void printConstraints(const Isometry3d& truth, const reg::Constraints& w, const 
       reg::fitOutlines(front.all, back.all, spacing, truth,
                        (front.up - truth.linear() * back.up).normalized(), pivot, {});
   printConstraint("outline", outline.evidence, radius);
+  const rig::SheetBend flat;
   for (const bool on_front : {true, false}) {
     reg::ContactOptions contact;
     contact.grain_mm = spacing;
@@ -135,13 +136,14 @@ void printConstraints(const Isometry3d& truth, const reg::Constraints& w, const 
       const double depth = (camera.camera_from_plate * front.centre).z();
       contact.grain_mm = std::max(spacing, depth / camera.intrinsics.fx);
     }
-    const auto rest =
-        reg::contactEvidence(front, back, truth, pivot, on_front, !on_front, 0, contact);
+    const auto rest = reg::contactEvidence(
+        front, back, truth, pivot, on_front ? rig::Support(flat) : std::nullopt,
+        on_front ? std::nullopt : rig::Support(flat), 0, contact);
     printConstraint(on_front ? "rest front" : "rest back", rest, radius);
     const Isometry3d pose = on_front ? truth : truth.inverse();
     const reg::Strip& side = on_front ? back : front;
     const Vector3d centre = 0.5 * ((on_front ? front : back).centre + pose * side.centre);
-    const reg::Contact c = reg::restingFacet(side, pose, centre);
+    const reg::Contact c = reg::restingFacet(side, pose, centre, flat);
     std::printf("        ");
     for (int i : c.points)
       if (i >= 0)

@@ -312,11 +312,13 @@ TEST_F(DecidedPairs, AnIsolatedDecisionIsRegisteredFromItsPose) {
   d.front_from_back =
       review::movedByHand(out_.front_from_back[0], out_.table.backs[0], {0, 0, 0.03}, {0.4, 0, 0});
   QuietProgress quiet;
-  const auto held = registerDecided(d, f, b, {{}, {}, true, true}, {}, quiet, {});
+  const auto held =
+      registerDecided(d, f, b, {{}, {}, rig::SheetBend{}, rig::SheetBend{}}, {}, quiet, {});
   ASSERT_TRUE(held.has_value()) << held.error().sentence();
   EXPECT_LT(apart_mm(out_.table.backs[0], held->front_from_back, out_.front_from_back[0]), 0.15);
   d.settle = Settle::AsGiven;
-  const auto given = registerDecided(d, f, b, {{}, {}, true, true}, {}, quiet, {});
+  const auto given =
+      registerDecided(d, f, b, {{}, {}, rig::SheetBend{}, rig::SheetBend{}}, {}, quiet, {});
   ASSERT_TRUE(given.has_value());
   EXPECT_EQ(given->front_from_back.matrix(), d.front_from_back->matrix());
   EXPECT_GT(given->uncertainty_mm, 0.3) << "as far as the fractures' own place lies from it";

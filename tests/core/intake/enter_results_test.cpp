@@ -28,8 +28,10 @@ TEST_F(Entering, TakesThePiecesThatAPersonCutAndJoined) {
   out.places_mm.push_back({160, 0});
   out.write();
   const fs::path work = project_->resultsFolder("B0001") / "work";
-  nlohmann::json candidates = {
-      {"back_scale", 1}, {"has_scale", true}, {"on_plate", true}, {"candidates", {}}};
+  nlohmann::json candidates = {{"back_scale", 1},
+                               {"has_scale", true},
+                               {"supports", {{"front", nullptr}, {"back", nullptr}}},
+                               {"candidates", {}}};
   const auto piece = [&](const std::string& side, const std::string& name) {
     const std::string file = "pieces_" + side + "/" + name + ".ply";
     fs::create_directories(work / ("pieces_" + side));

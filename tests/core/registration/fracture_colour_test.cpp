@@ -44,7 +44,7 @@ Isometry3d turned(const SimulatedSherd& sherd, double rad) {
 Result<Registration> run(const SimulatedSherd& sherd, const Isometry3d& start) {
   QuietProgress quiet;
   Constraints plates;
-  plates.front_on_plate = plates.back_on_plate = true;
+  plates.front_support = plates.back_support = rig::SheetBend{};
   return registerSides(sherd.front, sherd.back, std::array{start}, plates, {}, quiet, {});
 }
 
@@ -115,7 +115,7 @@ TEST(FractureColour, ChooseBetweenStartsThatFitAlike) {
   paint(sherd, 0, 0);
   QuietProgress quiet;
   Constraints plates;
-  plates.front_on_plate = plates.back_on_plate = true;
+  plates.front_support = plates.back_support = rig::SheetBend{};
   const auto found =
       registerSides(sherd.front, sherd.back, std::array{turned(sherd, 1.0), turned(sherd, 0.01)},
                     plates, {}, quiet, {});

@@ -17,7 +17,7 @@ Result<Registration> run(const scan::Scan& front, const scan::Scan& back,
                          bool on_plate = true) {
   QuietProgress quiet;
   Constraints constraints;
-  constraints.front_on_plate = constraints.back_on_plate = on_plate;
+  if (on_plate) constraints.front_support = constraints.back_support = rig::SheetBend{};
   return registerSides(front, back, starts, constraints, options, quiet, {});
 }
 
@@ -211,7 +211,7 @@ TEST(RegisterSides, ASmoothRoundSherdThatSlidIsCalledSlipped) {
     start.prerotate(Eigen::AngleAxisd(slid_mm / 20, Eigen::Vector3d::UnitZ()));
     QuietProgress progress;
     Constraints constraints;
-    constraints.front_on_plate = constraints.back_on_plate = true;
+    constraints.front_support = constraints.back_support = rig::SheetBend{};
     const auto found = registerSides(sherd.front, sherd.back, std::vector<Isometry3d>{start},
                                      constraints, {}, progress, {});
     ASSERT_TRUE(found);

@@ -37,22 +37,13 @@ void addPairing(CLI::App& command, pairing::Method& pairing, registration::Metho
       ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Method>{
           {"default", pairing::Method::Default}, {"paper", pairing::Method::Paper}}))
       ->default_str("default");
-  using registration::Method;
   command
       .add_option("--registration", registration,
                   "Registration: default, or a method of another paper: bbicp (Bilateral Boundary "
                   "ICP, Wang et al. 2023), trimmed (ICP, Chetverikov et al. 2002), gicp (Segal et "
                   "al. 2009), fpfh-ransac (Rusu et al. 2009, Buch et al. 2013), 4pcs (Aiger et al. "
                   "2008), k4pcs (keypoints, Theiler et al. 2014), fgr (Zhou et al. 2016)")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Method>{{"default", Method::Default},
-                                        {"bbicp", Method::BilateralBoundary},
-                                        {"trimmed", Method::TrimmedIcp},
-                                        {"gicp", Method::GeneralizedIcp},
-                                        {"fpfh-ransac", Method::FeatureRansac},
-                                        {"4pcs", Method::FourPointSets},
-                                        {"k4pcs", Method::KeypointFourPointSets},
-                                        {"fgr", Method::FastGlobal}}))
+      ->transform(CLI::CheckedTransformer(registration::methodsByName()))
       ->default_str("default");
 }
 

@@ -9,6 +9,7 @@
 #include "base/median.h"
 #include "ground/bare_rows.h"
 #include "ground/plate_picture.h"
+#include "ground/sheet_rest.h"
 #include "rig/marker_dictionary.h"
 
 namespace ostraka::ground {
@@ -18,20 +19,15 @@ constexpr int kDrawnFiner = 3;   // drawn so much finer than the grid, then aver
 constexpr int kSheetStride = 3;  // the light bends slowly
 constexpr int kSheetRounds = 2;  // tones and correction in turns; the second changes < 1 %
 constexpr float kWhitePaper = 0.98F, kBlackInk = 0.02F;
-// A stain or a crease is within these of the printed picture; clay and shadow mostly are not.
-constexpr Tolerance kStain{0.12F, 0.04F};
 
 constexpr int kFewestWitnesses = 4;
 constexpr double kSomeAgree = 0.2;  // of the photographs that see a place; others look past a sherd
 constexpr double kMostAgree = 0.5;  // where noise and the grain of dark clay are hard to tell apart
 constexpr float kDark = -0.9F;
-constexpr float kDeepest = -2.2F;    // log brightness: a tenth of the light is left in every shadow
-constexpr float kShadowTint = 0.5F;  // light of the sky or off a sherd, per 1 of darkening
-constexpr int kShadeWindow = 5;      // of half the cells: 3 mm
+constexpr int kShadeWindow = 5;  // of half the cells: 3 mm
 // The least share of a shadow's border along which the photographs agree on bright sheet: 0.3 to 1
 // by all lamps tried, less than 0.1 around even clay.
 constexpr double kOpenBorder = 0.15;
-constexpr short kNoRest = 32767;
 
 using Basis = Eigen::Matrix<double, 6, 1>;
 
@@ -70,10 +66,6 @@ cv::Mat1b allOf(const cv::Mat1b& kind) {
   cv::Mat1b whole;
   cv::erode(kind, whole, cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
   return whole;
-}
-
-float brightnessOfRest(const cv::Vec3f& v) {
-  return (v[0] + v[1] + v[2]) / 3;
 }
 
 /// What a fit of the paper's tone takes from one photograph.
@@ -136,8 +128,9 @@ class SheetPainter {
       for (std::size_t i = 0; i < samples_.size(); ++i) fitTone(i);
       correct();
     }
-    picture_.still_light = lightStandsStill();
-    if (picture_.still_light) shade();
+    const std::vector<SheetRest> rests = restsOfAll();
+    picture_.still_light = samples_.size() < 3 || lightStandsStill(rests, paper_);
+    if (picture_.still_light) shade(rests);
     return std::move(picture_);
   }
 
@@ -196,28 +189,19 @@ class SheetPainter {
       }
   }
 
-  // Of what is left of the paper's brightness, is more the cell's own, the same in all photographs,
-  // than the photographs'?
-  bool lightStandsStill() const {
-    if (samples_.size() < 3) return true;
-    double within = 0, between = 0;
-    for (int row = 0; row < printed_.rows; row += 2 * kSheetStride)
-      for (int column = 0; column < printed_.cols; column += 2 * kSheetStride) {
-        if (paper_(row, column) == 0) continue;
-        double n = 0, s = 0, ss = 0;
-        for (std::size_t i = 0; i < samples_.size(); ++i) {
-          const cv::Vec3b& sample = samples_[i](row, column);
-          if (!isSeen(sample)) continue;
-          const double g =
-              brightnessOfRest(logs_(sample) - paperAt(picture_.tones[i], row, column));
-          if (std::abs(g) > 0.5) continue;
-          n += 1, s += g, ss += g * g;
-        }
-        if (n < 3) continue;
-        within += ss - s * s / n;
-        between += s * s / n;
-      }
-    return between >= within;
+  // What is left of a photograph's colours, thousandths, at every second cell of every second row:
+  // shadows are smooth.
+  std::vector<SheetRest> restsOfAll() const {
+    std::vector<SheetRest> rests;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      SheetRest rest((printed_.rows + 1) / 2, (printed_.cols + 1) / 2, kNoRest);
+      for (int row = 0; row < rest.rows; ++row)
+        for (int column = 0; column < rest.cols; ++column)
+          if (printed_(2 * row, 2 * column) >= 0 && isSeen(samples_[i](2 * row, 2 * column)))
+            rest(row, column) = restAt(i, 2 * row, 2 * column) * 1000;
+      rests.push_back(std::move(rest));
+    }
+    return rests;
   }
 
   // A photograph's colour at a cell against the printed picture.
@@ -241,18 +225,9 @@ class SheetPainter {
   // Where light stands still so do shadows: they lie on the sheet and darken it alike in every
   // photograph that sees the place. What stands above the sheet shows another of its places to
   // each, and its grain tells.
-  void shade() {
+  void shade(const std::vector<SheetRest>& rests) {
     const float grain_sd = grain();
-    const int rows = (printed_.rows + 1) / 2, columns = (printed_.cols + 1) / 2;
-    // Every second cell of every second row: shadows are smooth. Thousandths.
-    std::vector<cv::Mat_<cv::Vec3s>> rests;
-    for (std::size_t i = 0; i < samples_.size(); ++i) {
-      rests.emplace_back(rows, columns, cv::Vec3s(kNoRest, kNoRest, kNoRest));
-      for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
-          if (printed_(2 * row, 2 * column) >= 0 && isSeen(samples_[i](2 * row, 2 * column)))
-            rests[i](row, column) = restAt(i, 2 * row, 2 * column) * 1000;
-    }
+    const int rows = rests[0].rows, columns = rests[0].cols;
     const std::vector<cv::Mat1b> counts = agreeingPhotographs(rests, grain_sd);
     cv::Mat3f shades(rows, columns, cv::Vec3f::all(0));
     cv::Mat1f agreed(rows, columns, 0.F);
@@ -313,7 +288,7 @@ class SheetPainter {
   }
 
   // By photograph: with how many others it agrees over the window around a place.
-  static std::vector<cv::Mat1b> agreeingPhotographs(const std::vector<cv::Mat_<cv::Vec3s>>& rests,
+  static std::vector<cv::Mat1b> agreeingPhotographs(const std::vector<SheetRest>& rests,
                                                     float grain_sd) {
     const cv::Size size = rests[0].size();
     std::vector<cv::Mat1b> counts(rests.size());
@@ -324,7 +299,7 @@ class SheetPainter {
         for (int row = 0; row < size.height; ++row)
           for (int column = 0; column < size.width; ++column) {
             const cv::Vec3s &a = rests[i](row, column), &b = rests[j](row, column);
-            const bool both = a[0] != kNoRest && b[0] != kNoRest;
+            const bool both = isKnown(a) && isKnown(b);
             off(row, column) = both ? 0.001F * static_cast<float>(std::max({std::abs(a[0] - b[0]),
                                                                             std::abs(a[1] - b[1]),
                                                                             std::abs(a[2] - b[2])}))
@@ -355,22 +330,19 @@ class SheetPainter {
 
   // What the photograph with most company sees at a place, where it is a shadow's; `covered` others
   // look at something before it.
-  static std::optional<cv::Vec3f> shadeAt(const std::vector<cv::Mat_<cv::Vec3s>>& rests,
+  static std::optional<cv::Vec3f> shadeAt(const std::vector<SheetRest>& rests,
                                           const std::vector<cv::Mat1b>& counts, int covered,
                                           int row, int column) {
     std::size_t best = 0;
     int seen = covered;
     for (std::size_t i = 0; i < rests.size(); ++i) {
       if (counts[i](row, column) > counts[best](row, column)) best = i;
-      seen += rests[i](row, column)[0] != kNoRest ? 1 : 0;
+      seen += isKnown(rests[i](row, column)) ? 1 : 0;
     }
     const int agreeing = counts[best](row, column) + 1;
-    const cv::Vec3f shade = cv::Vec3f(rests[best](row, column)) * 0.001F;
-    const float g = brightnessOfRest(shade);
-    const cv::Vec3f tint = shade - cv::Vec3f::all(g);
-    const double needed = g < kDark ? kMostAgree : kSomeAgree;
-    if (agreeing < kFewestWitnesses || agreeing < needed * seen || g > kStain.brightness ||
-        g < kDeepest || cv::norm(tint) > kStain.colour + kShadowTint * std::abs(g))
+    const cv::Vec3f shade = logsOf(rests[best](row, column));
+    const double needed = brightnessOfRest(shade) < kDark ? kMostAgree : kSomeAgree;
+    if (agreeing < kFewestWitnesses || agreeing < needed * seen || !mayBeShadow(shade))
       return std::nullopt;
     return shade;
   }

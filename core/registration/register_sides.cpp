@@ -261,6 +261,18 @@ Result<Registration> byOthers(const Strip& front, const Strip& back,
 
 }  // namespace
 
+const std::map<std::string, Method>& methodsByName() {
+  static const std::map<std::string, Method> kMethods = {{"default", Method::Default},
+                                                         {"bbicp", Method::BilateralBoundary},
+                                                         {"trimmed", Method::TrimmedIcp},
+                                                         {"gicp", Method::GeneralizedIcp},
+                                                         {"fpfh-ransac", Method::FeatureRansac},
+                                                         {"4pcs", Method::FourPointSets},
+                                                         {"k4pcs", Method::KeypointFourPointSets},
+                                                         {"fgr", Method::FastGlobal}};
+  return kMethods;
+}
+
 Result<void> RegistrationOptions::check() const {
   if (auto ok = strip.check(); !ok) return ok;
   if (!(last_radius_mm > 0) || !(first_radius_mm >= last_radius_mm))

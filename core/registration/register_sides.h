@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <map>
 #include <opencv2/core/mat.hpp>
 #include <span>
 #include <stop_token>
@@ -40,6 +41,8 @@ enum class Method {
   KeypointFourPointSets,
   FastGlobal  ///< in no package of Debian 12
 };
+/// As options name them: "default", "bbicp", ...
+const std::map<std::string, Method>& methodsByName();
 
 struct RegistrationOptions {
   Method method = Method::Default;

@@ -15,7 +15,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -176,21 +175,6 @@ void printRow(const std::string& set, const Pair& pair, const Row& row) {
       f.reason.c_str());
 }
 
-std::optional<registration::Method> methodNamed(const std::string& name) {
-  using registration::Method;
-  static const std::map<std::string, Method> kMethods = {{"default", Method::Default},
-                                                         {"bbicp", Method::BilateralBoundary},
-                                                         {"trimmed", Method::TrimmedIcp},
-                                                         {"gicp", Method::GeneralizedIcp},
-                                                         {"fpfh-ransac", Method::FeatureRansac},
-                                                         {"4pcs", Method::FourPointSets},
-                                                         {"k4pcs", Method::KeypointFourPointSets},
-                                                         {"fgr", Method::FastGlobal}};
-  const auto found = kMethods.find(name);
-  if (found == kMethods.end()) return std::nullopt;
-  return found->second;
-}
-
 void runSet(const Arguments& arguments, const std::string& set) {
   std::vector<Pair> pairs = readPairs(arguments.scans / set);
   const auto true_count = pairs.size();
@@ -219,7 +203,7 @@ void runSet(const Arguments& arguments, const std::string& set) {
     else
       starts = allAround(front.cloud, back.cloud);
     registration::RegistrationOptions options;
-    options.method = *methodNamed(arguments.method);
+    options.method = registration::methodsByName().at(arguments.method);
     const double before = cpuSeconds();
     registration::Constraints constraints;
     constraints.front = front_views;
@@ -287,7 +271,7 @@ int main(int argc, char** argv) {
     if (word == "--method" && i + 1 < argc) arguments.method = argv[++i];
     if (word == "--starts" && i + 1 < argc) arguments.starts = std::stoi(argv[++i]);
   }
-  if (!methodNamed(arguments.method)) {
+  if (!registration::methodsByName().contains(arguments.method)) {
     std::fprintf(stderr, "%s: no such method\n", arguments.method.c_str());
     return 2;
   }

@@ -159,6 +159,23 @@ TEST(SheetPicture, BelievesNoPhotographThatLooksAtSomethingBeforeTheSheet) {
   EXPECT_NE(picture.shade(cellOf(-5, -15)), 0);
 }
 
+// Grainy clay that each photograph sees elsewhere says nothing of the light.
+TEST(SheetPicture, KnowsTheSunByItsDeepShadowsAndAFlashByThoseThatFollowTheCamera) {
+  const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
+  for (const bool flash : {false, true}) {
+    std::mt19937 random(1);
+    std::normal_distribution<float> grain(-0.4F, 0.3F);
+    const auto samples = sheetPhotographs(printed, [&](std::size_t i, double x, double y) {
+      const double turn = 2 * M_PI * static_cast<double>(i) / 12;
+      if (inPatch(x, y, 6 * std::cos(turn), 6 * std::sin(turn), 15)) return grain(random);
+      const double from_lamp = flash ? turn : 1.0;
+      const double shadow_x = 14 * std::cos(from_lamp), shadow_y = 14 * std::sin(from_lamp);
+      return inPatch(x, y, shadow_x, shadow_y, 12) ? -1.2F : 0.F;
+    });
+    EXPECT_EQ(buildSheetPicture(samples, printed).still_light, !flash);
+  }
+}
+
 TEST(SheetPicture, NoticesThatTheLightTurnsOverTheSheet) {
   const cv::Mat1f printed = *printedSheet(smallSheet(), sheetGrid());
   const auto samples = sheetPhotographs(printed, [](std::size_t i, double x, double y) {

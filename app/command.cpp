@@ -23,15 +23,6 @@ void addThreads(CLI::App& command, int& threads) {
       ->check(CLI::Range(0, 1024));
 }
 
-void addMegapixels(CLI::App& command, double& megapixels) {
-  command
-      .add_option("--megapixels", megapixels,
-                  "Photographs of more millions of pixels are averaged down to this for masks and "
-                  "stereo: more takes more memory and time")
-      ->check(CLI::Range(0.3, 1000.0))
-      ->capture_default_str();
-}
-
 void addPairing(CLI::App& command, pairing::Method& pairing, registration::Method& registration) {
   command.add_option("--pairing", pairing, "Pairing: default, or paper (Wang et al. 2023)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Method>{

@@ -52,7 +52,6 @@ void addManPages(CLI::App& root, Command& chosen);
 
 /// Options that several commands have.
 void addThreads(CLI::App& command, int& threads);
-void addMegapixels(CLI::App& command, double& megapixels);
 void addPairing(CLI::App& command, pairing::Method& pairing, registration::Method& registration);
 
 /// What the same command does after a person stopped it.

@@ -259,7 +259,12 @@ void addDense(CLI::App& root, Command& chosen) {
       ->check(CLI::ExistingDirectory);
   command->add_option("--output,-o", arguments->output, "The cloud, a PLY file")->required();
   addThreads(*command, arguments->threads);
-  addMegapixels(*command, arguments->megapixels);
+  command
+      ->add_option("--megapixels", arguments->megapixels,
+                   "Photographs of more millions of pixels are averaged down to this: more takes "
+                   "more memory and time")
+      ->check(CLI::Range(0.3, 1000.0))
+      ->capture_default_str();
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return runDense(*arguments, session); };
   });

@@ -148,7 +148,13 @@ void addProcess(CLI::App& root, Command& chosen) {
                    "Masks: auto (from the plate), given (beside the photographs), or a "
                    "segmentation network as an ONNX file")
       ->capture_default_str();
-  addMegapixels(*command, options->megapixels);
+  command
+      ->add_option(
+          "--megapixels", options->megapixels,
+          "Photographs of more millions of pixels are averaged down to this for masks and "
+          "stereo: more takes more memory and time; else 5, or fewer where a side has more "
+          "than 24 photographs, so that 4 GB of memory suffice")
+      ->check(CLI::Range(0.3, 1000.0));
   command->add_flag_callback(
       "--draft", [options] { options->megapixels = pipeline::kDraftMegapixels; },
       "A quick look, coarser; the same command without it computes the final models");

@@ -142,7 +142,7 @@ void addRigPredict(CLI::App& rig, Command& chosen) {
   command->add_option(
       "--width", options->width,
       "Of the simulated pictures, pixels; quicker and coarser than left out, which means "
-      "what 'ostraka process' works on: the rig's own, or 5 megapixels of it");
+      "what 'ostraka process' works on: the rig's own, or its --megapixels");
   command
       ->add_option("--sherds-per-size", options->sherds_per_size, "Small, medium, large: of each")
       ->capture_default_str();

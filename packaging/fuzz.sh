@@ -25,9 +25,10 @@ printf '%s\n' "$@" | SECONDS_EACH=$seconds xargs -P 2 -I NAME sh -c '
     -rss_limit_mb=2048 -max_len=65536 -artifact_prefix=build/fuzz/found/NAME- \
     build/fuzz/new/NAME tests/fuzz/corpus/NAME > build/fuzz/NAME.log 2>&1 &&
     echo "NAME: $(tail -n 1 build/fuzz/NAME.log)" ||
-    { tail -n 60 build/fuzz/NAME.log
+    { : > build/fuzz/found/NAME-failed
+      tail -n 60 build/fuzz/NAME.log
       for found in build/fuzz/found/NAME-*; do
-        [ ! -f "$found" ] || { echo "$found:"; base64 "$found"; }
+        [ ! -s "$found" ] || { echo "$found:"; base64 "$found"; }
       done
       echo "NAME: FAILED"; exit 1; }' || status=1
 exit $status

@@ -8104,6 +8104,11 @@
       <translation>Nicht jeder Punkt des Netzes hat einen Platz in der Textur.</translation>
     </message>
     <message>
+      <source>The texture of sherd %1 lacks a photograph: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Textur der Scherbe %1 fehlt ein Foto: %2</translation>
+    </message>
+    <message>
       <source>Sherd %1 has no photographic texture: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Scherbe %1 hat keine Textur aus Fotos: %2</translation>

@@ -8099,6 +8099,11 @@
       <translation>Δεν έχουν όλες οι κορυφές θέση στην υφή.</translation>
     </message>
     <message>
+      <source>The texture of sherd %1 lacks a photograph: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Από την υφή του οστράκου %1 λείπει μια φωτογραφία: %2</translation>
+    </message>
+    <message>
       <source>Sherd %1 has no photographic texture: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το όστρακο %1 δεν έχει φωτογραφική υφή: %2</translation>

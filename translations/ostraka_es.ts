@@ -8099,6 +8099,11 @@
       <translation>No todos los vértices tienen un lugar en la textura.</translation>
     </message>
     <message>
+      <source>The texture of sherd %1 lacks a photograph: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>A la textura del fragmento %1 le falta una fotografía: %2</translation>
+    </message>
+    <message>
       <source>Sherd %1 has no photographic texture: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El fragmento %1 no tiene textura fotográfica: %2</translation>

@@ -8099,6 +8099,11 @@
       <translation>Tous les sommets n’ont pas de place dans la texture.</translation>
     </message>
     <message>
+      <source>The texture of sherd %1 lacks a photograph: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il manque une photographie à la texture du tesson %1 : %2</translation>
+    </message>
+    <message>
       <source>Sherd %1 has no photographic texture: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le tesson %1 n’a pas de texture photographique : %2</translation>

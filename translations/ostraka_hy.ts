@@ -8099,6 +8099,11 @@
       <translation>Ոչ բոլոր գագաթներն ունեն տեղ հյուսվածքում։</translation>
     </message>
     <message>
+      <source>The texture of sherd %1 lacks a photograph: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 բեկորի հյուսվածքից մի լուսանկար պակասում է՝ %2</translation>
+    </message>
+    <message>
       <source>Sherd %1 has no photographic texture: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 բեկորը լուսանկարային հյուսվածք չունի՝ %2</translation>

@@ -8052,6 +8052,11 @@
       <translation>Her köşenin dokuda bir yeri yok.</translation>
     </message>
     <message>
+      <source>The texture of sherd %1 lacks a photograph: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numaralı parçanın dokusunda bir fotoğraf eksik: %2</translation>
+    </message>
+    <message>
       <source>Sherd %1 has no photographic texture: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 numaralı parçanın fotoğraf dokusu yok: %2</translation>

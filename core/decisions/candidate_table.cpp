@@ -193,14 +193,12 @@ ordered_json supportsJson(const std::array<rig::Support, 2>& supports) {
   return value;
 }
 
-Result<std::array<rig::Support, 2>> supportsFrom(const json& value) {
+std::optional<std::array<rig::Support, 2>> supportsFrom(const json& value) {
   std::array<rig::Support, 2> supports;
   for (const Side side : {Side::Front, Side::Back}) {
     const json& own = value.at(batch::name(side));
-    if (own.is_null()) continue;
-    const Result<rig::SheetBend> bend = rig::sheetBendFrom(own);
-    if (!bend) return bend.error();
-    supports[static_cast<std::size_t>(side)] = *bend;
+    rig::Support& support = supports[static_cast<std::size_t>(side)];
+    if (!own.is_null() && !(support = rig::sheetBendFrom(own))) return std::nullopt;
   }
   return supports;
 }
@@ -233,7 +231,7 @@ Result<CandidateTable> readCandidates(const std::filesystem::path& file) {
     readScans(text->at("backs"), batch::Side::Back, table.backs, table.back_files);
     table.back_scale = numberAt(*text, "back_scale");
     table.has_scale = text->at("has_scale").get<bool>();
-    const Result<std::array<rig::Support, 2>> supports = supportsFrom(text->at("supports"));
+    const auto supports = supportsFrom(text->at("supports"));
     if (!supports) return notATable(file);
     table.supports = *supports;
     for (const json& value : text->at("candidates")) {

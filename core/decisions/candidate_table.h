@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
@@ -10,6 +11,7 @@
 #include "pairing/assignment.h"
 #include "pairing/candidates.h"
 #include "registration/register_sides.h"
+#include "rig/sheet_bend.h"
 #include "scan/scan.h"
 
 namespace ostraka::decisions {

@@ -1,5 +1,6 @@
 #include "ground/sheet_rest.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -15,6 +16,7 @@ constexpr float kShadowTint = 0.5F;  // light of the sky or off a sherd, per 1 o
 // 0.94 lasts by five lamps and suns, 0.44 and 0.50 by two flashes.
 constexpr float kEven = 0.05F;
 constexpr double kMostLast = 0.6;
+constexpr double kFewestDark = 0.0005;  // of all looks; they were 0.0013 to 0.01
 
 bool looksLikeShadow(const SheetRest& rest, int row, int column) {
   if (!isKnown(rest(row, column))) return false;
@@ -37,7 +39,7 @@ bool mayBeShadow(const cv::Vec3f& logs) {
 }
 
 bool lightStandsStill(const std::vector<SheetRest>& rests, const cv::Mat1b& paper) {
-  std::int64_t dark = 0, lasting = 0;
+  std::int64_t looks = 0, dark = 0, lasting = 0;
   std::vector<float> seen, shadows;
   for (int row = 1; row < rests[0].rows - 1; ++row)
     for (int column = 1; column < rests[0].cols - 1; ++column) {
@@ -49,6 +51,7 @@ bool lightStandsStill(const std::vector<SheetRest>& rests, const cv::Mat1b& pape
         seen.push_back(brightnessOfRest(logsOf(rest(row, column))));
         if (looksLikeShadow(rest, row, column)) shadows.push_back(seen.back());
       }
+      looks += static_cast<std::int64_t>(seen.size());
       if (seen.size() < 3 || shadows.empty()) continue;
       const float usual = medianOf(seen);
       const float alike = std::max(kStain.brightness, 0.15F * std::abs(usual));
@@ -57,7 +60,8 @@ bool lightStandsStill(const std::vector<SheetRest>& rests, const cv::Mat1b& pape
         if (std::abs(shadow - usual) < alike) ++lasting;
       }
     }
-  return static_cast<double>(lasting) >= kMostLast * static_cast<double>(dark);
+  return static_cast<double>(dark) < kFewestDark * static_cast<double>(looks) ||
+         static_cast<double>(lasting) >= kMostLast * static_cast<double>(dark);
 }
 
 }  // namespace ostraka::ground

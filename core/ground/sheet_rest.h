@@ -30,7 +30,8 @@ inline float brightnessOfRest(const cv::Vec3f& logs) {
 bool mayBeShadow(const cv::Vec3f& logs);
 
 /// Whether shadows stay where they are from photograph to photograph: of what looks like one, dark,
-/// of paper's colour and even (clay has grain), most is what most photographs see at its place.
+/// of paper's colour and even (clay has grain), most is what most photographs see at its place; or
+/// hardly anything looks like one.
 /// rests: by photograph, at least 3. paper: over the grid, where bare paper is all around.
 bool lightStandsStill(const std::vector<SheetRest>& rests, const cv::Mat1b& paper);
 

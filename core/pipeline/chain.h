@@ -130,7 +130,7 @@ texture::SherdViews viewsOf(const Run& run, const Poses& poses, const Masks& fro
                             const std::vector<scan::Scan>& backs);
 /// Leaves front.ply, back.ply, model.ply, model.glb and preview.png in OUT/work/model_<number>.
 /// views: those of this pair, asked for when the stage runs; none for scans.
-using ViewsOfSherd = std::function<Result<const std::vector<texture::View>*>()>;
+using ViewsOfSherd = std::function<Result<texture::Shown>()>;
 Result<StageRecord> modelStage(const Run& run, const std::string& number, const DecidedPair& pair,
                                const scan::Scan& front, const scan::Scan& back,
                                const ViewsOfSherd& views, const std::string& inputs_hash);

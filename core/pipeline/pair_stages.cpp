@@ -199,7 +199,7 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
                 {"pairing", static_cast<int>(run.options.pairing)},
                 {"registration", static_cast<int>(run.options.registration)},
                 {"photographs", run.photographs},
-                {"leaves", "candidates"}},
+                {"leaves", "candidates and supports"}},
                compare);
   if (!record) return record.error();
   std::string folder = "pairs";

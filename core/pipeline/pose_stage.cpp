@@ -6,6 +6,7 @@
 #include "calibration/calibrate.h"
 #include "calibration/free_cameras.h"
 #include "calibration/lenses.h"
+#include "calibration/sheet_bends.h"
 #include "checks/no_scale.h"
 #include "checks/photo_checks.h"
 #include "checks/scale_check.h"
@@ -13,6 +14,7 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "pipeline/chain.h"
+#include "pipeline/preflight.h"
 #include "pipeline/proposed_sheet.h"
 #include "pipeline/run_log.h"
 #include "rig/support_plane.h"
@@ -208,7 +210,7 @@ void leaveOut(calibration::BatchPoses& poses, std::size_t index) {
 Result<void> leaveOutSpoilt(const Run& run, calibration::BatchPoses& poses, StageNotes& notes) {
   checks::PhotoCheckOptions options;
   options.one_camera = run.batch.way == batch::Way::FreeCamera;
-  options.megapixels = run.options.megapixels;
+  options.megapixels = workingMegapixels(run.options, run.batch);
   options.threads = run.options.threads;
   const Result<checks::PhotoFindings> found =
       checks::checkPhotographs(poses.images, *run.batch.plate, options, run.stop);
@@ -246,40 +248,17 @@ void leaveOutOutliers(const Run& run, calibration::BatchPoses& poses, StageNotes
 
 constexpr const char* kBends = "sheet.json";
 
-// {"unit":"mm","front":{"reach","coefficients":[12]},"back":{...}}
-Result<void> writeBends(const fs::path& file, const std::array<rig::SheetBend, 2>& bends) {
-  ordered_json sheets{{"unit", "mm"}};
-  for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
-    sheets[batch::name(side)] = rig::toJson(bends[sideIndex(side)]);
-  return writeJson(file, sheets);
-}
-
-Result<std::array<rig::SheetBend, 2>> readBends(const fs::path& file) {
-  const Result<nlohmann::json> sheets = readJson(file);
-  if (!sheets) return sheets.error();
-  std::array<rig::SheetBend, 2> bends;
-  for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
-    const bool told = sheets->contains(batch::name(side));
-    const Result<rig::SheetBend> bend =
-        rig::sheetBendFrom(told ? sheets->at(batch::name(side)) : nlohmann::json());
-    if (!bend)
-      return Error::unusable(
-          "The file does not describe how the sheets bend; delete it to measure them again.", file);
-    bends[sideIndex(side)] = *bend;
-  }
-  return bends;
-}
-
 // What masks, stereo and all that follows work on: images of no more pixels than asked for.
 Staged<Poses> atWorkingSize(const Run& run, Poses poses, StageRecord record) {
   bool any = false;
+  const double megapixels = workingMegapixels(run.options, run.batch);
   for (rig::PosedImage& image : poses.images) {
     const int width = image.intrinsics.width;
-    image.intrinsics = rig::reducedTo(image.intrinsics, run.options.megapixels);
+    image.intrinsics = rig::reducedTo(image.intrinsics, megapixels);
     any = any || image.intrinsics.width != width;
   }
-  if (any) record.outputs_hash = sha256(record.outputs_hash + fixed(run.options.megapixels, 3));
-  record.notes.figures["draft"] = any && run.options.megapixels <= kDraftMegapixels;
+  if (any) record.outputs_hash = sha256(record.outputs_hash + fixed(megapixels, 3));
+  record.notes.figures["draft"] = any && megapixels <= kDraftMegapixels;
   return {std::move(poses), std::move(record)};
 }
 
@@ -328,7 +307,7 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     if (const Result<void> written = rig::writeCameras(folder / "cameras.json", poses->images);
         !written)
       return written.error();
-    if (const Result<void> written = free ? writeBends(folder / kBends, poses->bends)
+    if (const Result<void> written = free ? calibration::writeBends(folder / kBends, poses->bends)
                                           : rig::writeRig(folder / "rig.json", poses->rig);
         !written)
       return written.error();
@@ -355,7 +334,8 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     return atWorkingSize(run, {std::move(*images), {}, has_scale, {}, *grounds}, *record);
   }
   if (run.batch.way == batch::Way::FreeCamera) {
-    const Result<std::array<rig::SheetBend, 2>> bends = readBends(run.work / "rig" / kBends);
+    const Result<std::array<rig::SheetBend, 2>> bends =
+        calibration::readBends(run.work / "rig" / kBends);
     if (!bends) return bends.error();
     const bool has_scale = !hasGuessedSize(run.batch, run.options);
     return atWorkingSize(run, {std::move(*images), {}, has_scale, *bends}, *record);

@@ -30,6 +30,10 @@ int countOf(const batch::Batch& batch, batch::Side side) {
                     [&](const batch::Shot& shot) { return shot.side == side; }));
 }
 
+int photographsOfASide(const batch::Batch& batch) {
+  return std::max(countOf(batch, batch::Side::Front), countOf(batch, batch::Side::Back));
+}
+
 // The program that a later stage would miss; empty: none.
 std::string missingProgram(const batch::Batch& batch, const ProcessOptions& options) {
   std::vector<std::string> wanted;
@@ -42,6 +46,17 @@ std::string missingProgram(const batch::Batch& batch, const ProcessOptions& opti
 }
 
 }  // namespace
+
+double usualMegapixels(int photographs_of_a_side) {
+  constexpr double kMost = 5, kLeast = 1, kMost_mb = 4096;
+  const double held =
+      (kMost_mb - kBase_mb) / (kEachMegapixel_mb * std::max(1, photographs_of_a_side));
+  return std::clamp(held, kLeast, kMost);
+}
+
+double workingMegapixels(const ProcessOptions& options, const batch::Batch& batch) {
+  return options.megapixels.value_or(usualMegapixels(photographsOfASide(batch)));
+}
 
 Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
                             double free_memory_mb) {
@@ -65,9 +80,9 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
     stops.insert(shot.stop);
   }
   original /= kPixelsPerMegapixel;
-  ahead.megapixels = std::min(original, options.megapixels);
+  ahead.megapixels = std::min(original, workingMegapixels(options, batch));
   const int fronts = countOf(batch, batch::Side::Front), backs = countOf(batch, batch::Side::Back);
-  ahead.memory_mb = kBase_mb + kEachMegapixel_mb * ahead.megapixels * std::max(fronts, backs);
+  ahead.memory_mb = kBase_mb + kEachMegapixel_mb * ahead.megapixels * photographsOfASide(batch);
   ahead.lines.push_back("before: photographs: " + std::to_string(fronts) + " of the front, " +
                         std::to_string(backs) + " of the back, from " +
                         std::to_string(cameras.size()) + " cameras at " +

@@ -16,6 +16,12 @@ struct Preflight {
   std::vector<std::string> warnings;  ///< what is short, what follows and what to do
 };
 
+/// What photographs are averaged down to when nothing else is asked for, millions of pixels: 5, or
+/// what 4 GB of memory hold where a side has more than 24, but not less than 1.
+double usualMegapixels(int photographs_of_a_side);
+/// What masks and stereo work on, at most.
+double workingMegapixels(const ProcessOptions& options, const batch::Batch& batch);
+
 /// free_memory_mb: 0 when the system does not say. Errors: Missing for a program that a later
 /// stage would ask for, and those of maskSource.
 Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,

@@ -30,8 +30,9 @@ struct ProcessOptions {
   DenseMethod dense = DenseMethod::Builtin;
   std::string masks = "auto";  ///< "auto", "given", or the path of an ONNX network
   /// Photographs of more are averaged down to this for masks and stereo, whose memory and time grow
-  /// with the pixels; the cameras are found in the originals. Millions of pixels.
-  double megapixels = 5;
+  /// with the pixels; the cameras are found in the originals. Millions of pixels; absent:
+  /// usualMegapixels.
+  std::optional<double> megapixels;
   pairing::Method pairing = pairing::Method::Default;
   registration::Method registration = registration::Method::Default;
   int threads = 0;  ///< 0: all that this process may use; the result does not depend on it

@@ -22,7 +22,7 @@ Result<void> ProcessOptions::check() const {
                    "choose one next to it.",
                    output.string()};
   }
-  if (!(megapixels >= 0.3))
+  if (megapixels && !(*megapixels >= 0.3))
     return Error{
         ErrorCode::UnusableInput, "Photographs cannot be reduced to less than 0.3 megapixels.", {}};
   if (masks != "auto" && masks != "given" && !fs::is_regular_file(masks, failed))

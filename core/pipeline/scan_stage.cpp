@@ -140,6 +140,7 @@ Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<Poses>& p
   const std::string frame = std::string("plate_") + batch::name(side);
   const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
     scan::SplitOptions options;
+    options.ground = poses.value.bends[sideIndex(side)];
     options.lengths = relative ? scan::Lengths::Relative : scan::Lengths::Millimetres;
     const std::vector<rig::PosedImage> images = poses.value.of(side);
     options.images = images;

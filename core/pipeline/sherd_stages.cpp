@@ -69,11 +69,14 @@ Result<std::string> glbOf(const Run& run, const TriangleMesh& mesh, const GlbExt
     return formatGlb(mesh, extras);
   };
   if (!views) return formatGlb(mesh, extras);
-  const Result<const std::vector<texture::View>*> shown = views();
+  const Result<texture::Shown> shown = views();
   if (!shown) return plainly(shown.error());
   const Result<texture::TexturedMesh> textured =
-      texture::textured(mesh, **shown, run.options.threads, progress, run.stop);
+      texture::textured(mesh, shown->views, run.options.threads, progress, run.stop);
   if (!textured) return plainly(textured.error());
+  for (const Error& error : shown->unread)
+    notes.warnings.push_back("The texture of sherd " + extras.number +
+                             " lacks a photograph: " + error.sentence());
   notes.figures["texel_mm"] = textured->texel_mm;
   notes.figures["texture_seen_share"] = textured->texture.seen_share;
   return formatGlb(textured->mesh,

@@ -11,7 +11,8 @@ namespace ostraka::registration {
 /// What is known of a point of rest. Height errors come from three things: what a scan resolves
 /// (near an edge it ends up to a grain before the corner that stands on the plate), noise, and what
 /// all three points share (the plates' and the scans' own height). A bent sheet gives way under the
-/// sherd by a share of its rise that nobody has seen: any from 0 to 1 is as likely.
+/// sherd besides, by a share of its rise that nobody has seen: it is taken for unbent by weight,
+/// and that share, as likely any from 0 to 1, for its error.
 struct ContactOptions {
   /// The scans' spacing or a pixel on the sherd, whichever is larger. 0: not known, as of scans
   /// without photographs, whose points may have been thinned; then what scanners show counts.

@@ -29,10 +29,15 @@ std::string at(const Eigen::Vector2d& place) {
   return "at x " + millimetres(place.x()) + ", y " + millimetres(place.y()) + " mm";
 }
 
+// Where a sheet rises it may have given way under the sherd.
+double heightAbove(const rig::SheetBend& ground, const Eigen::Vector3f& p) {
+  return p.z() - std::min(0.0, ground.at(p.x(), p.y()));
+}
+
 std::vector<int> abovePlate(const PointCloud& cloud, const SplitOptions& options) {
   std::vector<int> kept;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const float z = cloud.points[i].z();
+    const double z = heightAbove(options.ground, cloud.points[i]);
     const bool plate =
         z < options.plate_mm || (z < options.plate_flat_mm && cloud.normals[i].z() > 0.9f);
     if (!plate) kept.push_back(static_cast<int>(i));
@@ -85,7 +90,8 @@ std::vector<std::vector<int>> withHoveringJoined(const PointCloud& cloud,
   for (std::vector<int>& piece : pieces) {
     const bool hovers =
         piece.size() >= kFewest && std::all_of(piece.begin(), piece.end(), [&](int i) {
-          return cloud.points[static_cast<std::size_t>(i)].z() > options.hover_mm;
+          return heightAbove(options.ground, cloud.points[static_cast<std::size_t>(i)]) >
+                 options.hover_mm;
         });
     (hovers ? hovering : standing).push_back(std::move(piece));
   }
@@ -121,19 +127,19 @@ struct Extent {
 
 // Above the plate, of all but the highest tenth: stereo's noise stands up from the edge of a
 // shadow.
-double heightOf(const PointCloud& piece) {
-  std::vector<float> heights;
-  for (const Eigen::Vector3f& p : piece.points) heights.push_back(p.z());
+double heightOf(const PointCloud& piece, const rig::SheetBend& ground) {
+  std::vector<double> heights;
+  for (const Eigen::Vector3f& p : piece.points) heights.push_back(heightAbove(ground, p));
   const auto high = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() * 9 / 10);
   std::nth_element(heights.begin(), high, heights.end());
-  return static_cast<double>(*high);
+  return *high;
 }
 
-Extent extentOf(const PointCloud& piece) {
+Extent extentOf(const PointCloud& piece, const rig::SheetBend& ground) {
   Eigen::Vector3f low = piece.points[0], high = low;
   for (const Eigen::Vector3f& p : piece.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   return {(low + high).head<2>().cast<double>() / 2,
-          static_cast<double>((high - low).head<2>().norm()), heightOf(piece)};
+          static_cast<double>((high - low).head<2>().norm()), heightOf(piece, ground)};
 }
 
 // A side's limits on the sizes of sherds, and how much of the usual sherd's size a millimetre is.
@@ -182,13 +188,13 @@ void leaveOutRelative(const Limits& limits, double longest, SplitResult& result)
 }
 
 bool isSmall(const PointCloud& piece, const SplitOptions& options) {
-  return extentOf(piece).longest_mm < options.min_extent_mm ||
+  return extentOf(piece, options.ground).longest_mm < options.min_extent_mm ||
          areaFromAbove_mm2(piece) < options.min_area_mm2;
 }
 
 // A piece that is no sherd is reported and left aside.
 bool isSherd(const PointCloud& piece, const Limits& limits, SplitResult& result) {
-  const Extent extent = extentOf(piece);
+  const Extent extent = extentOf(piece, limits.options.ground);
   const bool small = isSmall(piece, limits.options);
   const bool flat = extent.height_mm < limits.options.min_height_mm;
   if (!small && !flat) return true;
@@ -297,8 +303,9 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                  std::string("No sherd was found on the ") + batch::name(side) +
                      " side; check its masks and photographs.",
                  {}};
-  std::stable_sort(result.scans.begin(), result.scans.end(), [](const Scan& a, const Scan& b) {
-    return comesBefore(extentOf(a.cloud).middle, extentOf(b.cloud).middle);
+  std::stable_sort(result.scans.begin(), result.scans.end(), [&](const Scan& a, const Scan& b) {
+    return comesBefore(extentOf(a.cloud, options.ground).middle,
+                       extentOf(b.cloud, options.ground).middle);
   });
   for (std::size_t i = 0; i < result.scans.size(); ++i) {
     char number[32];

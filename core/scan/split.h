@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "batch/batch.h"
 #include "rig/camera.h"
+#include "rig/sheet_bend.h"
 #include "scan/lengths.h"
 #include "scan/scan.h"
 #include "scan/touching.h"
@@ -15,6 +16,7 @@
 namespace ostraka::scan {
 
 struct SplitOptions {
+  rig::SheetBend ground;                   ///< of the sheet below; flat: z = 0
   Lengths lengths = Lengths::Millimetres;  ///< Relative: limits on sizes are beside the usual sherd
   double plate_mm = 0.25;      ///< points this low belong to the plate (stereo's height noise)
   double plate_flat_mm = 0.6;  ///< so do points this low that look straight up

@@ -62,14 +62,11 @@ SherdViews::SherdViews(std::vector<Photograph> photographs, std::vector<Subject>
                        int threads)
     : photographs_(std::move(photographs)), sherds_(std::move(sherds)), threads_(threads) {}
 
-Result<const std::vector<View>*> SherdViews::of(std::size_t sherd, const std::stop_token& stop) {
-  if (failed_) return *failed_;
+Result<Shown> SherdViews::of(std::size_t sherd, const std::stop_token& stop) {
   if (!views_)
-    if (const Result<void> done = read(stop); !done) {
-      if (done.error().code != ErrorCode::Cancelled) failed_ = done.error();
-      return done.error();
-    }
-  return &(*views_)[sherd];
+    if (const Result<void> done = read(stop); !done) return done.error();
+  if (!unread_.empty() && unread_.size() == photographs_.size()) return unread_.front();
+  return Shown{(*views_)[sherd], unread_};
 }
 
 Result<void> SherdViews::read(const std::stop_token& stop) {
@@ -87,7 +84,7 @@ Result<void> SherdViews::read(const std::stop_token& stop) {
   });
   if (stop.stop_requested()) return Error::cancelled();
   for (const std::optional<Error>& error : errors)
-    if (error) return *error;
+    if (error) unread_.push_back(*error);
   views_.emplace(sherds_.size());
   for (std::vector<std::optional<View>>& of_photograph : shown)
     for (std::size_t s = 0; s < of_photograph.size(); ++s)

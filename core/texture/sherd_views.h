@@ -24,14 +24,21 @@ struct Subject {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
 };
 
+/// What the photographs show of one sherd, and those that cannot be read, which is the batch's.
+struct Shown {
+  const std::vector<View>& views;
+  const std::vector<Error>& unread;
+};
+
 /// What the photographs of a batch show of its sherds, read when it is first asked for: each
 /// photograph once, at full size, of which only the parts with sherds are kept. What one sherd
 /// hides of another is no part of the other's view.
 class SherdViews {
  public:
   SherdViews(std::vector<Photograph> photographs, std::vector<Subject> sherds, int threads);
-  /// Of the sherd with this index. Errors: Cancelled, UnusableInput of a photograph.
-  Result<const std::vector<View>*> of(std::size_t sherd, const std::stop_token& stop);
+  /// Of the sherd with this index; holds as long as this does. Errors: Cancelled; that of the first
+  /// photograph where none can be read.
+  Result<Shown> of(std::size_t sherd, const std::stop_token& stop);
 
  private:
   Result<void> read(const std::stop_token& stop);
@@ -39,7 +46,7 @@ class SherdViews {
   std::vector<Subject> sherds_;
   int threads_;
   std::optional<std::vector<std::vector<View>>> views_;
-  std::optional<Error> failed_;  ///< of the first reading: it is not tried for each sherd anew
+  std::vector<Error> unread_;
 };
 
 }  // namespace ostraka::texture

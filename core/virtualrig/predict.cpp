@@ -12,6 +12,7 @@
 #include "evaluate/truth.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
+#include "pipeline/preflight.h"
 #include "pipeline/process_batch.h"
 #include "virtualrig/simulate.h"
 
@@ -35,7 +36,8 @@ std::string words(const char* format, double a, double b = 0, double c = 0) {
 // What masks and stereo work on: large photographs are averaged down before.
 int workingWidth(const rig::Rig& rig) {
   const rig::Intrinsics& own = rig.cameras.front().intrinsics;
-  return rig::reducedTo(own, pipeline::ProcessOptions{}.megapixels).width / 4 * 4;
+  const auto of_a_side = static_cast<int>(rig.cameras.size() * rig.stops.size());
+  return rig::reducedTo(own, pipeline::usualMegapixels(of_a_side)).width / 4 * 4;
 }
 
 // One of several trials: its stages have their share of it.

@@ -127,7 +127,6 @@ void printConstraints(const Isometry3d& truth, const reg::Constraints& w, const 
       reg::fitOutlines(front.all, back.all, spacing, truth,
                        (front.up - truth.linear() * back.up).normalized(), pivot, {});
   printConstraint("outline", outline.evidence, radius);
-  const rig::SheetBend flat;
   for (const bool on_front : {true, false}) {
     reg::ContactOptions contact;
     contact.grain_mm = spacing;
@@ -136,19 +135,23 @@ void printConstraints(const Isometry3d& truth, const reg::Constraints& w, const 
       const double depth = (camera.camera_from_plate * front.centre).z();
       contact.grain_mm = std::max(spacing, depth / camera.intrinsics.fx);
     }
-    const auto rest = reg::contactEvidence(
-        front, back, truth, pivot, on_front ? rig::Support(flat) : std::nullopt,
-        on_front ? std::nullopt : rig::Support(flat), 0, contact);
+    const rig::Support& support = on_front ? w.front_support : w.back_support;
+    if (!support) continue;
+    const auto rest =
+        reg::contactEvidence(front, back, truth, pivot, on_front ? support : std::nullopt,
+                             on_front ? std::nullopt : support, 0, contact);
     printConstraint(on_front ? "rest front" : "rest back", rest, radius);
     const Isometry3d pose = on_front ? truth : truth.inverse();
     const reg::Strip& side = on_front ? back : front;
     const Vector3d centre = 0.5 * ((on_front ? front : back).centre + pose * side.centre);
-    const reg::Contact c = reg::restingFacet(side, pose, centre, flat);
+    const reg::Contact c = reg::restingFacet(side, pose, centre, *support);
     std::printf("        ");
-    for (int i : c.points)
-      if (i >= 0)
-        std::printf(" z %+.3f%s", (pose * side.shell[i].cast<double>()).z(),
-                    side.shell_inside[i] ? " face" : " edge");
+    for (int i : c.points) {
+      if (i < 0) continue;
+      const Vector3d p = pose * side.shell[i].cast<double>();
+      std::printf(" z %+.3f%s", p.z() - support->at(p.x(), p.y()),
+                  side.shell_inside[i] ? " face" : " edge");
+    }
     std::printf("\n");
   }
   if (!w.front.empty()) {
@@ -175,7 +178,8 @@ void runResult(const fs::path& out, const fs::path& truth, bool explain, Ratios&
         cv::imread((masks / rig::maskName(camera)).string(), cv::IMREAD_GRAYSCALE);
     (of_front ? front_views : back_views).push_back({camera, mask});
   }
-  const reg::Constraints constraints{front_views, back_views, true, true};
+  const reg::Constraints constraints{front_views, back_views, table->supports[0],
+                                     table->supports[1]};
   for (const decisions::RegisteredCandidate& c : table->candidates) {
     scan::Scan front, back;
     front.cloud = *readPlyCloud(out / "work" /

@@ -153,7 +153,7 @@ int main(int argc, char** argv) {
     texture::SherdViews views(kept, {subject}, threads), others(left_out, {subject}, threads);
     QuietProgress quiet;
     const auto begin = std::chrono::steady_clock::now();
-    const std::vector<texture::View>& shown = *orExit(views.of(0, {}));
+    const std::vector<texture::View>& shown = orExit(views.of(0, {})).views;
     const double texel_mm = texture::finestPixel_mm(mesh, shown);
     const std::vector<texture::Chart> charts = texture::chartsOf(mesh, texel_mm);
     const texture::Atlas atlas = texture::packed(charts, texel_mm);
@@ -162,7 +162,7 @@ int main(int argc, char** argv) {
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     Sums sums;
-    for (const texture::View& view : *orExit(others.of(0, {}))) compare(page, view, sums);
+    for (const texture::View& view : orExit(others.of(0, {})).views) compare(page, view, sums);
     std::printf("%-6s %8.2f %9.3f %8.2f %8.3f %7.1f\n", number.c_str(),
                 std::sqrt(sums.lab2 / std::max<double>(1, static_cast<double>(sums.texels))),
                 sums.both / sums.own2, 100 * page.texture.seen_share, atlas.texel_mm, seconds);

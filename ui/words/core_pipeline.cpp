@@ -232,6 +232,7 @@ Sentences sentencesOfPipeline() {
       QT_TRANSLATE_NOOP("ostraka::Error", "export them in mm, or use --scale free"),
       QT_TRANSLATE_NOOP("ostraka::Error", "Sherd %1 has no model: %2"),
       QT_TRANSLATE_NOOP("ostraka::Error", "Sherd %1 has no photographic texture: %2"),
+      QT_TRANSLATE_NOOP("ostraka::Error", "The texture of sherd %1 lacks a photograph: %2"),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "Sherd %1: its model has a hole right through it (%2 mm²). If the sherd "
                         "has none, the photographs do not show that area; reshoot the sherd."),

@@ -66,26 +66,6 @@ class DecisionsOf : public testing::Test {
   fs::path out_;
 };
 
-TEST_F(DecisionsOf, AreTakenBeforeWhatEachSideLayOn) {
-  CandidateTable table;
-  table.supports[1].emplace();
-  table.supports[1]->reach_mm = 180;
-  table.supports[1]->coefficients_mm[2] = -1.5;
-  const fs::path file = out_ / "candidates.json";
-  ASSERT_TRUE(writeFileAtomically(file, toJson(table).dump()));
-  const Result<CandidateTable> read = readCandidates(file);
-  ASSERT_TRUE(read.has_value()) << read.error().sentence();
-  EXPECT_FALSE(read->supports[0].has_value());
-  ASSERT_TRUE(read->supports[1].has_value());
-  EXPECT_EQ(read->supports[1]->reach_mm, 180);
-  EXPECT_EQ(read->supports[1]->coefficients_mm, table.supports[1]->coefficients_mm);
-
-  nlohmann::json foreign = toJson(table);
-  foreign["supports"]["back"]["reach"] = 0;
-  ASSERT_TRUE(writeFileAtomically(file, foreign.dump()));
-  EXPECT_FALSE(readCandidates(file).has_value());
-}
-
 TEST_F(DecisionsOf, ABatchWithoutAFileAreNone) {
   const Result<Decisions> none = readDecisions(out_);
   ASSERT_TRUE(none.has_value());

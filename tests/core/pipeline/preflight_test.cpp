@@ -49,12 +49,14 @@ TEST(Preflight, LargePhotographsAreReducedAndTakeLittleMore) {
 }
 
 TEST(Preflight, TheLargerSidesPhotographsDecideOnMemory) {
-  const double once = preflight(batchOf(2592, 1944), {}, 0)->memory_mb;
+  ProcessOptions options;
+  options.megapixels = 5;
+  const double once = preflight(batchOf(2592, 1944), options, 0)->memory_mb;
   batch::Batch twice = batchOf(2592, 1944, 16);
-  EXPECT_NEAR(preflight(twice, {}, 0)->memory_mb, 2 * once, 100) << "80 MB are there anyway";
+  EXPECT_NEAR(preflight(twice, options, 0)->memory_mb, 2 * once, 100) << "80 MB are there anyway";
   std::erase_if(twice.shots,
                 [](const batch::Shot& s) { return s.side == batch::Side::Back && s.stop > 0; });
-  EXPECT_NEAR(preflight(twice, {}, 0)->memory_mb, 2 * once, 100) << "sides come one by one";
+  EXPECT_NEAR(preflight(twice, options, 0)->memory_mb, 2 * once, 100) << "sides come one by one";
 }
 
 TEST(Preflight, TooLittleMemoryIsSaidBeforeTheStartAndADraftTakesLess) {
@@ -65,6 +67,19 @@ TEST(Preflight, TooLittleMemoryIsSaidBeforeTheStartAndADraftTakesLess) {
   ProcessOptions draft;
   draft.megapixels = kDraftMegapixels;
   EXPECT_TRUE(preflight(batchOf(2592, 1944), draft, 1200)->warnings.empty());
+}
+
+TEST(Preflight, ManyPhotographsAreReducedUntilFourGigabytesHoldThem) {
+  EXPECT_DOUBLE_EQ(usualMegapixels(0), 5);
+  EXPECT_DOUBLE_EQ(usualMegapixels(24), 5);
+  EXPECT_NEAR(usualMegapixels(30), 4.07, 0.01);
+  EXPECT_DOUBLE_EQ(usualMegapixels(400), 1);
+  const batch::Batch batch = batchOf(4000, 3000, 16);  // 48 a side
+  EXPECT_NEAR(preflight(batch, {}, 0)->megapixels, 2.54, 0.01);
+  EXPECT_NEAR(preflight(batch, {}, 0)->memory_mb, 4096, 1);
+  ProcessOptions asked;
+  asked.megapixels = 7;
+  EXPECT_EQ(preflight(batch, asked, 0)->megapixels, 7);
 }
 
 TEST(Preflight, WhatCannotBeMaskedIsToldBeforeItsCamerasAreSought) {

@@ -245,6 +245,7 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
   const auto before = results(out);
   const auto table = decisions::readCandidates(out / "work" / "pairs" / "candidates.json");
   ASSERT_TRUE(table.has_value()) << table.error().sentence();
+  EXPECT_TRUE(table->supports[0] && table->supports[1]) << "a plate lay below both sides";
   const decisions::ScanRef& first = table->fronts.at(0);
   const auto images = rig::readCameras(out / "work" / "rig" / "cameras.json");
   ASSERT_TRUE(images.has_value()) << images.error().sentence();

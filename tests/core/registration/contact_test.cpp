@@ -80,22 +80,23 @@ rig::SheetBend trough() {
 }
 
 TEST(Contact, OnABentSheetAStoolRestsWhereItsFeetMeetThePaper) {
-  Strip stool_on_it = stool();
-  for (Eigen::Vector3f& foot : stool_on_it.shell) foot.z() += 0.02F * foot.x() * foot.x();
-  stool_on_it.shell[3].z() -= 2;  // its fourth foot stands, and 1.4 mm is missing below the second
-  stool_on_it.shell[1].z() += 1.4F;
+  // The paper lies at 0, 0.5, 0.5 and 3.92 mm below four feet: all stand but the second, 0.3 mm
+  // above it. On a plane all would stand but the first.
+  Strip bent = stool();
+  bent.shell = {{0, 0, 0}, {5, 0, 0.8F}, {-5, 10, 0.5F}, {14, 10, 3.92F}, {4, 4, 9}};
   const auto feet = [&](const rig::SheetBend& ground) {
-    const Contact contact =
-        restingFacet(stool_on_it, Isometry3d::Identity(), Vector3d(5, 6, 4), ground);
-    std::array<int, 3> points = contact.points;
+    std::array<int, 3> points =
+        restingFacet(bent, Isometry3d::Identity(), Vector3d(3, 5, 4), ground).points;
     std::sort(points.begin(), points.end());
     return points;
   };
   EXPECT_EQ(feet(trough()), (std::array<int, 3>{0, 2, 3}));
+  EXPECT_EQ(feet({}), (std::array<int, 3>{1, 2, 3}));
 }
 
 TEST(Contact, ABentSheetGivesWayByAShareOfItsRise) {
-  // Three feet at x = 10, where it rises by 2 mm: sigma^2 = plate^2 + own^2 / 3 + rise^2 / 3
+  // Three feet 10 mm from the lowest line, where it rises by 2 mm: sigma^2 = plate^2 + own^2 / 3 +
+  // rise^2 / 3
   Strip front, back = stool();
   back.shell = {{-10, 0, 2}, {-10, 10, 2}, {10, 5, 2}, {14, 5, 20}, {6, 5, 20}};
   front.centre = back.centre = Vector3d(0, 5, 10);
@@ -114,9 +115,10 @@ TEST(Contact, ABentSheetGivesWayByAShareOfItsRise) {
   EXPECT_NEAR(bent_height, -0.03, 1e-6);
 }
 
-// Whether the fronts' sheet is bent. Weights follow its rise, and their own slope is left out: own
+// On bent sheets. Weights follow its rise, and their own slope is left out: own
 // errors beside which the rise is nothing leave the heights' slope alone.
-class ContactOn : public testing::TestWithParam<bool> {};
+enum class Bent { Neither, Fronts, Backs };
+class ContactOn : public testing::TestWithParam<Bent> {};
 
 TEST_P(ContactOn, TheGradientIsTheSlopeOfTheCost) {
   Strip front = stool(), back = stool();
@@ -128,11 +130,12 @@ TEST_P(ContactOn, TheGradientIsTheSlopeOfTheCost) {
   const Vector3d pivot(2, 3, 4);
   const ContactOptions options;
   const auto evidenceAt = [&](const Isometry3d& p) {
-    const rig::SheetBend fronts = GetParam() ? trough() : rig::SheetBend{};
-    const double widened = GetParam() ? 1e4 : 0;
-    return contactEvidence(front, back, p, pivot, fronts, rig::SheetBend{}, widened, options);
+    const rig::SheetBend fronts = GetParam() == Bent::Fronts ? trough() : rig::SheetBend{};
+    const rig::SheetBend backs = GetParam() == Bent::Backs ? trough() : rig::SheetBend{};
+    const double widened = GetParam() == Bent::Neither ? 0 : 1e4;
+    return contactEvidence(front, back, p, pivot, fronts, backs, widened, options);
   };
-  const double unit = GetParam() ? 1e8 : 1;
+  const double unit = GetParam() == Bent::Neither ? 1 : 1e8;
   const auto cost = [&](const Isometry3d& p) { return unit * evidenceAt(p).cost; };
   const Evidence evidence = evidenceAt(pose);
   EXPECT_GT(unit * evidence.cost, 1);
@@ -144,7 +147,8 @@ TEST_P(ContactOn, TheGradientIsTheSlopeOfTheCost) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(FlatAndBent, ContactOn, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(Sheets, ContactOn,
+                         testing::Values(Bent::Neither, Bent::Fronts, Bent::Backs));
 
 }  // namespace
 }  // namespace ostraka::registration

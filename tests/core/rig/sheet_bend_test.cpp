@@ -27,7 +27,8 @@ TEST(SheetBend, RisesFromItsLowestPlaceWithinAnySheet) {
 }
 
 TEST(SheetBend, ComesBackFromJson) {
-  const Result<SheetBend> back = sheetBendFrom(nlohmann::json::parse(toJson(saddle()).dump()));
+  const std::optional<SheetBend> back =
+      sheetBendFrom(nlohmann::json::parse(toJson(saddle()).dump()));
   ASSERT_TRUE(back.has_value());
   EXPECT_EQ(back->reach_mm, 100);
   EXPECT_EQ(back->coefficients_mm, saddle().coefficients_mm);
@@ -45,6 +46,7 @@ TEST(SheetBend, ForeignJsonIsRefused) {
   EXPECT_TRUE(refused("reach", -100));
   EXPECT_TRUE(refused("reach", "100"));
   EXPECT_TRUE(refused("reach", 1e300));
+  EXPECT_FALSE(refused("reach", 1500)) << "markers may lie as far from the middle";
   EXPECT_TRUE(refused("coefficients", 3));
   EXPECT_TRUE(refused("coefficients", std::vector<double>(11, 0)));
   EXPECT_TRUE(refused("coefficients", std::vector<double>(13, 0)));

@@ -58,6 +58,23 @@ TEST(SplitScans, ASliverIsACrumbHoweverLong) {
       << found->warnings[0];
 }
 
+TEST(SplitScans, ASherdInADipOfTheSheetKeepsItsFoot) {
+  PointCloud cloud = test::box(40, 0, 30, 25, 6);
+  for (Eigen::Vector3f& p : cloud.points) p.z() -= 1.5F;
+  const auto count = [&](const SplitOptions& options) {
+    const auto found = split(cloud, options);
+    return found && found->scans.size() == 1 ? found->scans[0].cloud.size() : 0;
+  };
+  SplitOptions bent;
+  bent.ground.reach_mm = 40;
+  bent.ground.coefficients_mm[0] = -1.5;  // x^2: at the sherd's middle
+  const std::size_t cut = count({}), whole = count(bent);
+  EXPECT_GT(static_cast<double>(cut), 0);
+  EXPECT_GT(static_cast<double>(whole - cut), 0.1 * static_cast<double>(cloud.size()));
+  bent.ground.coefficients_mm[0] = 3;  // the paper gave way, or it would stand in it
+  EXPECT_EQ(count(bent), cut);
+}
+
 // The same plate in a unit that is a third of a millimetre's: nothing may be lost for it.
 TEST(SplitScans, WithoutAScaleACrumbIsOneBesideTheUsualSherd) {
   PointCloud cloud = test::box(-60, 40, 15, 12, 4);  // a third of a sherd of 45 x 36 mm

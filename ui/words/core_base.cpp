@@ -180,6 +180,10 @@ Sentences sentencesOfBase() {
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "A link has taken the place of this folder's lock file; delete the link."),
       QT_TRANSLATE_NOOP("ostraka::Error",
+                        "A link has taken the place of a folder that Ostraka writes to and "
+                        "empties; what it leads to was not touched. Delete the link, or move the "
+                        "folder itself here."),
+      QT_TRANSLATE_NOOP("ostraka::Error",
                         "No temporary folder can be created here (%1); free some space, or set "
                         "TMPDIR to another folder."),
       QT_TRANSLATE_NOOP("ostraka::Error",

@@ -123,7 +123,7 @@ Sentences sentencesOfExchange() {
                         "The catalogue's tables, indexes and triggers are not as Ostraka makes "
                         "them; nothing was written."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "%1 rows in total, %2 imported; run the same import again for the others."),
+                        "%1 rows in total, %2 read; run the same import again for the others."),
   };
   return kAll;
 }

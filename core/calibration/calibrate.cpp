@@ -493,7 +493,6 @@ class Poser {
 
 Result<BatchPoses> poseBatch(const batch::Batch& batch, const std::optional<rig::Rig>& known,
                              const PoseOptions& options, Progress& progress, std::stop_token stop) {
-  if (const Result<void> good = options.check(); !good) return good.error();
   return Poser(batch, known, options, progress, std::move(stop)).run();
 }
 

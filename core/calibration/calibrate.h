@@ -22,7 +22,6 @@ struct PoseOptions {
   double table_repeatability_rad = 0.001;
   /// Median residual of a camera above which a known rig no longer fits (a camera was moved).
   double max_known_rig_residual_px = 0.5;
-  Result<void> check() const;
 };
 
 /// What was found of one camera on the way to the poses.

@@ -393,7 +393,6 @@ class FreePoser {
 
 Result<BatchPoses> poseFreeCameras(const batch::Batch& batch, const PoseOptions& options,
                                    Progress& progress, std::stop_token stop) {
-  if (const Result<void> good = options.check(); !good) return good.error();
   return FreePoser(batch, options, progress, std::move(stop)).run();
 }
 

@@ -190,18 +190,9 @@ class UvcCamera final : public devices::Camera {
 
 }  // namespace
 
-Result<void> UvcOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (source.empty()) return bad("The video camera must be named.");
-  if (width < 0 || height < 0 || (width > 0) != (height > 0))
-    return bad("width and height of a video camera go together.");
-  if (most_stale < 0) return bad("most_stale must not be negative.");
-  return {};
-}
-
 Result<std::unique_ptr<devices::Camera>> openUvcCamera(const UvcOptions& options,
                                                        std::shared_ptr<devices::Clock> clock) {
-  if (const Result<void> checked = options.check(); !checked) return checked.error();
+  if (options.source.empty()) return Error::unusable("The video camera must be named.");
   auto camera = std::make_unique<UvcCamera>(options, std::move(clock));
   if (const Result<void> opened = camera->open(); !opened) return opened.error();
   return std::unique_ptr<devices::Camera>(std::move(camera));

@@ -154,16 +154,6 @@ cv::Mat1f probabilityOf(const cv::Mat& output, NetworkOutput kind) {
 
 }  // namespace
 
-Result<void> NetworkMaskOptions::check() const {
-  for (const double d : deviation)
-    if (!(d > 0)) return Error{ErrorCode::UnusableInput, "deviation must be above 0.", {}};
-  if (free_input_px < 32 || free_input_px > kMaxInputPx)
-    return Error{ErrorCode::UnusableInput, "free_input_px must be within 32 and 8192.", {}};
-  if (size_multiple_px < 1 || size_multiple_px > 256)
-    return Error{ErrorCode::UnusableInput, "size_multiple_px must be within 1 and 256.", {}};
-  return {};
-}
-
 Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
                                   const NetworkMaskOptions& options, const std::string& where) {
   const std::optional<InputShape> shape = inputShapeOf(model);
@@ -186,7 +176,6 @@ Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
 
 Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx,
                                 const NetworkMaskOptions& options) {
-  if (const Result<void> ok = options.check(); !ok) return ok.error();
   if (photograph.type() != CV_8UC3 || photograph.empty())
     return Error{ErrorCode::UnusableInput, "The network needs an 8-bit colour photograph.", {}};
   const Result<std::string> model = readFile(onnx, limits::kNetworkBytes.most);

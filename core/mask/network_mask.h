@@ -18,7 +18,6 @@ struct NetworkMaskOptions {
   int free_input_px = 1024;         ///< longer side for a network that takes any size
   int size_multiple_px = 32;        ///< of such a network's input: five halvings
   NetworkOutput output = NetworkOutput::Auto;
-  Result<void> check() const;
 };
 
 /// Width and height, pixels, at which the network takes a photograph of this size: what its file

@@ -123,16 +123,7 @@ void addShell(const PointCloud& cloud, const KdTree& tree, double edge_mm, Strip
 
 }  // namespace
 
-Result<void> StripOptions::check() const {
-  if (!(normal_radius_mm > 0) || !(coarse_mm > 0) || !(max_up > 0 && max_up <= 1))
-    return Error{ErrorCode::UnusableInput,
-                 "Strip options: normal_radius_mm and coarse_mm must be above 0, max_up in (0, 1].",
-                 {}};
-  return {};
-}
-
 Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) {
-  if (auto ok = options.check(); !ok) return ok.error();
   if (!scan.cloud.hasNormals())
     return Error{ErrorCode::NotEnough, "The scan has no normals; export it with normals.", scan.id};
   const bool dense = medianSpacing(scan.cloud) < 0.7 * kUsefulSpacingMm;

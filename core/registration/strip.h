@@ -15,7 +15,6 @@ struct StripOptions {
   double coarse_mm = 1.2;         ///< spacing of the first rounds: a third of the thinnest wall
   double max_up = 0.85;  ///< points whose normal leans more than this towards the viewer are face:
                          ///< the other side's views stop at 75 degrees of incidence
-  Result<void> check() const;
 };
 
 /// What a point's colour differs from its surroundings, in SDs of each of three channels, and how

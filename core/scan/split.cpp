@@ -270,18 +270,8 @@ void addParts(PointCloud piece, const Limits& limits, SplitResult& result) {
 
 }  // namespace
 
-Result<void> SplitOptions::check() const {
-  if (!(gap_mm > 0)) return Error{ErrorCode::UnusableInput, "gap_mm must be above 0.", {}};
-  if (!(touching.neck_share >= 0 && touching.neck_share < 1))
-    return Error{ErrorCode::UnusableInput, "neck_share must lie in [0, 1).", {}};
-  if (images.size() != masks.size())
-    return Error{ErrorCode::UnusableInput, "images and masks must be of one number.", {}};
-  return {};
-}
-
 Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                                const SplitOptions& options, Progress& progress) {
-  if (const Result<void> checked = options.check(); !checked) return checked.error();
   if (!plate_cloud.empty() && !plate_cloud.hasNormals())
     return Error{ErrorCode::UnusableInput, "The plate's point cloud has no normals.", {}};
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));

@@ -76,35 +76,23 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
   Result<std::unique_ptr<store::Database>> database =
       store::Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly);
   if (!database) return database.error();
-  Result<catalogue::Catalogue> catalogue =
-      catalogue::Catalogue(std::move(*database), orSystemClock(clock));
-  const auto isOld = [&] { return catalogue->schemaVersion() < store::migrations().back().number; };
-  if (!writable && isOld())
+  catalogue::Catalogue catalogue(std::move(*database), orSystemClock(clock));
+  if (!writable && catalogue.schemaVersion() < store::migrations().back().number)
     return refused(
         "An older Ostraka made this project, and it is read-only here; copy it to a folder that "
         "you can write to, and open it there.",
         folder);
-  bool saved = false;
   const auto save = [&]() -> Result<void> {
-    if (std::exchange(saved, true)) return {};
-    const Result<fs::path> copy = backUpInto(folder, *catalogue, "-before-update");
+    const Result<fs::path> copy = backUpInto(folder, catalogue, "-before-update");
     return copy ? Result<void>() : copy.error();
   };
-  if (!catalogue->database().hasChecksums()) {
-    if (const Result<void> done = save(); !done) return done.error();
-    catalogue = refused({}, {});  // closes it
-    if (const Result<void> done = store::addPageChecksums(file); !done) return done.error();
-    database = store::Database::open(file, Mode::ReadWrite);
-    if (!database) return database.error();
-    catalogue = catalogue::Catalogue(std::move(*database), orSystemClock(clock));
-  }
-  if (const Result<void> done = store::migrate(catalogue->database(), store::migrations(), save);
+  if (const Result<void> done = store::migrate(catalogue.database(), store::migrations(), save);
       !done)
     return done.error();
-  const Result<records::ProjectRecord> record = catalogue::Settings(*catalogue).project();
+  const Result<records::ProjectRecord> record = catalogue::Settings(catalogue).project();
   if (!record) return record.error();
   if (record->id.empty()) return store::damagedCatalogue("it contains no project", file);
-  if (const Result<void> safe = checkBatchFolders(*catalogue); !safe) return safe.error();
+  if (const Result<void> safe = checkBatchFolders(catalogue); !safe) return safe.error();
   return catalogue;
 }
 

@@ -106,7 +106,8 @@ TEST_F(ReadOnlyProject, RefusesChangesInASentence) {
 }
 
 TEST_F(ReadOnlyProject, OfAnOlderVersionAsksForACopy) {
-  project_->catalogue().database().script("PRAGMA user_version = 7");
+  // The first version has none before it.
+  project_->catalogue().database().script("PRAGMA user_version = -1");
   project_.reset();
   EXPECT_EQ(withoutPrivileges([&] {
               const Result<upkeep::Project> open = upkeep::Project::open(folder());

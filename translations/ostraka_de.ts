@@ -8519,11 +8519,6 @@
       <translation>Die Datei ist beschädigt oder nicht in COLMAPs Format; COLMAP noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zeile %1 ist nicht in COLMAPs Format; COLMAP noch einmal laufen lassen.</translation>
-    </message>
-    <message>
       <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Lage dieses Fotos wird ohne seine Maske geschätzt.</translation>

@@ -8514,11 +8514,6 @@
       <translation>Το αρχείο έχει βλάβη ή δεν είναι όπως το γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
     </message>
     <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η γραμμή %1 δεν είναι όπως τη γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
-    </message>
-    <message>
       <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η θέση αυτής της φωτογραφίας προσδιορίζεται χωρίς τη μάσκα της.</translation>

@@ -8514,11 +8514,6 @@
       <translation>El archivo está dañado o no está en el formato de COLMAP; ejecute COLMAP otra vez.</translation>
     </message>
     <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La línea %1 no está en el formato de COLMAP; ejecute COLMAP otra vez.</translation>
-    </message>
-    <message>
       <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La pose de esta foto se estima sin su máscara.</translation>

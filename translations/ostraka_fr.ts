@@ -8514,11 +8514,6 @@
       <translation>Le fichier est abîmé ou n’est pas au format de COLMAP ; relancez COLMAP.</translation>
     </message>
     <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La ligne %1 n’est pas au format de COLMAP ; relancez COLMAP.</translation>
-    </message>
-    <message>
       <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La pose de cette photo est estimée sans son masque.</translation>

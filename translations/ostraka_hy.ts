@@ -8514,11 +8514,6 @@
       <translation>Ֆայլը վնասված է կամ այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
     </message>
     <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 տողն այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
-    </message>
-    <message>
       <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս լուսանկարի դիրքը որոշվում է առանց իր դիմակի։</translation>

@@ -8467,11 +8467,6 @@
       <translation>Dosya bozuk ya da COLMAP’in yazdığı gibi değil; COLMAP’i yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. satır COLMAP’in yazdığı gibi değil; COLMAP’i yeniden çalıştırın.</translation>
-    </message>
-    <message>
       <source>The pose of this photograph is estimated without its mask.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu fotoğrafın duruşu maskesi olmadan bulunur.</translation>

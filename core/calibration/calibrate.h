@@ -30,8 +30,7 @@ struct CameraFindings {
   int width = 0, height = 0;
   std::optional<IntrinsicsReport> lens;       ///< from the board; nothing without its pictures
   std::vector<Eigen::Vector2d> board_pixels;  ///< all corners of the board that were used
-  int marker_corners = 0;                     ///< of the plate, over all photographs
-  double median_residual_px = 0;              ///< of these, in the end
+  double median_residual_px = 0;              ///< of the plate's marker corners, in the end
   /// With a known rig: how well it fitted as it was; and where it did not, how far this camera has
   /// moved and turned since, seen from the camera that fits best.
   double known_residual_px = 0, moved_mm = 0, turned_rad = 0;

@@ -7889,9 +7889,9 @@
       <translation>Los anversos no están en mm: las longitudes del resultado, aunque se llamen mm, están en la unidad propia de los anversos.</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
+      <source>The pairs of this batch are not processed yet; process the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las parejas de esta tanda aún no están procesadas, o son de una versión más antigua de Ostraka; reprocese la tanda: lo que está completo se conserva.</translation>
+      <translation>Las parejas de esta tanda aún no están procesadas; procese la tanda: lo que está completo se conserva.</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>

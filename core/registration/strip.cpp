@@ -113,7 +113,6 @@ void addShell(const PointCloud& cloud, const KdTree& tree, double edge_mm, Strip
     const bool whole = patch.count >= 0.95 * static_cast<double>(found.size());
     strip.shell_inside.push_back(whole && patch.aside < 0.2f ? 1 : 0);
   }
-  strip.shell_tree = KdTree(strip.shell);
   for (const Vector3f& p : strip.shell) strip.centre += p.cast<double>();
   strip.centre /= std::max<double>(1.0, static_cast<double>(strip.shell.size()));
   double sum = 0;

@@ -173,10 +173,6 @@ bool Project::isProject(const fs::path& folder) {
   return fs::is_regular_file(folder / kFile, code);
 }
 
-Result<catalogue::Catalogue> Project::connect() const {
-  return connect(folder_);
-}
-
 Result<catalogue::Catalogue> Project::connect(const fs::path& folder) {
   return openCatalogue(folder, {});
 }
@@ -186,16 +182,6 @@ fs::path Project::batchFolder(const std::string& number) const {
 }
 fs::path Project::resultsFolder(const std::string& number) const {
   return folder_ / "results" / number;
-}
-fs::path Project::absolute(const std::string& relative) const {
-  return folder_ / relative;
-}
-
-Result<std::string> Project::relative(const fs::path& absolute) const {
-  const Result<std::string> path = store::checkedPath(
-      fs::absolute(absolute).lexically_normal().lexically_relative(folder_).generic_string());
-  if (!path) return refused("This file is outside the project's folder.", absolute);
-  return path;
 }
 
 }  // namespace ostraka::upkeep

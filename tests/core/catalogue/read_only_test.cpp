@@ -60,7 +60,7 @@ class ReadOnlyProject : public SmallProject {
         sherds::Sherds(open->catalogue()).rows({}, {});
     if (!rows || rows->size() != sherds) return 3;
     if (!open->catalogue().checkIntegrity()) return 4;
-    const Result<Catalogue> other = open->connect();
+    const Result<Catalogue> other = upkeep::Project::connect(open->folder());
     return other && sherds::Sherds(*other).of(*rows) ? 0 : 5;
   }
 };

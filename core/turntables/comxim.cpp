@@ -71,6 +71,7 @@ class ComXimTurntable final : public LineTurntable {
   }
 
   Result<void> home(std::stop_token stop) override {
+    halt_ = false;
     setPosition(std::nullopt);
     const Result<ComXimReply> reply = command(brackets() ? "CT+TOZERO()" : "+CT,TOZERO", stop);
     if (!reply) return reply.error();

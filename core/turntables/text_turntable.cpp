@@ -71,6 +71,7 @@ class TextTurntable final : public LineTurntable {
   std::string name() const override { return words_.name + " at " + where_; }
 
   Result<void> home(std::stop_token stop) override {
+    halt_ = false;
     if (words_.home.empty()) return gone("This turntable has no zero switch: align it by eye.");
     setPosition(std::nullopt);
     if (Result<void> r = obey(words_.home, kHoming_s, stop); !r) return r;
@@ -80,6 +81,7 @@ class TextTurntable final : public LineTurntable {
   }
 
   Result<void> zeroHere(std::stop_token stop) override {
+    halt_ = false;
     if (!words_.zero.empty())
       if (Result<void> r = obey(words_.zero, words_.reply_s, std::move(stop)); !r) return r;
     setPosition(0);
@@ -101,6 +103,7 @@ class TextTurntable final : public LineTurntable {
 
   // A line that was only cut leaves the controller counting; it is asked.
   Result<void> reopen(std::stop_token stop) override {
+    halt_ = false;
     if (Result<void> r = line_.channel().reopen(stop); !r) return r;
     line_.forget();
     if (Result<void> r = connect(stop); !r) return r;

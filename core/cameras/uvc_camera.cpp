@@ -1,13 +1,14 @@
 #include "cameras/uvc_camera.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 #include <optional>
+
+#include "base/text.h"
 
 namespace ostraka::cameras {
 namespace {
@@ -31,9 +32,7 @@ const std::map<std::string, Property>& properties() {
 }
 
 std::string written(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
+  return formatted("%g", value);
 }
 
 class UvcCamera final : public devices::Camera {

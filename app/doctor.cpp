@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/text.h"
 #include "colmap/colmap_program.h"
 #include "command.h"
 #include "window.h"
@@ -31,9 +32,7 @@ struct Finding {
 };
 
 std::string gigabytes(double bytes) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f GB", bytes / 1e9);
-  return text;
+  return fixed(bytes / 1e9, 1) + " GB";
 }
 
 Finding processors() {
@@ -93,11 +92,9 @@ Finding disk(const fs::path& folder) {
   const fs::space_info space = fs::space(folder, error);
   if (error) return {State::Missing, "disk", folder.string() + ": " + error.message()};
   const double speed = writingSpeed(folder);
-  char text[64];
-  std::snprintf(text, sizeof text, ", writes %.0f MB a second", speed);
   const std::string words = folder.string() + ": " +
                             gigabytes(static_cast<double>(space.available)) + " free" +
-                            (speed < 0 ? "" : text);
+                            (speed < 0 ? "" : ", writes " + fixed(speed, 0) + " MB a second");
   if (speed < 0) return {State::Missing, "disk", words + "; nothing can be written there"};
   if (static_cast<double>(space.available) < 5e9)
     return {State::Missing, "disk", words + "; a batch takes about 1 GB: make room"};

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "base/text.h"
 
 namespace ostraka::app {
 namespace {
@@ -12,20 +12,8 @@ namespace {
 using namespace ostraka::evaluate;
 using nlohmann::ordered_json;
 
-[[gnu::format(printf, 1, 2)]] std::string words(const char* format, ...) {
-  va_list arguments, again;
-  va_start(arguments, format);
-  va_copy(again, arguments);
-  const int length = std::vsnprintf(nullptr, 0, format, arguments);
-  std::string text(static_cast<std::size_t>(std::max(0, length)), '\0');
-  std::vsnprintf(text.data(), text.size() + 1, format, again);
-  va_end(again);
-  va_end(arguments);
-  return text;
-}
-
 std::string figure(const std::optional<double>& value, int digits = 3) {
-  return value ? words("%.*f", digits, *value) : "-";
+  return value ? formatted("%.*f", digits, *value) : "-";
 }
 
 ordered_json orNull(const std::optional<double>& value) {
@@ -42,7 +30,7 @@ std::string verdictWords(const PairVerdict& v) {
 }
 
 std::string partLine(const char* name, const PartFigures& part) {
-  return words(
+  return formatted(
       "  %-5s %8zu points, bias %s mm, robust SD %s mm, 90 %% within %s mm, normals off by "
       "%s degrees (median), %s %% of the truth covered\n",
       name, part.points, figure(part.bias_mm).c_str(), figure(part.sd_mm).c_str(),
@@ -62,17 +50,17 @@ ordered_json partJson(const PartFigures& part) {
 }  // namespace
 
 std::string table(const BatchEvaluation& batch) {
-  std::string text = words("  %-6s %-6s %7s %10s %10s %8s %8s\n", "sherd", "model", "overlap",
-                           "accuracy", "complete %", "MAE", "SD");
+  std::string text = formatted("  %-6s %-6s %7s %10s %10s %8s %8s\n", "sherd", "model", "overlap",
+                               "accuracy", "complete %", "MAE", "SD");
   for (const SherdFigures& s : batch.sherds) {
     if (!s.model)
-      text += words("  %-6s NONE\n", s.sherd.c_str());
+      text += formatted("  %-6s NONE\n", s.sherd.c_str());
     else
-      text += words("  %-6s %-6s %7.2f %10.3f %10.2f %8.3f %8.3f\n", s.sherd.c_str(),
-                    s.model->c_str(), s.overlap, s.figures.accuracy_mm,
-                    s.figures.completeness_percent, s.figures.mean_mm, s.figures.sd_mm);
+      text += formatted("  %-6s %-6s %7.2f %10.3f %10.2f %8.3f %8.3f\n", s.sherd.c_str(),
+                        s.model->c_str(), s.overlap, s.figures.accuracy_mm,
+                        s.figures.completeness_percent, s.figures.mean_mm, s.figures.sd_mm);
   }
-  return text + words(
+  return text + formatted(
                     "models: mean of %zu: accuracy %.3f mm, completeness %.2f %%, MAE %.3f mm, SD "
                     "%.3f mm; completeness with missing sherds as 0: %.2f %%; missing %d, "
                     "superfluous models %zu\n",
@@ -83,7 +71,7 @@ std::string table(const BatchEvaluation& batch) {
 }
 
 std::string table(const ModelFigures& f) {
-  return words(
+  return formatted(
       "model: accuracy (90 %%) %.3f mm, completeness (0.25 mm) %.2f %%, MAE %.3f mm, SD "
       "%.3f mm, max %.2f mm; %zu model samples, %zu truth samples\n",
       f.accuracy_mm, f.completeness_percent, f.mean_mm, f.sd_mm, f.max_mm, f.model_samples,
@@ -93,14 +81,14 @@ std::string table(const ModelFigures& f) {
 std::string table(const CloudFigures& figures, const std::string& side) {
   return "cloud of the " + side + ":\n" + partLine("flat", figures.flat) +
          partLine("strip", figures.strip) +
-         words("  outliers (over 2 mm from any sherd): %.2f %% of %zu points\n",
-               figures.outlier_percent, figures.points);
+         formatted("  outliers (over 2 mm from any sherd): %.2f %% of %zu points\n",
+                   figures.outlier_percent, figures.points);
 }
 
 std::string table(const PairsEvaluation& set) {
-  std::string text = words("%s: %d true pairs\n  %-8s %-8s %-22s %9s %9s %9s %12s\n",
-                           set.set.c_str(), set.true_pairs, "front", "back", "verdict", "rms mm",
-                           "rot deg", "shift mm", "fracture rms");
+  std::string text = formatted("%s: %d true pairs\n  %-8s %-8s %-22s %9s %9s %9s %12s\n",
+                               set.set.c_str(), set.true_pairs, "front", "back", "verdict",
+                               "rms mm", "rot deg", "shift mm", "fracture rms");
   std::vector<PairVerdict> sorted = set.verdicts;
   std::sort(sorted.begin(), sorted.end(),
             [](const PairVerdict& a, const PairVerdict& b) { return a.pair.front < b.pair.front; });
@@ -109,10 +97,10 @@ std::string table(const PairsEvaluation& set) {
     const auto shown = [&](double value) {
       return figure(measured ? std::optional<double>(value) : std::nullopt);
     };
-    text += words("  %-8s %-8s %-22s %9s %9s %9s %12s\n", v.pair.front.c_str(), v.pair.back.c_str(),
-                  verdictWords(v).c_str(), shown(v.error.rms_mm).c_str(),
-                  shown(v.error.rotation_deg).c_str(), shown(v.error.shift_mm).c_str(),
-                  figure(v.pair.fracture_rms_mm).c_str());
+    text += formatted("  %-8s %-8s %-22s %9s %9s %9s %12s\n", v.pair.front.c_str(),
+                      v.pair.back.c_str(), verdictWords(v).c_str(), shown(v.error.rms_mm).c_str(),
+                      shown(v.error.rotation_deg).c_str(), shown(v.error.shift_mm).c_str(),
+                      figure(v.pair.fracture_rms_mm).c_str());
   }
   const auto list = [&](const char* title, const std::vector<std::string>& names) {
     if (names.empty()) return;
@@ -122,17 +110,17 @@ std::string table(const PairsEvaluation& set) {
   };
   list("  missed pairs (fronts):", set.missed);
   list("  scans named nowhere:", set.forgotten);
-  if (set.unseen > 0) text += words("  sherds of which a side has no scan: %d\n", set.unseen);
+  if (set.unseen > 0) text += formatted("  sherds of which a side has no scan: %d\n", set.unseen);
   return text;
 }
 
 std::string table(const PairsSummary& s) {
-  return words(
+  return formatted(
              "pairs: right %d of %d (%.1f %%), wrong %d, silent errors %d, flagged %d (of these "
              "wrong %d), missed %d, lone scans left alone %d of %d\n",
              s.right, s.true_pairs, s.right_percent, s.wrong, s.silent_errors, s.flagged,
              s.flagged_wrong, s.missed, s.lone_right, s.lone) +
-         words(
+         formatted(
              "registration of right pairs: RMS median %.3f, 95 %% %.3f, max %.3f mm; <= 0.10 mm: "
              "%.1f %%, <= 0.05 mm: %.1f %%; of all true pairs <= 0.10 mm: %.1f %%; slipped %d, "
              "none %d\n",
@@ -143,7 +131,7 @@ std::string table(const PairsSummary& s) {
 
 std::string table(const MaskFigures& figures, int count, double worst,
                   const std::string& worst_name) {
-  return words(
+  return formatted(
       "masks: IoU %.4f over %d photographs (least %.4f, %s); edge %+.2f px (median, + = too "
       "large), %.2f px (mean), 95 %% within %.2f px\n",
       figures.intersectionOverUnion(), count, worst, worst_name.c_str(), figures.edgeBias_px(),

@@ -7894,9 +7894,9 @@
       <translation>Die Vorderseiten sind nicht in mm: Längen des Ergebnisses, obwohl als mm bezeichnet, sind in der Einheit der Vorderseiten.</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
+      <source>The pairs of this batch are not processed yet; process the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Paare dieses Durchgangs sind noch nicht verarbeitet oder stammen von einer älteren Version von Ostraka; den Durchgang neu verarbeiten: was vollständig ist, bleibt.</translation>
+      <translation>Die Paare dieses Durchgangs sind noch nicht verarbeitet; den Durchgang verarbeiten: was vollständig ist, bleibt.</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -8517,11 +8517,6 @@
       <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei ist beschädigt oder nicht in COLMAPs Format; COLMAP noch einmal laufen lassen.</translation>
-    </message>
-    <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zeile %1 ist nicht in COLMAPs Format; COLMAP noch einmal laufen lassen.</translation>
     </message>
     <message>
       <source>The pose of this photograph is estimated without its mask.</source>

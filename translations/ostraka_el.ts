@@ -7889,9 +7889,9 @@
       <translation>Οι μπροστινές όψεις δεν είναι σε mm: τα μήκη του αποτελέσματος, που λέγονται mm, είναι στη μονάδα των μπροστινών όψεων.</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
+      <source>The pairs of this batch are not processed yet; process the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα ζεύγη αυτής της παρτίδας δεν έχουν επεξεργαστεί ακόμη ή είναι από παλαιότερη έκδοση του Ostraka· επανεπεξεργαστείτε την παρτίδα: ό,τι είναι πλήρες διατηρείται.</translation>
+      <translation>Τα ζεύγη αυτής της παρτίδας δεν έχουν επεξεργαστεί ακόμη· επεξεργαστείτε την παρτίδα: ό,τι είναι πλήρες διατηρείται.</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -8512,11 +8512,6 @@
       <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο έχει βλάβη ή δεν είναι όπως το γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
-    </message>
-    <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η γραμμή %1 δεν είναι όπως τη γράφει το COLMAP· εκτελέστε ξανά το COLMAP.</translation>
     </message>
     <message>
       <source>The pose of this photograph is estimated without its mask.</source>

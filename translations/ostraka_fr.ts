@@ -7889,9 +7889,9 @@
       <translation>Les faces avant ne sont pas en mm : les longueurs du résultat, bien que dites en mm, sont dans l’unité propre des faces avant.</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
+      <source>The pairs of this batch are not processed yet; process the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les paires de ce lot ne sont pas encore traitées, ou viennent d’une version plus ancienne d’Ostraka ; retraitez le lot : ce qui est complet est conservé.</translation>
+      <translation>Les paires de ce lot ne sont pas encore traitées ; traitez le lot : ce qui est complet est conservé.</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -8512,11 +8512,6 @@
       <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier est abîmé ou n’est pas au format de COLMAP ; relancez COLMAP.</translation>
-    </message>
-    <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La ligne %1 n’est pas au format de COLMAP ; relancez COLMAP.</translation>
     </message>
     <message>
       <source>The pose of this photograph is estimated without its mask.</source>

@@ -7889,9 +7889,9 @@
       <translation>Առջևի երեսները մմ-ով չեն. արդյունքի՝ մմ կոչվող երկարություններն առջևի երեսների սեփական միավորով են։</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
+      <source>The pairs of this batch are not processed yet; process the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս խմբաքանակի զույգերը դեռ մշակված չեն կամ Ostraka-ի ավելի հին տարբերակից են. վերամշակեք խմբաքանակը. ամբողջականը պահպանվում է։</translation>
+      <translation>Այս խմբաքանակի զույգերը դեռ մշակված չեն. մշակեք խմբաքանակը. ամբողջականը պահպանվում է։</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -8512,11 +8512,6 @@
       <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը վնասված է կամ այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
-    </message>
-    <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 տողն այնպիսին չէ, ինչպես COLMAP-ն է գրում. նորից գործարկեք COLMAP-ը։</translation>
     </message>
     <message>
       <source>The pose of this photograph is estimated without its mask.</source>

@@ -7842,9 +7842,9 @@
       <translation>Ön yüzler mm cinsinden değil: sonucun mm diye anılan uzunlukları ön yüzlerin kendi birimindedir.</translation>
     </message>
     <message>
-      <source>The pairs of this batch are not processed yet, or are from an older version of Ostraka; reprocess the batch: complete results are kept.</source>
+      <source>The pairs of this batch are not processed yet; process the batch: complete results are kept.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu partinin eşleri henüz işlenmedi ya da Ostraka&apos;nın eski bir sürümünden; partiyi yeniden işleyin: tamamlanmış olan korunur.</translation>
+      <translation>Bu partinin eşleri henüz işlenmedi; partiyi işleyin: tamamlanmış olan korunur.</translation>
     </message>
     <message>
       <source>The scale is wrong: %1, so all measurements would be %2 % too small; measure the ruler on the plate and set its true size in plate.json with &apos;ostraka plate --ruler-measured&apos;, or reprint the plate at 100 %; if the plate is correct, measure the length and set its marks again.</source>
@@ -8465,11 +8465,6 @@
       <source>The file is damaged or not in COLMAP&apos;s format; run COLMAP again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya bozuk ya da COLMAP’in yazdığı gibi değil; COLMAP’i yeniden çalıştırın.</translation>
-    </message>
-    <message>
-      <source>Line %1 is not in COLMAP&apos;s format; run COLMAP again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1. satır COLMAP’in yazdığı gibi değil; COLMAP’i yeniden çalıştırın.</translation>
     </message>
     <message>
       <source>The pose of this photograph is estimated without its mask.</source>

@@ -1,7 +1,9 @@
 #include "base/text.h"
 
-#include <algorithm>
+#include <locale.h>
+
 #include <charconv>
+#include <cstdarg>
 #include <cstdio>
 #include <ctime>
 
@@ -22,6 +24,20 @@ std::string fixed(double value, int digits) {
   const auto end =
       std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
   return {text, end};
+}
+
+std::string formatted(const char* format, ...) {
+  static const locale_t plain = ::newlocale(LC_ALL_MASK, "C", nullptr);
+  const locale_t before = ::uselocale(plain);  // of this thread alone
+  std::va_list arguments, again;
+  va_start(arguments, format);
+  va_copy(again, arguments);
+  std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, arguments)), ' ');
+  std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
+  va_end(arguments);
+  ::uselocale(before);
+  return text;
 }
 
 std::string lowerCase(std::string text) {

@@ -9,6 +9,9 @@ namespace ostraka {
 /// digits: 0 to 80.
 std::string fixed(double value, int digits);
 
+/// As printf writes it, but with a point in numbers whatever the person's locale writes.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+
 /// A to Z as a to z; other characters, those of UTF-8 too, stay as they are.
 std::string lowerCase(std::string text);
 

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/limits.h"
+#include "base/text.h"
 #include "batch/heif_image.h"
 #include "files/input_file.h"
 
@@ -85,8 +86,7 @@ std::string timeOf(const std::string& exif, const std::string& part_of_second) {
       read != static_cast<int>(exif.size()) || y < 1970 || mo < 1 || mo > 12 || d < 1 || d > 31 ||
       h < 0 || h > 23 || mi < 0 || mi > 59 || s < 0 || s > 60)
     return {};
-  char text[64];
-  std::snprintf(text, sizeof text, "%04d-%02d-%02dT%02d:%02d:%02d", y, mo, d, h, mi, s);
+  const std::string text = formatted("%04d-%02d-%02dT%02d:%02d:%02d", y, mo, d, h, mi, s);
   const bool digits = part_of_second.size() <= 9 &&
                       part_of_second.find_first_not_of("0123456789") == std::string::npos;
   return text + (digits && !part_of_second.empty() ? "." + part_of_second : std::string());

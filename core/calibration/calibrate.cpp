@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <tuple>
 
@@ -12,6 +11,7 @@
 #include "calibration/batch_corners.h"
 #include "calibration/bundle_adjustment.h"
 #include "calibration/held_out.h"
+#include "calibration/marker_poser.h"
 #include "calibration/rig_start.h"
 #include "rig/view_pose.h"
 
@@ -25,32 +25,16 @@ int indexOf(const std::vector<int>& sorted, int value) {
   return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
 }
 
-double rms(double sum_of_squares, double count) {
-  return count > 0 ? std::sqrt(sum_of_squares / count) : 0;
-}
-
-class Poser {
+class Poser : MarkerPoser {
  public:
   Poser(const batch::Batch& batch, const std::optional<rig::Rig>& known, const PoseOptions& options,
         Progress& progress, std::stop_token stop)
-      : batch_(batch), known_(known), options_(options), progress_(progress), stop_(stop) {}
+      : MarkerPoser(batch, options, progress, std::move(stop)), known_(known) {}
 
   Result<BatchPoses> run() {
-    if (!batch_.plate)
-      return Error{ErrorCode::NotEnough,
-                   "plate.json is missing, so the plate's markers cannot be used; copy the file "
-                   "that 'ostraka plate' wrote with the plate into this folder.",
-                   batch_.folder.string()};
-    numberEverything();
     PartProgress first(progress_, 0, 2);
-    Result<std::vector<ShotMarkers>> shots =
-        findBatchMarkers(batch_, options_.threads, first, stop_);
-    if (!shots) return shots.error();
-    shots_ = std::move(*shots);
-    for (const ShotMarkers& shot : shots_) {
-      if (!shot.unreadable.empty()) warn(shot.unreadable + " This photograph is left out.");
-      markers_.push_back(rig::placed(shot.markers, *batch_.plate));
-    }
+    if (const Result<void> read = readMarkers(first); !read) return read.error();
+    numberEverything();
     if (const Result<void> found = findIntrinsics(); !found) return found.error();
     if (const Result<void> found = findStart(); !found) return found.error();
     if (const Result<void> found = refine(); !found) return found.error();
@@ -59,11 +43,6 @@ class Poser {
   }
 
  private:
-  void warn(const std::string& text) {
-    out_.warnings.push_back(text);
-    progress_.note(NoteLevel::Warning, text);
-  }
-  void inform(const std::string& text) { progress_.note(NoteLevel::Info, text); }
   std::string cameraName(std::size_t index) const {
     return "camera " + batch::cameraLetter(camera_numbers_[index]);
   }
@@ -87,10 +66,6 @@ class Poser {
     return indexOf(camera_numbers_, batch_.shots[shot].camera);
   }
   int stopOf(std::size_t shot) const { return indexOf(stop_numbers_, batch_.shots[shot].stop); }
-  int sideOf(std::size_t shot) const {
-    return batch_.shots[shot].side == batch::Side::Front ? 0 : 1;
-  }
-
   // The known rig's cameras, when it has all of this batch with the same picture size.
   bool takeKnownRig() {
     if (!known_) return false;
@@ -178,13 +153,7 @@ class Poser {
     std::vector<TargetView> views;
     for (std::size_t i = 0; i < markers_.size(); ++i) {
       if (cameraOf(i) != static_cast<int>(camera) || markers_[i].size() < 4) continue;
-      TargetView& view = views.emplace_back();
-      view.file = batch_.shots[i].file.string();
-      for (const rig::PlacedMarker& marker : markers_[i])
-        for (int c = 0; c < 4; ++c) {
-          view.points.push_back(marker.corners[c]);
-          view.pixels.push_back(marker.seen.corners[c]);
-        }
+      views.push_back(viewOf(i));
     }
     const auto [width, height] = sizeOf(camera);
     const Result<IntrinsicsReport> report = intrinsicsFromPlate(views, width, height);
@@ -227,6 +196,10 @@ class Poser {
                    batch_.folder.string()};
     }
     start_ = std::move(*start);
+    places_.clear();
+    for (std::size_t i = 0; i < markers_.size(); ++i)
+      places_.push_back(
+          {start_.camera_posed[cameraOf(i)] ? cameraOf(i) : -1, sideOf(i), stopOf(i)});
     for (std::size_t c = 0; c < camera_numbers_.size(); ++c)
       if (!start_.camera_posed[c])
         warn("No photograph of " + cameraName(c) +
@@ -241,55 +214,26 @@ class Poser {
     return back ? SidesShot::Both : SidesShot::FrontOnly;
   }
 
-  void drop(std::size_t shot, std::size_t marker, const std::string& reason) {
-    dropped_[shot][marker] = 1;
-    inform("rig: marker " + std::to_string(markers_[shot][marker].seen.id) + " in " +
-           batch_.shots[shot].file.string() + " is not used: " + reason);
-  }
-
-  std::vector<PlateCorner> plateCorners(double sd_scale) const {
-    std::vector<PlateCorner> corners;
-    for (std::size_t i = 0; i < markers_.size(); ++i) {
-      if (!start_.camera_posed[cameraOf(i)]) continue;
-      for (std::size_t m = 0; m < markers_[i].size(); ++m)
-        if (!dropped_[i][m]) append(corners, i, markers_[i][m], sd_scale);
-    }
-    return corners;
-  }
-
-  void append(std::vector<PlateCorner>& corners, std::size_t shot, const rig::PlacedMarker& marker,
-              double sd_scale) const {
-    const rig::Quad outward = rig::outwardPerPixel(marker.seen.corners);
-    for (int c = 0; c < 4; ++c)
-      corners.push_back({cameraOf(shot), sideOf(shot), stopOf(shot),
-                         static_cast<int>(marker.plate_index * 4 + c), marker.corners[c],
-                         marker.seen.corners[c], outward[c], marker.seen.sd_px * sd_scale});
-  }
-
-  Result<void> adjustOnce(double sd_scale) {
-    if (stop_.stop_requested()) return Error::cancelled();
+  AdjustOptions adjustOptions() const {
     AdjustOptions options;
     options.cameras = mode_;
     options.table_repeatability_rad = options_.table_repeatability_rad;
-    Result<RigState> state = adjust(state_, plateCorners(sd_scale), board_corners_, options);
-    if (!state) return state.error();
-    state_ = std::move(*state);
-    return {};
+    return options;
   }
 
   Result<void> refine() {
     state_ = start_.state;
-    if (const Result<void> done = adjustOnce(1); !done) return done;
+    if (const Result<void> done = adjustOnce(1, adjustOptions()); !done) return done;
     if (mode_ == Cameras::Known && !knownRigFits()) {
       mode_ = Cameras::LensKnown;
       const RigState known = state_;
       if (const Result<void> found = findStart(); !found) return found;
       state_ = start_.state;
-      if (const Result<void> done = adjustOnce(1); !done) return done;
+      if (const Result<void> done = adjustOnce(1, adjustOptions()); !done) return done;
       sayWhatMoved(known);
     }
     dropOutliers();
-    return adjustOnce(sdScale());
+    return adjustOnce(sdScale(), adjustOptions());
   }
 
   std::vector<double> residualsOf(std::size_t camera) const {
@@ -333,101 +277,40 @@ class Poser {
 
   // Distances that the fit does not know: the adjustment once more without four markers.
   Result<void> holdOut() {
-    const double scale = sdScale();
-    const std::vector<PlateCorner> corners = plateCorners(scale);
+    const std::vector<PlateCorner> all = plateCorners(sdScale());
     out_.markers.resize(batch_.plate->markers.size());
     for (std::size_t m = 0; m < out_.markers.size(); ++m)
-      out_.markers[m] = cornersInSpace(state_, ofMarker(corners, m));
-    const std::vector<std::size_t> chosen = markersToHoldOut(*batch_.plate, corners);
+      out_.markers[m] = cornersInSpace(state_, ofMarker(all, m));
+    const std::vector<std::size_t> chosen = markersToHoldOut(*batch_.plate, all);
     if (chosen.empty()) return {};
     std::vector<PlateCorner> others;
-    for (const PlateCorner& corner : corners)
+    for (const PlateCorner& corner : all)
       if (std::find(chosen.begin(), chosen.end(), corner.plate_point / 4) == chosen.end())
         others.push_back(corner);
-    if (stop_.stop_requested()) return Error::cancelled();
-    AdjustOptions options;
-    options.cameras = mode_ == Cameras::Free ? Cameras::LensKnown : mode_;
-    options.table_repeatability_rad = options_.table_repeatability_rad;
-    const Result<RigState> state = adjust(state_, others, {}, options);
-    if (!state) return state.error();
-    out_.held_out = heldOutDistances(*batch_.plate, chosen, *state, corners);
-    for (const HeldOutDistance& d : out_.held_out) {
-      if (const std::optional<std::string> doubt = scaleDoubt(d))
-        warn(*doubt);
-      else
-        inform("rig: " + sentence(d));
-    }
-    return {};
-  }
-
-  // How far residuals really scatter against what was expected of them.
-  double sdScale() const {
-    std::vector<double> ratios;
-    for (const PlateCorner& corner : plateCorners(1)) {
-      const Eigen::Vector2d r = residual(state_, corner) / corner.sd_px;
-      ratios.push_back(std::abs(r.x()));
-      ratios.push_back(std::abs(r.y()));
-    }
-    return std::max(0.2, 1.4826 * medianOf(ratios));
-  }
-
-  double markerError(std::size_t shot, const rig::PlacedMarker& marker) const {
-    std::vector<PlateCorner> corners;
-    append(corners, shot, marker, 1);
-    double sum = 0;
-    for (const PlateCorner& corner : corners) sum += residual(state_, corner).squaredNorm();
-    return rms(sum, 4);
-  }
-
-  // A marker that is bent, covered in part or foreign: beyond six standard deviations and a pixel.
-  void dropOutliers() {
-    const double scale = sdScale();
-    for (std::size_t i = 0; i < markers_.size(); ++i) {
-      if (!start_.camera_posed[cameraOf(i)]) continue;
-      for (std::size_t m = 0; m < markers_[i].size(); ++m) {
-        if (dropped_[i][m]) continue;
-        const double error = markerError(i, markers_[i][m]);
-        if (error > std::max(0.5, 6 * scale * markers_[i][m].seen.sd_px))
-          drop(i, m, "it misses its place by " + fixed(error, 2) + " px");
-      }
-    }
+    AdjustOptions options = adjustOptions();
+    if (mode_ == Cameras::Free) options.cameras = Cameras::LensKnown;
+    return fitWithout(chosen, all, others, options);
   }
 
   Result<BatchPoses> poses() {
-    double sum = 0, count = 0;
     for (std::size_t i = 0; i < batch_.shots.size(); ++i) {
-      if (!shots_[i].unreadable.empty() || !start_.camera_posed[cameraOf(i)]) continue;
+      if (!readable_[i] || places_[i].camera < 0) continue;
       const batch::Shot& shot = batch_.shots[i];
-      rig::PosedImage image;
-      image.file = shot.file.string();
-      image.side = shot.side;
-      image.camera = shot.camera;
-      image.stop = shot.stop;
-      image.intrinsics = state_.cameras[cameraOf(i)].intrinsics;
-      image.camera_from_plate = state_.cameraFromPlate(cameraOf(i), sideOf(i), stopOf(i));
-      double squares = 0;
-      int used = 0;
-      for (std::size_t m = 0; m < markers_[i].size(); ++m) {
-        if (dropped_[i][m]) continue;
-        const double error = markerError(i, markers_[i][m]);
-        squares += 4 * error * error;
-        ++used;
-      }
-      if (used == 0 && markers_[i].size() >= kTellTale) {
-        warn(image.file + ": none of its " + std::to_string(markers_[i].size()) +
+      const std::string file = shot.file.string();
+      const std::vector<double> errors = errorsOf(i);
+      if (errors.empty() && markers_[i].size() >= kTellTale) {
+        warn(file + ": none of its " + std::to_string(markers_[i].size()) +
              " markers is where this camera sees them at this position. It has another "
              "photograph's name or was taken while the plate was turning; it is left out.");
         continue;
       }
-      if (used == 0)
-        warn(image.file +
+      if (errors.empty())
+        warn(file +
              ": no marker is visible; check that the photograph shows this position. If not, "
              "retake it.");
-      sum += squares;
-      count += 4 * used;
-      out_.images.push_back(std::move(image));
-      out_.rms_per_image_px.push_back(rms(squares, 4 * used));
-      out_.markers_per_image.push_back(used);
+      addImage({file, shot.side, shot.camera, shot.stop, state_.cameras[cameraOf(i)].intrinsics,
+                state_.cameraFromPlate(cameraOf(i), sideOf(i), stopOf(i))},
+               errors);
     }
     for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
       if (side == batch::Side::Back && sidesShot() == SidesShot::FrontOnly) break;
@@ -440,15 +323,10 @@ class Poser {
                          "are lit and in the picture.",
                      batch_.folder.string()};
     }
-    out_.reprojection_rms_px = rms(sum, count);
-    for (std::size_t c = 0; c < out_.cameras.size(); ++c) {
-      const std::vector<double> errors = residualsOf(c);
-      out_.cameras[c].marker_corners = static_cast<int>(errors.size());
-      out_.cameras[c].median_residual_px = medianOf(std::vector(errors));
-    }
+    for (std::size_t c = 0; c < out_.cameras.size(); ++c)
+      out_.cameras[c].median_residual_px = medianOf(residualsOf(c));
+    tellError("photographs");
     fillRig();
-    inform("rig: " + fixed(out_.reprojection_rms_px, 3) + " px over " + fixed(count, 0) +
-           " marker corners in " + std::to_string(out_.images.size()) + " photographs");
     return std::move(out_);
   }
 
@@ -472,28 +350,17 @@ class Poser {
     rig.reprojection_rms_px = out_.reprojection_rms_px;
   }
 
-  const batch::Batch& batch_;
   const std::optional<rig::Rig>& known_;
-  const PoseOptions& options_;
-  Progress& progress_;
-  std::stop_token stop_;
   Cameras mode_ = Cameras::Free;
   std::vector<int> camera_numbers_, stop_numbers_;  // ascending; their places are the indices
   std::vector<double> intrinsics_rms_;
-  std::vector<ShotMarkers> shots_;
-  std::vector<std::vector<rig::PlacedMarker>> markers_;  // by shot
-  std::vector<std::vector<char>> dropped_;               // by shot and marker
-  std::vector<BoardCorner> board_corners_;
-  RigState state_;
   RigStart start_;
-  BatchPoses out_;
 };
 
 }  // namespace
 
 Result<BatchPoses> poseBatch(const batch::Batch& batch, const std::optional<rig::Rig>& known,
                              const PoseOptions& options, Progress& progress, std::stop_token stop) {
-  if (const Result<void> good = options.check(); !good) return good.error();
   return Poser(batch, known, options, progress, std::move(stop)).run();
 }
 

@@ -22,7 +22,6 @@ struct PoseOptions {
   double table_repeatability_rad = 0.001;
   /// Median residual of a camera above which a known rig no longer fits (a camera was moved).
   double max_known_rig_residual_px = 0.5;
-  Result<void> check() const;
 };
 
 /// What was found of one camera on the way to the poses.
@@ -31,8 +30,7 @@ struct CameraFindings {
   int width = 0, height = 0;
   std::optional<IntrinsicsReport> lens;       ///< from the board; nothing without its pictures
   std::vector<Eigen::Vector2d> board_pixels;  ///< all corners of the board that were used
-  int marker_corners = 0;                     ///< of the plate, over all photographs
-  double median_residual_px = 0;              ///< of these, in the end
+  double median_residual_px = 0;              ///< of the plate's marker corners, in the end
   /// With a known rig: how well it fitted as it was; and where it did not, how far this camera has
   /// moved and turned since, seen from the camera that fits best.
   double known_residual_px = 0, moved_mm = 0, turned_rad = 0;

@@ -5,10 +5,9 @@
 
 #include "base/median.h"
 #include "base/text.h"
-#include "calibration/batch_corners.h"
-#include "calibration/bundle_adjustment.h"
 #include "calibration/held_out.h"
 #include "calibration/lenses.h"
+#include "calibration/marker_poser.h"
 #include "rig/view_pose.h"
 
 namespace ostraka::calibration {
@@ -31,45 +30,25 @@ rig::Intrinsics withinReason(rig::Intrinsics lens) {
   return lens;
 }
 
-class FreePoser {
+class FreePoser : MarkerPoser {
  public:
   FreePoser(const batch::Batch& batch, const PoseOptions& options, Progress& progress,
             std::stop_token stop)
-      : batch_(batch), options_(options), progress_(progress), stop_(std::move(stop)) {}
+      : MarkerPoser(batch, options, progress, std::move(stop)) {}
 
   Result<BatchPoses> run() {
-    if (!batch_.plate)
-      return Error{ErrorCode::NotEnough,
-                   "plate.json is missing, so the plate's markers cannot be used; copy the file "
-                   "that 'ostraka plate' wrote with the plate into this folder.",
-                   batch_.folder.string()};
-    Result<std::vector<ShotMarkers>> shots =
-        findBatchMarkers(batch_, options_.threads, progress_, stop_);
-    if (!shots) return shots.error();
-    for (const ShotMarkers& shot : *shots) {
-      if (!shot.unreadable.empty()) warn(shot.unreadable + " This photograph is left out.");
-      markers_.push_back(rig::placed(shot.markers, *batch_.plate));
-      readable_.push_back(shot.unreadable.empty());
-    }
+    if (const Result<void> read = readMarkers(progress_); !read) return read.error();
     groupLenses();
     if (const Result<void> found = findStart(); !found) return found.error();
-    if (const Result<void> done = adjustOnce(1); !done) return done.error();
+    if (const Result<void> done = adjustOnce(1, adjustOptions()); !done) return done.error();
     dropOutliers();
-    if (const Result<void> done = adjustOnce(sdScale()); !done) return done.error();
+    if (const Result<void> done = adjustOnce(sdScale(), adjustOptions()); !done)
+      return done.error();
     if (const Result<void> done = holdOut(); !done) return done.error();
     return poses();
   }
 
  private:
-  void warn(const std::string& text) {
-    out_.warnings.push_back(text);
-    progress_.note(NoteLevel::Warning, text);
-  }
-  void inform(const std::string& text) { progress_.note(NoteLevel::Info, text); }
-
-  int sideOf(std::size_t shot) const {
-    return batch_.shots[shot].side == batch::Side::Front ? 0 : 1;
-  }
   int platePoints() const { return static_cast<int>(4 * batch_.plate->markers.size()); }
 
   void groupLenses() {
@@ -89,17 +68,6 @@ class FreePoser {
     if (lens_ != by_exif_)
       inform("rig: photographs of one camera were taken at several focal lengths; " +
              std::to_string(count) + " lenses are told apart");
-  }
-
-  TargetView viewOf(std::size_t shot) const {
-    TargetView view;
-    view.file = batch_.shots[shot].file.string();
-    for (const rig::PlacedMarker& marker : markers_[shot])
-      for (int c = 0; c < 4; ++c) {
-        view.points.push_back(marker.corners[c]);
-        view.pixels.push_back(marker.seen.corners[c]);
-      }
-    return view;
   }
 
   Result<rig::Intrinsics> lensFromMarkers(int lens) const {
@@ -125,7 +93,9 @@ class FreePoser {
     }
     std::vector<std::size_t> unposed;
     dropped_.resize(markers_.size());
-    camera_of_.assign(markers_.size(), -1);
+    places_.clear();
+    for (std::size_t i = 0; i < markers_.size(); ++i)
+      places_.push_back({-1, sideOf(i), 0, sideOf(i) * platePoints()});
     for (std::size_t i = 0; i < markers_.size(); ++i) {
       dropped_[i].assign(markers_[i].size(), 0);
       const auto pose = poseByBestLens(i, lenses);
@@ -136,7 +106,7 @@ class FreePoser {
       }
       for (std::size_t m = 0; m < markers_[i].size(); ++m)
         if (!pose->agrees[m]) drop(i, m, "it lies elsewhere than the others say");
-      camera_of_[i] = static_cast<int>(state_.cameras.size());
+      places_[i].camera = static_cast<int>(state_.cameras.size());
       RigState::Camera& camera = state_.cameras.emplace_back();
       camera.intrinsics = *lens;
       camera.camera_from_turntable = pose->camera_from_plate;
@@ -195,7 +165,7 @@ class FreePoser {
       for (std::size_t i = 0; i < markers_.size(); ++i) {
         if (batch_.shots[i].side != side) continue;
         ++shots;
-        posed += camera_of_[i] >= 0 ? 1 : 0;
+        posed += places_[i].camera >= 0 ? 1 : 0;
       }
       if (shots == 0 || posed >= kFewestViews) continue;
       return Error{ErrorCode::NotEnough,
@@ -207,29 +177,6 @@ class FreePoser {
                    (batch_.plate_file.empty() ? batch_.folder : batch_.plate_file).string()};
     }
     return {};
-  }
-
-  void drop(std::size_t shot, std::size_t marker, const std::string& reason) {
-    dropped_[shot][marker] = 1;
-    inform("rig: marker " + std::to_string(markers_[shot][marker].seen.id) + " in " +
-           batch_.shots[shot].file.string() + " is not used: " + reason);
-  }
-
-  void append(std::vector<PlateCorner>& corners, std::size_t shot, const rig::PlacedMarker& marker,
-              double sd_scale) const {
-    const rig::Quad outward = rig::outwardPerPixel(marker.seen.corners);
-    const int first = sideOf(shot) * platePoints() + static_cast<int>(marker.plate_index * 4);
-    for (int c = 0; c < 4; ++c)
-      corners.push_back({camera_of_[shot], sideOf(shot), 0, first + c, marker.corners[c],
-                         marker.seen.corners[c], outward[c], marker.seen.sd_px * sd_scale});
-  }
-
-  std::vector<PlateCorner> sheetCorners(double sd_scale) const {
-    std::vector<PlateCorner> corners;
-    for (std::size_t i = 0; i < markers_.size(); ++i)
-      for (std::size_t m = 0; camera_of_[i] >= 0 && m < markers_[i].size(); ++m)
-        if (!dropped_[i][m]) append(corners, i, markers_[i][m], sd_scale);
-    return corners;
   }
 
   AdjustOptions adjustOptions() const {
@@ -244,52 +191,13 @@ class FreePoser {
     return options;
   }
 
-  Result<void> adjustOnce(double sd_scale) {
-    if (stop_.stop_requested()) return Error::cancelled();
-    Result<RigState> state = adjust(state_, sheetCorners(sd_scale), {}, adjustOptions());
-    if (!state) return state.error();
-    state_ = std::move(*state);
-    return {};
-  }
-
-  // How far residuals really scatter against what was expected of them.
-  double sdScale() const {
-    std::vector<double> ratios;
-    for (const PlateCorner& corner : sheetCorners(1)) {
-      const Eigen::Vector2d r = residual(state_, corner) / corner.sd_px;
-      ratios.push_back(std::abs(r.x()));
-      ratios.push_back(std::abs(r.y()));
-    }
-    return std::max(0.2, 1.4826 * medianOf(ratios));
-  }
-
-  double markerError(std::size_t shot, const rig::PlacedMarker& marker) const {
-    std::vector<PlateCorner> corners;
-    append(corners, shot, marker, 1);
-    double sum = 0;
-    for (const PlateCorner& corner : corners) sum += residual(state_, corner).squaredNorm();
-    return std::sqrt(sum / 4);
-  }
-
-  // Covered in part or foreign: beyond six standard deviations and half a pixel.
-  void dropOutliers() {
-    const double scale = sdScale();
-    for (std::size_t i = 0; i < markers_.size(); ++i)
-      for (std::size_t m = 0; camera_of_[i] >= 0 && m < markers_[i].size(); ++m) {
-        if (dropped_[i][m]) continue;
-        const double error = markerError(i, markers_[i][m]);
-        if (error > std::max(0.5, 6 * scale * markers_[i][m].seen.sd_px))
-          drop(i, m, "it misses its place by " + fixed(error, 2) + " px");
-      }
-  }
-
   // Distances that the fit does not know, side by side: the adjustment once more without four
   // markers.
   Result<void> holdOut() {
-    const std::vector<PlateCorner> corners = sheetCorners(sdScale());
+    const std::vector<PlateCorner> all = plateCorners(sdScale());
     for (int side = 0; side < 2; ++side) {
       std::vector<PlateCorner> own;
-      for (PlateCorner corner : corners) {
+      for (PlateCorner corner : all) {
         if (corner.side != side) continue;
         corner.plate_point -= side * platePoints();
         own.push_back(corner);
@@ -297,21 +205,13 @@ class FreePoser {
       const std::vector<std::size_t> chosen = markersToHoldOut(*batch_.plate, own);
       if (chosen.empty()) continue;
       std::vector<PlateCorner> others;
-      for (const PlateCorner& corner : corners) {
+      for (const PlateCorner& corner : all) {
         const int marker = (corner.plate_point - corner.side * platePoints()) / 4;
         if (corner.side != side || std::find(chosen.begin(), chosen.end(), marker) == chosen.end())
           others.push_back(corner);
       }
-      if (stop_.stop_requested()) return Error::cancelled();
-      const Result<RigState> state = adjust(state_, others, {}, adjustOptions());
-      if (!state) return state.error();
-      for (const HeldOutDistance& d : heldOutDistances(*batch_.plate, chosen, *state, own)) {
-        out_.held_out.push_back(d);
-        if (const std::optional<std::string> doubt = scaleDoubt(d))
-          warn(*doubt);
-        else
-          inform("rig: " + sentence(d));
-      }
+      const Result<void> done = fitWithout(chosen, own, others, adjustOptions());
+      if (!done) return done;
     }
     return {};
   }
@@ -319,7 +219,7 @@ class FreePoser {
   // How far the sheet of a side leaves its plane where its corners were seen.
   double bendOf(int side) const {
     double most = 0;
-    for (const PlateCorner& corner : sheetCorners(1))
+    for (const PlateCorner& corner : plateCorners(1))
       if (corner.side == side)
         most = std::max(
             most,
@@ -328,72 +228,47 @@ class FreePoser {
   }
 
   Result<BatchPoses> poses() {
-    double sum = 0, count = 0;
     std::vector<std::vector<double>> residuals(out_.cameras.size());
     for (std::size_t i = 0; i < markers_.size(); ++i) {
-      if (camera_of_[i] < 0) continue;
-      const RigState::Camera& camera = state_.cameras[static_cast<std::size_t>(camera_of_[i])];
+      if (places_[i].camera < 0) continue;
+      const RigState::Camera& camera = state_.cameras[static_cast<std::size_t>(places_[i].camera)];
       const batch::Shot& shot = batch_.shots[i];
-      double squares = 0;
-      int used = 0;
-      for (std::size_t m = 0; m < markers_[i].size(); ++m) {
-        if (dropped_[i][m]) continue;
-        const double error = markerError(i, markers_[i][m]);
-        squares += 4 * error * error;
-        residuals[static_cast<std::size_t>(lens_[i])].push_back(error);
-        ++used;
-      }
-      if (used < (1 - kMostDropped) * static_cast<double>(markers_[i].size())) {
+      const std::vector<double> errors = errorsOf(i);
+      std::vector<double>& of_lens = residuals[static_cast<std::size_t>(lens_[i])];
+      of_lens.insert(of_lens.end(), errors.begin(), errors.end());
+      const double read = static_cast<double>(markers_[i].size());
+      if (static_cast<double>(errors.size()) < (1 - kMostDropped) * read) {
         warn(shot.file.string() +
              ": most of the sheet's markers are not where the other photographs place them; the "
              "photograph is left out.");
-        camera_of_[i] = -1;
+        places_[i].camera = -1;
         continue;
       }
-      sum += squares;
-      count += 4 * used;
-      out_.images.push_back({shot.file.string(), shot.side, shot.camera, shot.stop,
-                             camera.intrinsics, camera.camera_from_turntable});
-      out_.rms_per_image_px.push_back(used > 0 ? std::sqrt(squares / (4 * used)) : 0);
-      out_.markers_per_image.push_back(used);
+      addImage({shot.file.string(), shot.side, shot.camera, shot.stop, camera.intrinsics,
+                camera.camera_from_turntable},
+               errors);
     }
     if (const Result<void> enough = enoughViews(); !enough) return enough.error();
-    for (std::size_t k = 0; k < residuals.size(); ++k) {
-      out_.cameras[k].marker_corners = static_cast<int>(4 * residuals[k].size());
+    for (std::size_t k = 0; k < residuals.size(); ++k)
       out_.cameras[k].median_residual_px = medianOf(residuals[k]);
-    }
     out_.bends = state_.bends;
-    out_.reprojection_rms_px = count > 0 ? std::sqrt(sum / count) : 0;
     for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
       if (const double bend = bendOf(side == batch::Side::Front ? 0 : 1); bend > kNamedBend_mm)
         inform("rig: the sheet of the " + std::string(batch::name(side)) +
                " side is bent by up to " + fixed(bend, 1) + " mm; this is allowed for");
-    inform("rig: " + fixed(out_.reprojection_rms_px, 3) + " px over " + fixed(count, 0) +
-           " marker corners in " + std::to_string(out_.images.size()) +
-           " photographs taken by hand");
+    tellError("photographs taken by hand");
     return std::move(out_);
   }
 
-  const batch::Batch& batch_;
-  const PoseOptions& options_;
-  Progress& progress_;
-  std::stop_token stop_;
-  std::vector<std::vector<rig::PlacedMarker>> markers_;  // by shot
-  std::vector<char> readable_;                           // by shot
-  std::vector<std::vector<char>> dropped_;               // by shot and marker
-  std::vector<int> by_exif_;                             // by shot: lenses as cameras tell them
-  std::vector<int> lens_;                                // by shot: as markers tell them, too
-  std::vector<int> camera_of_;                           // by shot: index in state_.cameras, or -1
-  std::vector<int> lens_of_camera_;                      // by index in state_.cameras
-  RigState state_;
-  BatchPoses out_;
+  std::vector<int> by_exif_;         // by shot: lenses as cameras tell them
+  std::vector<int> lens_;            // by shot: as markers tell them, too
+  std::vector<int> lens_of_camera_;  // by index in state_.cameras
 };
 
 }  // namespace
 
 Result<BatchPoses> poseFreeCameras(const batch::Batch& batch, const PoseOptions& options,
                                    Progress& progress, std::stop_token stop) {
-  if (const Result<void> good = options.check(); !good) return good.error();
   return FreePoser(batch, options, progress, std::move(stop)).run();
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "base/text.h"
 
@@ -93,13 +92,11 @@ std::vector<HeldOutDistance> heldOutDistances(const batch::Plate& plate,
 }
 
 std::string sentence(const HeldOutDistance& d) {
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "markers %d and %d, held out of the fit, are %.2f mm apart instead of %.2f (%+.2f "
-                "mm, %+.3f %%)",
-                d.first, d.second, d.measured_mm, d.expected_mm, d.measured_mm - d.expected_mm,
-                100 * d.error());
-  return text;
+  return formatted(
+      "markers %d and %d, held out of the fit, are %.2f mm apart instead of %.2f (%+.2f "
+      "mm, %+.3f %%)",
+      d.first, d.second, d.measured_mm, d.expected_mm, d.measured_mm - d.expected_mm,
+      100 * d.error());
 }
 
 std::optional<std::string> scaleDoubt(const HeldOutDistance& d) {

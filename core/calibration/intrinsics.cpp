@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <opencv2/calib3d.hpp>
 
 #include "base/median.h"
+#include "base/text.h"
 #include "rig/rounded.h"
 
 namespace ostraka::calibration {
@@ -23,9 +23,7 @@ struct Solution {
 };
 
 std::string inPixels(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.2f px", value);
-  return text;
+  return fixed(value, 2) + " px";
 }
 
 void round(cv::Mat& values, double step) {
@@ -131,13 +129,11 @@ void judge(IntrinsicsReport& report) {
   // deviation, which holds near the solution only, can look small by chance.
   report.focal_determined = sd < 0.01 * focal && largestTilt(report) > kMinTiltRad;
   if (!report.focal_determined) {
-    char text[256];
-    std::snprintf(text, sizeof(text),
-                  "The focal length is not determined: %.0f px with a standard deviation of %.0f "
+    report.advice.push_back(
+        formatted("The focal length is not determined: %.0f px with a standard deviation of %.0f "
                   "px; take more pictures, closer and with the board tilted by 20 to 45 degrees in "
                   "different directions.",
-                  focal, sd);
-    report.advice.push_back(text);
+                  focal, sd));
   } else if (largestTilt(report) < 0.25) {
     report.advice.push_back(
         "No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal "

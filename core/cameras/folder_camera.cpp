@@ -154,16 +154,8 @@ class FolderCamera final : public devices::Camera {
 
 }  // namespace
 
-Result<void> FolderCameraOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (folder.empty()) return bad("The watched folder must be named.");
-  if (!(steady_s >= 0) || !(poll_s > 0)) return bad("steady_s and poll_s must be positive.");
-  return {};
-}
-
 Result<std::unique_ptr<devices::Camera>> openFolderCamera(const FolderCameraOptions& options,
                                                           std::shared_ptr<devices::Clock> clock) {
-  if (const Result<void> checked = options.check(); !checked) return checked.error();
   std::unique_ptr<devices::Camera> camera =
       std::make_unique<FolderCamera>(options, std::move(clock));
   if (const Result<void> ready = camera->getReady({}); !ready) return ready.error();

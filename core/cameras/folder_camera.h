@@ -11,7 +11,6 @@ struct FolderCameraOptions {
   std::filesystem::path folder;  ///< where the camera's own software puts its photographs
   double steady_s = 1.0;         ///< a file is whole when it has not changed for so long
   double poll_s = 0.1;           ///< also finds files on network shares, which tell no news
-  Result<void> check() const;
 };
 
 /// Any camera whose own software writes files: new ones in a folder are its photographs. The files

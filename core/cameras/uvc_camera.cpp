@@ -1,13 +1,14 @@
 #include "cameras/uvc_camera.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 #include <optional>
+
+#include "base/text.h"
 
 namespace ostraka::cameras {
 namespace {
@@ -31,9 +32,7 @@ const std::map<std::string, Property>& properties() {
 }
 
 std::string written(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
+  return formatted("%g", value);
 }
 
 class UvcCamera final : public devices::Camera {
@@ -190,18 +189,9 @@ class UvcCamera final : public devices::Camera {
 
 }  // namespace
 
-Result<void> UvcOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (source.empty()) return bad("The video camera must be named.");
-  if (width < 0 || height < 0 || (width > 0) != (height > 0))
-    return bad("width and height of a video camera go together.");
-  if (most_stale < 0) return bad("most_stale must not be negative.");
-  return {};
-}
-
 Result<std::unique_ptr<devices::Camera>> openUvcCamera(const UvcOptions& options,
                                                        std::shared_ptr<devices::Clock> clock) {
-  if (const Result<void> checked = options.check(); !checked) return checked.error();
+  if (options.source.empty()) return Error::unusable("The video camera must be named.");
   auto camera = std::make_unique<UvcCamera>(options, std::move(clock));
   if (const Result<void> opened = camera->open(); !opened) return opened.error();
   return std::unique_ptr<devices::Camera>(std::move(camera));

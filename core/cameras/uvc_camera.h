@@ -11,7 +11,6 @@ struct UvcOptions {
   std::string source;         ///< best /dev/v4l/by-id/...; any source that OpenCV opens
   int width = 0, height = 0;  ///< wanted pixels; 0: as the camera stands
   int most_stale = 5;         ///< frames that may lie in the driver's buffers
-  Result<void> check() const;
 };
 
 /// A video camera through OpenCV. A photograph is the first frame after the buffers are empty, as

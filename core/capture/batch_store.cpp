@@ -62,9 +62,7 @@ std::string photographExtension(const devices::CameraFile& file) {
 }
 
 std::string shotName(int camera, int stop) {
-  char text[40];
-  std::snprintf(text, sizeof text, "cam%d_pos%02d", camera, stop);
-  return text;
+  return formatted("cam%d_pos%02d", camera, stop);
 }
 
 fs::path hidden(const fs::path& file) {
@@ -216,14 +214,9 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
                    "another folder for the batch.",
                    fileOf(entry).string()};
     }
-    // Between the manifest and the name when the program ended; earlier versions set files aside
-    // before they wrote the manifest.
-    const std::string aside = asideName(entry.file, entry.take);
+    // Between the manifest and the name when the program ended.
     entry.used = false;
     entry.reason = "the file is missing";
-    if (!fs::exists(batch_ / aside, absent)) continue;
-    entry.file = aside;
-    entry.reason = "set aside";
   }
   std::set<std::string> ours;
   for (const ManifestEntry& entry : manifest_.entries)

@@ -160,15 +160,6 @@ PlateMap findSherds(const cv::Mat& picture, const Eigen::Matrix3d& pixel_from_pl
 
 }  // namespace
 
-Result<void> InspectionOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (work_width_px < 320) return bad("work_width_px must be 320 or more.");
-  if (!(too_close_mm >= 0) || !(touching_mm >= 0))
-    return bad("too_close_mm and touching_mm must not be negative.");
-  if (!(smallest_sherd_mm > 0)) return bad("smallest_sherd_mm must be greater than 0.");
-  return {};
-}
-
 int markersNeeded(int on_plate) {
   return std::max(kLeastMarkers, (on_plate + 1) / 2);
 }
@@ -182,7 +173,6 @@ Result<PlateInspection> inspectPlate(std::string_view picture, const batch::Plat
 
 Result<MappedInspection> inspectAndMap(std::string_view picture, const batch::Plate& plate,
                                        const InspectionOptions& options) {
-  if (const Result<void> checked = options.check(); !checked) return checked.error();
   const Result<cv::Mat> whole = batch::decodePhotograph(picture, {});
   if (!whole) return whole.error();
   MappedInspection mapped;

@@ -68,7 +68,6 @@ struct InspectionOptions {
   double too_close_mm = 5.0;
   double touching_mm = 3.0;         ///< over all stops: nearer sherds count as touching
   double smallest_sherd_mm = 12.0;  ///< smaller spots are crumbs
-  Result<void> check() const;
 };
 
 /// Looks at an encoded picture (JPEG, PNG, TIFF). Errors: UnusableInput, not decodable or cut off.

@@ -7,6 +7,7 @@
 
 #include "base/uuid.h"
 #include "catalogue/history.h"
+#include "catalogue/stamped_rows.h"
 #include "records/words.h"
 #include "store/database.h"
 #include "store/names.h"
@@ -100,6 +101,11 @@ void checkBatch(const records::BatchRecord& b) {
     store::refuse("A plate holds 1 to 60 sherds; 0 means not counted.", b.number);
 }
 
+// Of what a record may change.
+constexpr const char* kBatchColumns =
+    "operator counted state started_ms ended_ms reprojection_px scale_error_pct scale_doubts "
+    "rig_sha256 program settings_sha256 note";
+
 constexpr const char* kBatches =
     "SELECT row, id, number, operator, counted, state, started_ms, ended_ms, reprojection_px, "
     "scale_error_pct, scale_doubts, rig_sha256, program, settings_sha256, note FROM batch ";
@@ -113,13 +119,6 @@ records::BatchRecord readBatchRow(store::Database& database, store::Statement& r
   b.state = records::fromWord<records::BatchState>(state);
   b.bags = bagsOf(database, b.row);
   return b;
-}
-
-std::string opt(const std::optional<double>& value) {
-  return value ? store::numberText(*value) : std::string();
-}
-std::string opt(const std::optional<std::int64_t>& value) {
-  return value ? std::to_string(*value) : std::string();
 }
 
 }  // namespace
@@ -148,18 +147,11 @@ Result<store::BatchRow> Batches::add(const records::BatchRecord& wanted,
       store::refuse("The uuid of a batch is not well formed.", b.id);
     store::Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?");
     if (same.with(b.number).next()) store::refuse("The batch " + b.number + " already exists.");
-    database_
-        ->sql(
-            "INSERT INTO batch (id, created_at, created_by, updated_at, updated_by, number, "
-            "operator, counted, state, started_ms, ended_ms, reprojection_px, scale_error_pct, "
-            "scale_doubts, rig_sha256, program, settings_sha256, note) VALUES (?, ?, ?, ?, ?, ?, "
-            "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .with(b.id.empty() ? newId(now()) : b.id, now(), provenance.person, now(),
-              provenance.person, b.number, b.operator_, b.counted, records::wordOf(b.state),
-              b.started_ms, b.ended_ms, b.reprojection_px, b.scale_error_pct, b.scale_doubts,
-              b.rig_sha256, b.program, b.settings_sha256, b.note)
-        .run();
-    const store::BatchRow row{database_->lastRow()};
+    const store::BatchRow row{addRow(catalogue_, provenance, "batch", b.id,
+                                     std::string("number ") + kBatchColumns, b.number, b.operator_,
+                                     b.counted, records::wordOf(b.state), b.started_ms, b.ended_ms,
+                                     b.reprojection_px, b.scale_error_pct, b.scale_doubts,
+                                     b.rig_sha256, b.program, b.settings_sha256, b.note)};
     setBags(*database_, row, b.bags);
     remember(catalogue_, provenance, "batch", row.value, "", "", b.number);
     return row;
@@ -175,10 +167,10 @@ Result<void> Batches::save(const records::BatchRecord& b, const records::Provena
                             {{"operator", b.operator_ ? std::to_string(b.operator_.value) : ""},
                              {"counted", std::to_string(b.counted)},
                              {"state", records::wordOf(b.state)},
-                             {"started_ms", opt(b.started_ms)},
-                             {"ended_ms", opt(b.ended_ms)},
-                             {"reprojection_px", opt(b.reprojection_px)},
-                             {"scale_error_pct", opt(b.scale_error_pct)},
+                             {"started_ms", optionalText(b.started_ms)},
+                             {"ended_ms", optionalText(b.ended_ms)},
+                             {"reprojection_px", optionalText(b.reprojection_px)},
+                             {"scale_error_pct", optionalText(b.scale_error_pct)},
                              {"scale_doubts", b.scale_doubts},
                              {"rig_sha256", b.rig_sha256},
                              {"program", b.program},
@@ -190,17 +182,10 @@ Result<void> Batches::save(const records::BatchRecord& b, const records::Provena
       changed = true;
     }
     if (!changed) return;
-    database_
-        ->sql(
-            "UPDATE batch SET operator = ?, counted = ?, state = ?, started_ms = ?, ended_ms = "
-            "?, reprojection_px = ?, scale_error_pct = ?, scale_doubts = ?, rig_sha256 = ?, "
-            "program = ?, "
-            "settings_sha256 = ?, note = ?, updated_at = ?, updated_by = ?, revision = revision "
-            "+ 1 WHERE row = ?")
-        .with(b.operator_, b.counted, records::wordOf(b.state), b.started_ms, b.ended_ms,
-              b.reprojection_px, b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program,
-              b.settings_sha256, b.note, now(), provenance.person, b.row)
-        .run();
+    changeRow(catalogue_, provenance, "batch", b.row.value, kBatchColumns, b.operator_, b.counted,
+              records::wordOf(b.state), b.started_ms, b.ended_ms, b.reprojection_px,
+              b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program, b.settings_sha256,
+              b.note);
   });
 }
 
@@ -210,12 +195,7 @@ Result<void> Batches::setState(store::BatchRow row, records::BatchState state,
     if (!rememberDifferences(catalogue_, provenance, "batch", row.value,
                              {{"state", records::wordOf(state)}}))
       return;
-    database_
-        ->sql(
-            "UPDATE batch SET state = ?, updated_at = ?, updated_by = ?, revision = revision + 1 "
-            "WHERE row = ?")
-        .with(records::wordOf(state), now(), provenance.person, row)
-        .run();
+    changeRow(catalogue_, provenance, "batch", row.value, "state", records::wordOf(state));
   });
 }
 
@@ -267,33 +247,23 @@ Result<store::PhotographRow> Batches::save(const records::PhotographRecord& p,
       if (same.next()) same >> row;
     }
     if (row == 0) {
-      database_
-          ->sql(
-              "INSERT INTO photograph (id, created_at, created_by, updated_at, updated_by, "
-              "batch, side, camera, stop, take, path, serial, exif, angle_deg, sharpness, used, "
-              "reason) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(newId(now()), now(), provenance.person, now(), provenance.person, p.batch,
-                records::wordOf(p.side), camera, p.stop, p.take, *path, p.serial, exif, p.angle_deg,
-                p.sharpness, p.used, p.reason)
-          .run();
-      return store::PhotographRow{database_->lastRow()};
+      return store::PhotographRow{
+          addRow(catalogue_, provenance, "photograph", {},
+                 "batch side camera stop take path serial exif angle_deg sharpness used reason",
+                 p.batch, records::wordOf(p.side), camera, p.stop, p.take, *path, p.serial, exif,
+                 p.angle_deg, p.sharpness, p.used, p.reason)};
     }
     if (rememberDifferences(catalogue_, provenance, "photograph", row,
                             {{"path", *path},
                              {"serial", p.serial},
                              {"exif", exif},
-                             {"angle_deg", opt(p.angle_deg)},
-                             {"sharpness", opt(p.sharpness)},
+                             {"angle_deg", optionalText(p.angle_deg)},
+                             {"sharpness", optionalText(p.sharpness)},
                              {"used", p.used ? "1" : "0"},
                              {"reason", p.reason}}))
-      database_
-          ->sql(
-              "UPDATE photograph SET path = ?, serial = ?, exif = ?, angle_deg = ?, sharpness = "
-              "?, used = ?, reason = ?, updated_at = ?, updated_by = ?, revision = revision + 1 "
-              "WHERE row = ?")
-          .with(*path, p.serial, exif, p.angle_deg, p.sharpness, p.used, p.reason, now(),
-                provenance.person, row)
-          .run();
+      changeRow(catalogue_, provenance, "photograph", row,
+                "path serial exif angle_deg sharpness used reason", *path, p.serial, exif,
+                p.angle_deg, p.sharpness, p.used, p.reason);
     return store::PhotographRow{row};
   });
 }
@@ -330,34 +300,23 @@ Result<store::ScanRow> Batches::save(const records::ScanRecord& s,
       same.with(s.batch, records::wordOf(s.side), s.index);
       if (same.next()) same >> row;
     }
-    const std::string points = s.points ? std::to_string(*s.points) : std::string();
     if (row == 0) {
-      database_
-          ->sql(
-              "INSERT INTO scan (id, created_at, created_by, updated_at, updated_by, batch, "
-              "side, position, name, path, points, coverage_pct, plate_x_mm, plate_y_mm) VALUES "
-              "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-          .with(newId(now()), now(), provenance.person, now(), provenance.person, s.batch,
-                records::wordOf(s.side), s.index, s.name, *path, s.points, s.coverage_pct,
-                s.plate_x_mm, s.plate_y_mm)
-          .run();
-      return store::ScanRow{database_->lastRow()};
+      return store::ScanRow{
+          addRow(catalogue_, provenance, "scan", {},
+                 "batch side position name path points coverage_pct plate_x_mm plate_y_mm", s.batch,
+                 records::wordOf(s.side), s.index, s.name, *path, s.points, s.coverage_pct,
+                 s.plate_x_mm, s.plate_y_mm)};
     }
     if (rememberDifferences(catalogue_, provenance, "scan", row,
                             {{"name", s.name},
                              {"path", *path},
-                             {"points", points},
-                             {"coverage_pct", opt(s.coverage_pct)},
-                             {"plate_x_mm", opt(s.plate_x_mm)},
-                             {"plate_y_mm", opt(s.plate_y_mm)}}))
-      database_
-          ->sql(
-              "UPDATE scan SET position = ?, name = ?, path = ?, points = ?, coverage_pct = ?, "
-              "plate_x_mm = ?, plate_y_mm = ?, updated_at = ?, updated_by = ?, revision = revision "
-              "+ 1 WHERE row = ?")
-          .with(s.index, s.name, *path, s.points, s.coverage_pct, s.plate_x_mm, s.plate_y_mm, now(),
-                provenance.person, row)
-          .run();
+                             {"points", optionalText(s.points)},
+                             {"coverage_pct", optionalText(s.coverage_pct)},
+                             {"plate_x_mm", optionalText(s.plate_x_mm)},
+                             {"plate_y_mm", optionalText(s.plate_y_mm)}}))
+      changeRow(catalogue_, provenance, "scan", row,
+                "position name path points coverage_pct plate_x_mm plate_y_mm", s.index, s.name,
+                *path, s.points, s.coverage_pct, s.plate_x_mm, s.plate_y_mm);
     return store::ScanRow{row};
   });
 }

@@ -1,7 +1,7 @@
 #include "catalogue/files.h"
 
-#include "base/uuid.h"
 #include "catalogue/history.h"
+#include "catalogue/stamped_rows.h"
 #include "records/sherd.h"
 #include "records/words.h"
 #include "store/database.h"
@@ -13,6 +13,8 @@ namespace {
 
 constexpr const char* kFiles =
     "SELECT row, id, path, sha256, media_type, role, bytes, state, sherd, batch FROM file ";
+constexpr const char* kColumns = "path sha256 bytes media_type role state sherd batch";
+
 std::vector<records::FileRecord> readFiles(store::Statement& rows) {
   std::vector<records::FileRecord> all;
   while (rows.next()) {
@@ -39,16 +41,9 @@ Result<store::FileRow> Files::save(const records::FileRecord& f,
       if (same.with(*path).next()) same >> row;
     }
     if (row == 0) {
-      database_
-          ->sql(
-              "INSERT INTO file (id, created_at, created_by, updated_at, updated_by, path, "
-              "sha256, bytes, media_type, role, state, sherd, batch) VALUES (?, ?, ?, ?, ?, ?, "
-              "?, ?, ?, ?, ?, ?, ?)")
-          .with(f.id.empty() ? newId(now()) : f.id, now(), provenance.person, now(),
-                provenance.person, *path, f.sha256, f.bytes, f.media_type, f.role,
-                records::wordOf(f.state), f.sherd, f.batch)
-          .run();
-      return store::FileRow{database_->lastRow()};
+      return store::FileRow{addRow(catalogue_, provenance, "file", f.id, kColumns, *path, f.sha256,
+                                   f.bytes, f.media_type, f.role, records::wordOf(f.state), f.sherd,
+                                   f.batch)};
     }
     if (rememberDifferences(catalogue_, provenance, "file", row,
                             {{"path", *path},
@@ -59,14 +54,8 @@ Result<store::FileRow> Files::save(const records::FileRecord& f,
                              {"state", records::wordOf(f.state)},
                              {"sherd", rowText(f.sherd.value)},
                              {"batch", rowText(f.batch.value)}}))
-      database_
-          ->sql(
-              "UPDATE file SET path = ?, sha256 = ?, bytes = ?, media_type = ?, role = ?, state "
-              "= ?, sherd = ?, batch = ?, updated_at = ?, updated_by = ?, revision = revision + "
-              "1 WHERE row = ?")
-          .with(*path, f.sha256, f.bytes, f.media_type, f.role, records::wordOf(f.state), f.sherd,
-                f.batch, now(), provenance.person, row)
-          .run();
+      changeRow(catalogue_, provenance, "file", row, kColumns, *path, f.sha256, f.bytes,
+                f.media_type, f.role, records::wordOf(f.state), f.sherd, f.batch);
     return store::FileRow{row};
   });
 }

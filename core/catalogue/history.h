@@ -1,11 +1,14 @@
 #pragma once
+#include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "catalogue/subject.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "store/database.h"
+#include "store/values.h"
 
 namespace ostraka::catalogue {
 
@@ -38,6 +41,15 @@ bool rememberDifferences(const Catalogue& catalogue, const records::Provenance& 
 /// A row as the history names it; nothing for no row.
 inline std::string rowText(std::int64_t row) {
   return row > 0 ? std::to_string(row) : std::string();
+}
+/// A number as the history names it; nothing for none.
+template <class Number>
+std::string optionalText(const std::optional<Number>& value) {
+  if (!value) return {};
+  if constexpr (std::is_floating_point_v<Number>)
+    return store::numberText(*value);
+  else
+    return std::to_string(*value);
 }
 
 }  // namespace ostraka::catalogue

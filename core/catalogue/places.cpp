@@ -8,6 +8,7 @@
 #include "base/uuid.h"
 #include "catalogue/history.h"
 #include "catalogue/search.h"
+#include "catalogue/stamped_rows.h"
 #include "store/database.h"
 #include "store/names.h"
 #include "store/values.h"
@@ -42,10 +43,6 @@ std::string checked(const Result<std::string>& value, const char* where) {
   return *value;
 }
 
-std::string optionalText(const std::optional<double>& value) {
-  return value ? store::numberText(*value) : std::string();
-}
-
 // The row that holds this key already, other than the one being saved.
 void refuseDouble(store::Statement rows, std::int64_t own, const std::string& what) {
   std::int64_t row = 0;
@@ -65,48 +62,21 @@ class Saving {
   }
 
   template <class... Values>
-  std::int64_t done(const std::string& columns, const std::string& label,
+  std::int64_t done(const char* columns, const std::string& label,
                     const std::vector<SavedField>& fields, const Values&... values) {
-    store::Database& database = catalogue_.database();
-    const std::int64_t now = catalogue_.now();
-    std::string marks, pairs, name;
-    for (std::size_t i = 0; i <= columns.size(); ++i) {
-      if (i < columns.size() && columns[i] != ' ') {
-        name += columns[i];
-        continue;
-      }
-      marks += ", ?";
-      pairs += name + " = ?, ";
-      name.clear();
-    }
     if (row_ == 0) {
-      std::string list = columns;
-      for (std::size_t at = 0; (at = list.find(' ', at)) != std::string::npos; at += 2)
-        list.replace(at, 1, ", ");
-      database
-          .sql("INSERT INTO " + table_ + " (id, created_at, created_by, updated_at, updated_by, " +
-               list + ") VALUES (?, ?, ?, ?, ?" + marks + ")")
-          .with(id_.empty() ? newId(now) : id_, now, provenance_.person, now, provenance_.person,
-                values...)
-          .run();
-      row_ = database.lastRow();
-      remember(catalogue_, provenance_, table_.c_str(), row_, "", "", label);
-      return row_;
+      row_ = addRow(catalogue_, provenance_, table_, id_, columns, values...);
+      remember(catalogue_, provenance_, table_, row_, "", "", label);
+    } else if (rememberDifferences(catalogue_, provenance_, table_, row_, fields)) {
+      changeRow(catalogue_, provenance_, table_, row_, columns, values...);
     }
-    if (!rememberDifferences(catalogue_, provenance_, table_.c_str(), row_, fields)) return row_;
-    database
-        .sql("UPDATE " + table_ + " SET " + pairs +
-             "updated_at = ?, updated_by = ?, revision = revision + 1 WHERE row = ?")
-        .with(values..., now, provenance_.person, row_)
-        .run();
-    if (database.changes() != 1) store::refuse("The " + table_ + " is no longer in the catalogue.");
     return row_;
   }
 
  private:
   const Catalogue& catalogue_;
   const records::Provenance& provenance_;
-  std::string table_;
+  const char* table_;
   std::int64_t row_;
   std::string id_;
 };
@@ -377,7 +347,7 @@ Result<store::BagRow> Places::save(const records::BagRecord& b,
                    {"number", number},
                    {"collected_on", day},
                    {"storage", b.storage},
-                   {"count_written", b.count_written ? std::to_string(*b.count_written) : ""},
+                   {"count_written", optionalText(b.count_written)},
                    {"weight_g", optionalText(b.weight_g)}},
                   b.context, number, key, day, b.storage, b.count_written, b.weight_g)};
   });

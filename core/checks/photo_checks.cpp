@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <map>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <set>
 
 #include "base/parallel.h"
+#include "base/text.h"
 #include "batch/photograph.h"
 #include "rig/edge_width.h"
 
@@ -66,23 +66,19 @@ Result<Look> lookAt(const rig::PosedImage& image, const batch::Plate& plate,
 
 std::string blurWarning(const std::string& file, double edge_px, double sharpest_px,
                         bool left_out) {
-  char text[200];
-  std::snprintf(text, sizeof text,
-                ": The photograph is blurred: its edges are %.1f pixels wide, those of the "
-                "camera's sharpest %.1f; %sretake it.",
-                edge_px, sharpest_px, left_out ? "it is left out, " : "");
-  return file + text;
+  return file + formatted(
+                    ": The photograph is blurred: its edges are %.1f pixels wide, those of the "
+                    "camera's sharpest %.1f; %sretake it.",
+                    edge_px, sharpest_px, left_out ? "it is left out, " : "");
 }
 
 // Nothing is left out: they are all there is.
 std::string allBlurredWarning(batch::Side side, double edge_px) {
-  char text[250];
-  std::snprintf(text, sizeof text,
-                "All photographs of the %s side are blurred: even in the sharpest, the markers' "
-                "edges are %.0f pixels wide, so its scans are coarse. Check focus and shutter "
-                "speed, and reshoot this side.",
-                batch::name(side), edge_px);
-  return text;
+  return formatted(
+      "All photographs of the %s side are blurred: even in the sharpest, the markers' "
+      "edges are %.0f pixels wide, so its scans are coarse. Check focus and shutter "
+      "speed, and reshoot this side.",
+      batch::name(side), edge_px);
 }
 
 std::string coverWarning(batch::Side side, const std::vector<int>& covered, std::size_t markers) {

@@ -44,12 +44,6 @@ const char* colmapModelName(int model) {
   return colmapParameterCount(model) == 0 ? "" : kModels[model].name;
 }
 
-int colmapModelNumber(const std::string& name) {
-  for (int k = 0; k < static_cast<int>(kModels.size()); ++k)
-    if (name == kModels[k].name) return k;
-  return -1;
-}
-
 ColmapCamera toColmap(const rig::Intrinsics& i, std::uint32_t id) {
   ColmapCamera camera;
   camera.id = id;

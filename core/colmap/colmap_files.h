@@ -45,13 +45,11 @@ struct ColmapModel {
   std::vector<ColmapPoint> points;
 };
 
-enum class ColmapFormat { Text, Binary };
-
-/// cameras, images and points3D (.bin where they exist, else .txt) of a folder. Errors:
-/// UnusableInput (missing, cut off, unknown camera model, counts beyond the file's size).
+/// COLMAP's own: cameras.bin, images.bin and points3D.bin of a folder. Errors: UnusableInput
+/// (missing, cut off, unknown camera model, counts beyond the file's size).
 Result<ColmapModel> readColmapModel(const std::filesystem::path& folder);
-Result<void> writeColmapModel(const std::filesystem::path& folder, const ColmapModel& model,
-                              ColmapFormat format);
+/// The same three as text, which every version of COLMAP and OpenMVS reads.
+Result<void> writeColmapModel(const std::filesystem::path& folder, const ColmapModel& model);
 
 /// Number of parameters of a camera model, 0 for one that is not known here.
 int colmapParameterCount(int model);

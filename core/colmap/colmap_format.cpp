@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 
-#include "colmap/colmap_text.h"
 #include "files/files.h"
 
 namespace ostraka::colmap {
@@ -58,23 +58,14 @@ class Reader {
   bool good_ = true;
 };
 
-template <class T>
-void put(std::string& bytes, T value) {
-  char raw[sizeof(T)];
-  std::memcpy(raw, &value, sizeof(T));
-  bytes.append(raw, sizeof(T));
-}
-
 Error damaged(const std::string& where) {
   return {ErrorCode::UnusableInput,
           "The file is damaged or not in COLMAP's format; run COLMAP again.", where};
 }
 
 template <class T>
-Result<std::vector<T>> byId(Result<std::vector<T>> list) {
-  if (list)
-    std::stable_sort(list->begin(), list->end(),
-                     [](const T& a, const T& b) { return a.id < b.id; });
+std::vector<T> byId(std::vector<T> list) {
+  std::stable_sort(list.begin(), list.end(), [](const T& a, const T& b) { return a.id < b.id; });
   return list;
 }
 
@@ -97,11 +88,73 @@ ColmapImage imageFrom(Reader& reader) {
   return image;
 }
 
+void append(std::string& text, double value) {
+  char buffer[64];
+  const auto end = std::to_chars(buffer, buffer + sizeof(buffer), value).ptr;
+  text.append(buffer, end);
+  text += ' ';
+}
+
+void append(std::string& text, std::uint64_t value) {
+  text += std::to_string(value) + " ";
+}
+
+void endLine(std::string& text) {
+  if (text.ends_with(' ')) text.pop_back();
+  text += '\n';
+}
+
+std::string written(const std::vector<ColmapCamera>& cameras) {
+  std::string text = "# CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]\n";
+  for (const ColmapCamera& camera : cameras) {
+    append(text, std::uint64_t{camera.id});
+    text += std::string(colmapModelName(camera.model)) + " ";
+    append(text, camera.width);
+    append(text, camera.height);
+    for (const double value : camera.parameters) append(text, value);
+    endLine(text);
+  }
+  return text;
+}
+
+std::string written(const std::vector<ColmapImage>& images) {
+  std::string text = "# IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, then X Y POINT3D_ID ...\n";
+  for (const ColmapImage& image : images) {
+    const Eigen::Quaterniond q(image.camera_from_world.linear());
+    append(text, std::uint64_t{image.id});
+    for (const double value : {q.w(), q.x(), q.y(), q.z()}) append(text, value);
+    for (int k = 0; k < 3; ++k) append(text, image.camera_from_world.translation()[k]);
+    append(text, std::uint64_t{image.camera});
+    text += image.name + "\n";
+    // The second line must be there even when it is empty, or COLMAP aborts.
+    for (const ColmapImage::Observation& seen : image.observations) {
+      append(text, seen.pixel.x());
+      append(text, seen.pixel.y());
+      text += std::to_string(seen.point) + " ";
+    }
+    endLine(text);
+  }
+  return text;
+}
+
+std::string written(const std::vector<ColmapPoint>& points) {
+  std::string text = "# POINT3D_ID X Y Z R G B ERROR TRACK[]\n";
+  for (const ColmapPoint& point : points) {
+    append(text, point.id);
+    for (int k = 0; k < 3; ++k) append(text, point.position[k]);
+    for (const std::uint8_t channel : point.colour) append(text, std::uint64_t{channel});
+    append(text, point.error_px);
+    for (const auto& seen : point.track)
+      for (const std::uint32_t value : seen) append(text, std::uint64_t{value});
+    endLine(text);
+  }
+  return text;
+}
+
 }  // namespace
 
-Result<std::vector<ColmapCamera>> parseColmapCameras(std::string_view bytes, ColmapFormat format,
+Result<std::vector<ColmapCamera>> parseColmapCameras(std::string_view bytes,
                                                      const std::string& where) {
-  if (format == ColmapFormat::Text) return byId(colmap_text::cameras(bytes, where));
   Reader reader(bytes);
   std::vector<ColmapCamera> cameras;
   const std::uint64_t count = reader.count(24);
@@ -117,23 +170,21 @@ Result<std::vector<ColmapCamera>> parseColmapCameras(std::string_view bytes, Col
     cameras.push_back(std::move(camera));
   }
   if (!reader.whole()) return damaged(where);
-  return byId(Result<std::vector<ColmapCamera>>(std::move(cameras)));
+  return byId(std::move(cameras));
 }
 
-Result<std::vector<ColmapImage>> parseColmapImages(std::string_view bytes, ColmapFormat format,
+Result<std::vector<ColmapImage>> parseColmapImages(std::string_view bytes,
                                                    const std::string& where) {
-  if (format == ColmapFormat::Text) return byId(colmap_text::images(bytes, where));
   Reader reader(bytes);
   std::vector<ColmapImage> images;
   const std::uint64_t count = reader.count(73);
   for (std::uint64_t k = 0; k < count && reader.good(); ++k) images.push_back(imageFrom(reader));
   if (!reader.whole()) return damaged(where);
-  return byId(Result<std::vector<ColmapImage>>(std::move(images)));
+  return byId(std::move(images));
 }
 
-Result<std::vector<ColmapPoint>> parseColmapPoints(std::string_view bytes, ColmapFormat format,
+Result<std::vector<ColmapPoint>> parseColmapPoints(std::string_view bytes,
                                                    const std::string& where) {
-  if (format == ColmapFormat::Text) return byId(colmap_text::points(bytes, where));
   Reader reader(bytes);
   std::vector<ColmapPoint> points;
   const std::uint64_t count = reader.count(51);
@@ -151,95 +202,34 @@ Result<std::vector<ColmapPoint>> parseColmapPoints(std::string_view bytes, Colma
     points.push_back(std::move(point));
   }
   if (!reader.whole()) return damaged(where);
-  return byId(Result<std::vector<ColmapPoint>>(std::move(points)));
-}
-
-std::string colmapBytes(const std::vector<ColmapCamera>& cameras, ColmapFormat format) {
-  if (format == ColmapFormat::Text) return colmap_text::written(cameras);
-  std::string bytes;
-  put(bytes, std::uint64_t{cameras.size()});
-  for (const ColmapCamera& camera : cameras) {
-    put(bytes, camera.id);
-    put(bytes, std::int32_t{camera.model});
-    put(bytes, camera.width);
-    put(bytes, camera.height);
-    for (const double value : camera.parameters) put(bytes, value);
-  }
-  return bytes;
-}
-
-std::string colmapBytes(const std::vector<ColmapImage>& images, ColmapFormat format) {
-  if (format == ColmapFormat::Text) return colmap_text::written(images);
-  std::string bytes;
-  put(bytes, std::uint64_t{images.size()});
-  for (const ColmapImage& image : images) {
-    const Eigen::Quaterniond q(image.camera_from_world.linear());
-    put(bytes, image.id);
-    for (const double value : {q.w(), q.x(), q.y(), q.z()}) put(bytes, value);
-    for (int k = 0; k < 3; ++k) put(bytes, double{image.camera_from_world.translation()[k]});
-    put(bytes, image.camera);
-    bytes += image.name + '\0';
-    put(bytes, std::uint64_t{image.observations.size()});
-    for (const ColmapImage::Observation& seen : image.observations) {
-      put(bytes, double{seen.pixel.x()});
-      put(bytes, double{seen.pixel.y()});
-      put(bytes, seen.point);
-    }
-  }
-  return bytes;
-}
-
-std::string colmapBytes(const std::vector<ColmapPoint>& points, ColmapFormat format) {
-  if (format == ColmapFormat::Text) return colmap_text::written(points);
-  std::string bytes;
-  put(bytes, std::uint64_t{points.size()});
-  for (const ColmapPoint& point : points) {
-    put(bytes, point.id);
-    for (int k = 0; k < 3; ++k) put(bytes, double{point.position[k]});
-    for (const std::uint8_t channel : point.colour) put(bytes, channel);
-    put(bytes, point.error_px);
-    put(bytes, std::uint64_t{point.track.size()});
-    for (const auto& seen : point.track)
-      for (const std::uint32_t value : seen) put(bytes, value);
-  }
-  return bytes;
+  return byId(std::move(points));
 }
 
 Result<ColmapModel> readColmapModel(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  const bool binary = std::filesystem::exists(folder / "cameras.bin", ignored);
-  const ColmapFormat format = binary ? ColmapFormat::Binary : ColmapFormat::Text;
-  const char* ending = binary ? ".bin" : ".txt";
   std::string bytes[3], names[3];
   const char* stems[3] = {"cameras", "images", "points3D"};
   for (int k = 0; k < 3; ++k) {
-    const std::filesystem::path file = folder / (std::string(stems[k]) + ending);
+    const std::filesystem::path file = folder / (std::string(stems[k]) + ".bin");
     Result<std::string> read = readFile(file);
     if (!read) return read.error();
     bytes[k] = std::move(*read);
     names[k] = file.string();
   }
-  Result<std::vector<ColmapCamera>> cameras = parseColmapCameras(bytes[0], format, names[0]);
+  Result<std::vector<ColmapCamera>> cameras = parseColmapCameras(bytes[0], names[0]);
   if (!cameras) return cameras.error();
-  Result<std::vector<ColmapImage>> images = parseColmapImages(bytes[1], format, names[1]);
+  Result<std::vector<ColmapImage>> images = parseColmapImages(bytes[1], names[1]);
   if (!images) return images.error();
-  Result<std::vector<ColmapPoint>> points = parseColmapPoints(bytes[2], format, names[2]);
+  Result<std::vector<ColmapPoint>> points = parseColmapPoints(bytes[2], names[2]);
   if (!points) return points.error();
   return ColmapModel{std::move(*cameras), std::move(*images), std::move(*points)};
 }
 
-Result<void> writeColmapModel(const std::filesystem::path& folder, const ColmapModel& model,
-                              ColmapFormat format) {
-  const std::string ending = format == ColmapFormat::Binary ? ".bin" : ".txt";
-  if (auto done =
-          writeFileAtomically(folder / ("cameras" + ending), colmapBytes(model.cameras, format));
-      !done)
+Result<void> writeColmapModel(const std::filesystem::path& folder, const ColmapModel& model) {
+  if (auto done = writeFileAtomically(folder / "cameras.txt", written(model.cameras)); !done)
     return done;
-  if (auto done =
-          writeFileAtomically(folder / ("images" + ending), colmapBytes(model.images, format));
-      !done)
+  if (auto done = writeFileAtomically(folder / "images.txt", written(model.images)); !done)
     return done;
-  return writeFileAtomically(folder / ("points3D" + ending), colmapBytes(model.points, format));
+  return writeFileAtomically(folder / "points3D.txt", written(model.points));
 }
 
 }  // namespace ostraka::colmap

@@ -224,12 +224,6 @@ double low(std::vector<double> values) {
 
 }  // namespace
 
-Result<void> ColmapPoseOptions::check() const {
-  if (!(min_posed_share > 0 && min_posed_share <= 1))
-    return Error{ErrorCode::UnusableInput, "min_posed_share must be between 0 and 1.", {}};
-  return {};
-}
-
 std::optional<Eigen::Isometry3d> turntableFromCentres(
     const std::vector<std::vector<Eigen::Vector3d>>& centres,
     const std::vector<Eigen::Vector3d>& points) {
@@ -291,7 +285,6 @@ ColmapPoses scaledTo(ColmapPoses poses, double mm_per_unit) {
 Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const fs::path& workspace,
                                    const ColmapPoseOptions& options, Progress& progress,
                                    std::stop_token stop) {
-  if (const Result<void> good = options.check(); !good) return good.error();
   const std::optional<fs::path> program =
       options.program.empty() ? findProgram("colmap") : std::optional(options.program);
   if (!program)

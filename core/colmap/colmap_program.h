@@ -38,7 +38,6 @@ struct ColmapPoseOptions {
   /// COLMAP is handed copies averaged down to so many millions of pixels; 0: the files themselves,
   /// which it must be able to read. Poses are those of the photographs in either case.
   double megapixels = 0;
-  Result<void> check() const;
 };
 
 /// One side as COLMAP sees it: unit and place are free, so no measure in mm may be taken from it

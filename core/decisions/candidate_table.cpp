@@ -258,8 +258,8 @@ Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output) {
   std::error_code failed;
   if (!std::filesystem::exists(file, failed))
     return Error{ErrorCode::Missing,
-                 "The pairs of this batch are not processed yet, or are from an older version of "
-                 "Ostraka; reprocess the batch: complete results are kept.",
+                 "The pairs of this batch are not processed yet; process the batch: complete "
+                 "results are kept.",
                  output.string()};
   Result<CandidateTable> table = readCandidates(file);
   if (table) readDecided(output / "pairs.json", *table);

@@ -37,8 +37,8 @@ ordered_json strokeJson(const MaskStroke& s) {
                         {"radius_px", s.radius_px},
                         {"path_px", path},
                         {"by", s.by},
-                        {"at", s.at}};
-  if (!s.photograph.empty()) value["photograph"] = s.photograph;
+                        {"at", s.at},
+                        {"photograph", s.photograph}};
   return value;
 }
 
@@ -60,7 +60,7 @@ MaskStroke strokeFrom(const json& value) {
     s.path_px.emplace_back(numberIn(p.at(0), "path_px"), numberIn(p.at(1), "path_px"));
   s.by = value.value("by", "");
   s.at = value.value("at", "");
-  s.photograph = value.value("photograph", "");
+  s.photograph = value.at("photograph").get<std::string>();
   return s;
 }
 
@@ -99,7 +99,7 @@ StrokesOn strokesOn(const std::vector<MaskStroke>& strokes, batch::Side side, in
   StrokesOn on;
   for (const MaskStroke& s : strokes) {
     if (s.side != side || s.camera != camera || s.stop != stop) continue;
-    if (s.photograph.empty() || s.photograph == photograph_sha256)
+    if (s.photograph == photograph_sha256)
       on.holding.push_back(s);
     else
       on.taken_again = true;

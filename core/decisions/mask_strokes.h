@@ -20,8 +20,8 @@ struct MaskStroke {
   MaskPaint paint = MaskPaint::Sherd;
   double radius_px = 0;
   std::vector<Eigen::Vector2d> path_px;  ///< one point or more, in the photograph's own pixels
-  std::string photograph;  ///< SHA-256 of its file; empty where an older program kept none
-  std::string by, at;      ///< initials; UTC, 2026-07-14T09:30:12Z
+  std::string photograph;                ///< SHA-256 of its file
+  std::string by, at;                    ///< initials; UTC, 2026-07-14T09:30:12Z
   bool operator==(const MaskStroke&) const = default;
 };
 

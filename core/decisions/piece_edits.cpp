@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/text.h"
 #include "decisions/candidate_table.h"
 #include "scan/fracture.h"
 
@@ -54,9 +55,7 @@ std::string nextId(const std::vector<Scan>& scans, batch::Side side) {
     if (scan.id.size() > 1 && std::sscanf(scan.id.c_str() + 1, "%d", &number) == 1)
       last = std::max(last, number);
   }
-  char text[16];
-  std::snprintf(text, sizeof text, "%c%03d", side == batch::Side::Front ? 'f' : 'b', last + 1);
-  return text;
+  return formatted("%c%03d", side == batch::Side::Front ? 'f' : 'b', last + 1);
 }
 
 bool join(std::vector<Scan>& scans, const std::vector<int>& pieces) {

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
 #include <tuple>
+
+#include "base/text.h"
 
 namespace ostraka::devices {
 namespace {
@@ -44,10 +45,8 @@ bool isSerialAdapter(const std::string& vendor) {
 // "001/002" or "001,002".
 std::string busNumbers(const fs::path& device, const char* between) {
   const auto number = [](const std::string& text) { return std::atoi(text.c_str()); };
-  char name[48];
-  std::snprintf(name, sizeof name, "%03d%s%03d", number(lineOf(device / "busnum")), between,
-                number(lineOf(device / "devnum")));
-  return name;
+  return formatted("%03d%s%03d", number(lineOf(device / "busnum")), between,
+                   number(lineOf(device / "devnum")));
 }
 
 // "ttyACM0" below an interface, however deep the driver puts it.

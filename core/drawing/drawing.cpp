@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
+#include "base/text.h"
 #include "drawing/caption.h"
 #include "drawing/section.h"
 
@@ -19,12 +19,6 @@ constexpr double kLikely = 0.9;                // from which a proposed rim is d
 constexpr double kPossible = 0.1;              // below which nothing is said of a rim
 constexpr double kEntered = 0.051;             // of what is entered to a tenth
 constexpr double kMostReconstructed_mm = 400;  // on paper: beyond, the axis is left out
-
-std::string words(const char* format, double value) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 // Which of the two faces bulges: along its own normals the middle lies above the ends.
 bool outwardAlongZ(const Walls& walls) {
@@ -85,29 +79,29 @@ class Composer {
     if (options_.rim == RimChoice::Yes) {
       if (p < kLikelyLip && byHand("rim_diameter"))
         out_.remarks.push_back(
-            words("The edge taken as the lip barely resembles one (%.0f %%); check the sherd's "
-                  "orientation.",
-                  100 * p));
+            formatted("The edge taken as the lip barely resembles one (%.0f %%); check the sherd's "
+                      "orientation.",
+                      100 * p));
       else if (p < kLikelyLip)
         out_.remarks.push_back(
-            words("The edge taken as the lip barely resembles one (%.0f %%), so no diameter is "
-                  "given; check the sherd's orientation.",
-                  100 * p));
+            formatted("The edge taken as the lip barely resembles one (%.0f %%), so no diameter is "
+                      "given; check the sherd's orientation.",
+                      100 * p));
       else {
         sayWhyNoDiameter();
         if (p < kLikely && out_.rim->saysDiameter() && !byHand("rim_diameter"))
-          out_.remarks.push_back(
-              words("The edge taken as the lip may be a fracture (%.0f %% that it is the lip), and "
-                    "the diameter may be wrong; check the sherd's orientation.",
-                    100 * p));
+          out_.remarks.push_back(formatted(
+              "The edge taken as the lip may be a fracture (%.0f %% that it is the lip), and "
+              "the diameter may be wrong; check the sherd's orientation.",
+              100 * p));
       }
       return;
     }
     if (out_.drawn_as_rim && p < 0.99)
       out_.remarks.push_back(
-          words("Drawn as a rim sherd, which is likely (%.0f %%); check it.", 100 * p));
+          formatted("Drawn as a rim sherd, which is likely (%.0f %%); check it.", 100 * p));
     else if (!out_.drawn_as_rim && p >= kPossible)
-      out_.hints.push_back(words(
+      out_.hints.push_back(formatted(
           "This may be a rim sherd (%.0f %%); if it is, mark it as one and redraw it.", 100 * p));
     if (out_.drawn_as_rim) sayWhyNoDiameter();
   }

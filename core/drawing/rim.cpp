@@ -279,12 +279,6 @@ class Estimator {
     placed.prerotate(Eigen::AngleAxisd(-turn, Vector3d::UnitZ()));
     out.vessel_from_model = placed;
     out.arc_mm = rim.radius * angleOfArc(placed);
-    double sums[2] = {0, 0};
-    for (const WallPoint& point : walls_.points) {
-      const Vector3d q = placed * point.p, n = placed.linear() * point.normal;
-      sums[point.face] += n.head<2>().dot(q.head<2>()) / q.head<2>().norm();
-    }
-    out.outer_face = sums[0] > sums[1] ? 0 : 1;
     std::vector<double> off;
     for (Eigen::Index i = 0; i < best_.residuals.size(); i += 2)
       off.push_back(std::abs(best_.residuals[i]));

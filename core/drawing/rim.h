@@ -28,7 +28,6 @@ struct RimEstimate {
   double residual_mm = 0;     ///< median distance of walls and lip from surfaces of revolution
   /// z is the vessel's axis, up; z = 0 the rim's plane; the sherd's middle lies at +x.
   Eigen::Isometry3d vessel_from_model = Eigen::Isometry3d::Identity();
-  int outer_face = 0;  ///< of Walls
 
   /// Whether diameter and share may be stated: the interval is bounded on both sides, within what
   /// vessels are. Otherwise the lip's sagitta is not above its scatter, or the lip rather a break.

@@ -1,6 +1,6 @@
 #include "drawing/wording.h"
 
-#include <cstdio>
+#include "base/text.h"
 
 namespace ostraka::drawing {
 namespace {
@@ -18,15 +18,11 @@ std::string Wording::said(const std::string& english) const {
 }
 
 std::string Wording::number(double value, int decimals) const {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return withDecimal(text, decimal);
+  return withDecimal(fixed(value, decimals), decimal);
 }
 
 std::string Wording::shortNumber(double value) const {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return withDecimal(text, decimal);
+  return withDecimal(formatted("%.4g", value), decimal);
 }
 
 }  // namespace ostraka::drawing

@@ -167,10 +167,6 @@ class HullMasker {
 
 }  // namespace
 
-Result<void> HullMaskOptions::check() const {
-  return {};
-}
-
 Result<MaskResult> maskByHull(std::span<const rig::PosedImage> images,
                               std::span<const cv::Mat> photographs, const HullMaskOptions& options,
                               Progress& progress, std::stop_token stop) {

@@ -12,7 +12,6 @@ namespace ostraka::mask {
 
 struct HullMaskOptions {
   int threads = 1;
-  Result<void> check() const;
 };
 
 /// Masks of one thing that all cameras look at, without a plate: the thing is what lies in the

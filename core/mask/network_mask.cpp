@@ -74,6 +74,9 @@ std::vector<Field> fieldsOf(std::string_view text) {
 }
 
 constexpr std::int64_t kMaxInputPx = 8192;  // 800 MB as three channels of float
+// Of a network that takes any size: the longer side, and what both are multiples of (five
+// halvings).
+constexpr int kFreeInput_px = 1024, kFreeMultiple_px = 32;
 
 /// Shape of the model's image input; -1 where it is free.
 using InputShape = std::vector<std::int64_t>;
@@ -121,27 +124,23 @@ Error unusable(const std::string& onnx, const std::string& what) {
           onnx};
 }
 
-cv::Mat pictureBlob(const cv::Mat& photograph, cv::Size size, const NetworkMaskOptions& options) {
+cv::Mat pictureBlob(const cv::Mat& photograph, cv::Size size) {
   cv::Mat small, rgb;
   cv::resize(photograph, small, size, 0, 0,
              size.width < photograph.cols ? cv::INTER_AREA : cv::INTER_LINEAR);
   cv::cvtColor(small, rgb, cv::COLOR_BGR2RGB);
   rgb.convertTo(rgb, CV_32FC3, 1 / 255.0);
-  for (cv::Vec3f& colour : cv::Mat_<cv::Vec3f>(rgb))
-    for (int k = 0; k < 3; ++k)
-      colour[k] = static_cast<float>((colour[k] - options.mean[k]) / options.deviation[k]);
   return cv::dnn::blobFromImage(rgb);
 }
 
 // Probability of sherd from one or two channels of the network's output.
-cv::Mat1f probabilityOf(const cv::Mat& output, NetworkOutput kind) {
+cv::Mat1f probabilityOf(const cv::Mat& output) {
   const int channels = output.size[1], rows = output.size[2], columns = output.size[3];
   cv::Mat first(rows, columns, CV_32F, const_cast<float*>(output.ptr<float>(0, 0)));
   cv::Mat1f sherd = first.clone();
   double least = 0, most = 0;
   cv::minMaxLoc(output.reshape(1, 1), &least, &most);
-  const bool logits = kind == NetworkOutput::Logit ||
-                      (kind == NetworkOutput::Auto && (least < -1e-4 || most > 1 + 1e-4));
+  const bool logits = least < -1e-4 || most > 1 + 1e-4;
   if (channels == 2) {
     const cv::Mat second(rows, columns, CV_32F, const_cast<float*>(output.ptr<float>(0, 1)));
     if (!logits) return second.clone();
@@ -154,18 +153,8 @@ cv::Mat1f probabilityOf(const cv::Mat& output, NetworkOutput kind) {
 
 }  // namespace
 
-Result<void> NetworkMaskOptions::check() const {
-  for (const double d : deviation)
-    if (!(d > 0)) return Error{ErrorCode::UnusableInput, "deviation must be above 0.", {}};
-  if (free_input_px < 32 || free_input_px > kMaxInputPx)
-    return Error{ErrorCode::UnusableInput, "free_input_px must be within 32 and 8192.", {}};
-  if (size_multiple_px < 1 || size_multiple_px > 256)
-    return Error{ErrorCode::UnusableInput, "size_multiple_px must be within 1 and 256.", {}};
-  return {};
-}
-
 Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
-                                  const NetworkMaskOptions& options, const std::string& where) {
+                                  const std::string& where) {
   const std::optional<InputShape> shape = inputShapeOf(model);
   if (!shape || shape->size() != 4)
     return unusable(where, "The network does not take an image as input");
@@ -174,30 +163,29 @@ Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
     return unusable(where, "The network takes " + std::to_string(channels) + " channels");
   if (rows > kMaxInputPx || columns > kMaxInputPx)
     return unusable(where, "The network's input is larger than 8192 pixels");
-  const double scale = std::min(1.0, static_cast<double>(options.free_input_px) /
-                                         std::max(photograph.width, photograph.height));
+  const double scale = std::min(
+      1.0, static_cast<double>(kFreeInput_px) / std::max(photograph.width, photograph.height));
   const auto free = [&](int length) {
-    const int multiple = options.size_multiple_px;
-    return std::max(multiple, multiple * static_cast<int>(std::lround(length * scale / multiple)));
+    return std::max(
+        kFreeMultiple_px,
+        kFreeMultiple_px * static_cast<int>(std::lround(length * scale / kFreeMultiple_px)));
   };
   return cv::Size(columns > 0 ? static_cast<int>(columns) : free(photograph.width),
                   rows > 0 ? static_cast<int>(rows) : free(photograph.height));
 }
 
-Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx,
-                                const NetworkMaskOptions& options) {
-  if (const Result<void> ok = options.check(); !ok) return ok.error();
+Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx) {
   if (photograph.type() != CV_8UC3 || photograph.empty())
     return Error{ErrorCode::UnusableInput, "The network needs an 8-bit colour photograph.", {}};
   const Result<std::string> model = readFile(onnx, limits::kNetworkBytes.most);
   if (!model) return model.error();
-  const Result<cv::Size> size = networkInputSize(*model, photograph.size(), options, onnx.string());
+  const Result<cv::Size> size = networkInputSize(*model, photograph.size(), onnx.string());
   if (!size) return size.error();
   cv::Mat output;
   try {
     cv::dnn::Net net = cv::dnn::readNetFromONNX(model->data(), model->size());
     net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
-    net.setInput(pictureBlob(photograph, *size, options));
+    net.setInput(pictureBlob(photograph, *size));
     output = net.forward();
   } catch (const cv::Exception& problem) {
     return unusable(onnx.string(), "The network cannot be run (" + problem.err + ")");
@@ -208,8 +196,7 @@ Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem
   if (!cv::checkRange(output.reshape(1, 1)))
     return unusable(onnx.string(), "The network's output contains numbers that are not finite");
   cv::Mat1f sherd;
-  cv::resize(probabilityOf(output, options.output), sherd, photograph.size(), 0, 0,
-             cv::INTER_LINEAR);
+  cv::resize(probabilityOf(output), sherd, photograph.size(), 0, 0, cv::INTER_LINEAR);
   cv::Mat1b mask;
   sherd.convertTo(mask, CV_8U, 255);
   return mask;

@@ -475,20 +475,11 @@ class PlateMasker {
 
 }  // namespace
 
-Result<void> PlateMaskOptions::check() const {
-  if (!(height_mm > 0 && height_mm <= kTallest_mm))
-    return Error{ErrorCode::UnusableInput, "height_mm must be within 0 and 320.", {}};
-  if (!(min_sherd_area_mm2 >= 0))
-    return Error{ErrorCode::UnusableInput, "min_sherd_area_mm2 must not be negative.", {}};
-  return {};
-}
-
 Result<MaskResult> maskByPlate(std::span<const rig::PosedImage> images,
                                std::span<const cv::Mat> photographs, const batch::Plate& plate,
                                std::span<const cv::Mat> empty_photographs,
                                const PlateMaskOptions& options, Progress& progress,
                                std::stop_token stop) {
-  if (const Result<void> ok = options.check(); !ok) return ok.error();
   if (const Result<void> ok = checkViews(
           images, photographs,
           "Masks from the plate need at least 3 photographs of a side; photograph more positions.");

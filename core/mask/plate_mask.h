@@ -25,7 +25,6 @@ struct PlateMaskOptions {
   /// Per photograph, of any size (Shown), or empty: what a coarse reconstruction of all that is
   /// there shows. Needed where the plate has no markers: its picture is then what lies bare.
   std::vector<cv::Mat1b> shown;
-  Result<void> check() const;
 };
 
 /// Masks of one side from the marker plate: a round one that turns below cameras at rest, or a

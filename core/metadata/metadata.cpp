@@ -414,16 +414,13 @@ Result<ReadBatches> readMetadata(Catalogue& catalogue, const archive::BagReader&
   if (!places) return places.error();
   const Result<json> batches = jsonOf(bag, "data/metadata/batches.json");
   if (!batches) return batches.error();
+  const Result<json> words = jsonOf(bag, "data/metadata/vocabularies.json");
+  if (!words) return words.error();
   try {
     Reading reading(catalogue, provenance);
     if (Result<void> done = reading.places(*places); !done) return done.error();
-    // Older exports have none.
-    if (const std::string words = "data/metadata/vocabularies.json"; bag.find(words)) {
-      const Result<json> vocabularies = jsonOf(bag, words);
-      if (!vocabularies) return vocabularies.error();
-      if (Result<void> done = readVocabularies(catalogue, *vocabularies, provenance); !done)
-        return done.error();
-    }
+    if (Result<void> done = readVocabularies(catalogue, *words, provenance); !done)
+      return done.error();
     return readBatches(catalogue, bag, *batches, reading.rows(), provenance);
   } catch (const json::exception& refused) {
     return unusableJson(refused, "These places and batches are not in Ostraka's format.",

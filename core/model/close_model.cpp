@@ -185,9 +185,7 @@ Error noModel(std::string what) {
   return {ErrorCode::NotEnough, std::move(what), {}};
 }
 
-Result<void> checkInput(const PointCloud& front, const PointCloud& back,
-                        const ModelOptions& options) {
-  if (Result<void> fine = options.check(); !fine) return fine;
+Result<void> checkInput(const PointCloud& front, const PointCloud& back) {
   for (const PointCloud* side : {&front, &back}) {
     const std::string name = side == &front ? "front" : "back";
     if (side->empty()) return noModel("The " + name + " scan contains no points.");
@@ -202,23 +200,10 @@ Result<void> checkInput(const PointCloud& front, const PointCloud& back,
 
 }  // namespace
 
-Result<void> ModelOptions::check() const {
-  const auto bad = [](const std::string& what) {
-    return Error{ErrorCode::UnusableInput, what, {}};
-  };
-  if (!(point_spacing_mm == 0 || (point_spacing_mm >= 0.05 && point_spacing_mm <= 10)))
-    return bad("point_spacing_mm must be 0 or between 0.05 and 10.");
-  if (!(cell_mm == 0 || (cell_mm >= 0.05 && cell_mm <= 10)))
-    return bad("cell_mm must be 0 or between 0.05 and 10.");
-  if (!(seen_spacings >= 1 && seen_spacings <= 10))
-    return bad("seen_spacings must be between 1 and 10.");
-  return {};
-}
-
 Result<SherdModel> closeModel(const PointCloud& front, const PointCloud& back,
                               const Eigen::Isometry3d& front_from_back, const ModelOptions& options,
                               Progress& progress, std::stop_token stop) {
-  if (Result<void> fine = checkInput(front, back, options); !fine) return fine.error();
+  if (Result<void> fine = checkInput(front, back); !fine) return fine.error();
   const int threads = options.threads;
   constexpr int kSteps = 5;
   progress.report(0, kSteps);

@@ -20,9 +20,6 @@ struct ModelOptions {
   /// A vertex is seen when a scan point lies within this many spacings (never below 0.5 mm).
   double seen_spacings = 2.0;
   int threads = 1;  ///< <= 0: all processors; the result does not depend on it
-
-  /// Names the field that cannot be used.
-  Result<void> check() const;
 };
 
 /// One whole sherd.

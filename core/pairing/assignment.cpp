@@ -224,14 +224,6 @@ Result<void> checkEvidence(std::span<const Evidence> evidence, int n_front, int 
 
 }  // namespace
 
-Result<void> AssignOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (!std::isfinite(lone_log_likelihood)) return bad("lone_log_likelihood must be finite.");
-  if (!(flag_below >= 0 && flag_below <= 1)) return bad("flag_below must lie between 0 and 1.");
-  if (max_alternatives < 0) return bad("max_alternatives must not be negative.");
-  return {};
-}
-
 double jointLogLikelihood(double outline, double fracture, int n_scans) {
   constexpr double kNearDuplicate =
       0.02;  // share of non-matches that have an outline nearly the same
@@ -269,7 +261,6 @@ Result<std::vector<double>> regrets(std::span<const Evidence> evidence, int n_fr
 
 Result<Assignment> assignPairs(std::span<const Evidence> evidence, int n_front, int n_back,
                                const AssignOptions& options) {
-  if (const Result<void> valid = options.check(); !valid) return valid.error();
   if (const Result<void> valid = checkEvidence(evidence, n_front, n_back); !valid) {
     return valid.error();
   }

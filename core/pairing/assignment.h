@@ -47,7 +47,6 @@ struct AssignOptions {
   double lone_log_likelihood = 0.0;  ///< a pair must beat this to be proposed: 0 = even odds
   double flag_below = 0.99;          ///< pairs less certain than this are for a person to decide
   int max_alternatives = 3;
-  Result<void> check() const;
 };
 
 struct Assignment {

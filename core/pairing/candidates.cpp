@@ -270,18 +270,10 @@ Result<std::vector<PairCandidate>> withinReach(std::vector<PairCandidate> all, i
 
 }  // namespace
 
-Result<void> CandidateOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (max_starts < 1) return bad("max_starts must be at least 1.");
-  if (!(reach >= 0)) return bad("reach must not be negative.");
-  return contour.check();
-}
-
 Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fronts,
                                                   std::span<const scan::Scan> backs,
                                                   const CandidateOptions& options,
                                                   Progress& progress, std::stop_token stop) {
-  if (const Result<void> valid = options.check(); !valid) return valid.error();
   const auto front = outlinesOf(fronts, batch::Side::Front, options, progress);
   const auto back = outlinesOf(backs, batch::Side::Back, options, progress);
   std::vector<PairCandidate> all(fronts.size() * backs.size());
@@ -307,7 +299,6 @@ Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fr
 
 Result<StartPose> startPoseAt(const scan::Scan& front, const scan::Scan& back, int shift,
                               const CandidateOptions& options) {
-  if (const Result<void> valid = options.check(); !valid) return valid.error();
   const Result<Outline> f = outlineOf(front, batch::Side::Front, options.contour);
   if (!f) return f.error();
   const Result<Outline> b = outlineOf(back, batch::Side::Back, options.contour);

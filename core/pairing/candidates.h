@@ -41,7 +41,6 @@ struct CandidateOptions {
   double reach = 25.0;  ///< pairs are left out when the best assignment that has them is
                         ///< this much less likely (logarithm) by the outlines alone
   int threads = 0;      ///< 0 = all
-  Result<void> check() const;
 };
 
 /// All pairs within reach, sorted by front, then back. Scans without a usable contour take no part

@@ -105,15 +105,6 @@ std::vector<double> heightsAt(const std::vector<Eigen::Vector2d>& line,
 
 }  // namespace
 
-Result<void> ContourOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (!(alpha_mm > 0)) return bad("alpha_mm must be positive.");
-  if (!(alpha_in_spacings >= 1)) return bad("alpha_in_spacings must be at least 1.");
-  if (!(smoothing_mm >= 0)) return bad("smoothing_mm must not be negative.");
-  if (!(step_mm > 0)) return bad("step_mm must be positive.");
-  return {};
-}
-
 std::vector<Eigen::Vector2d> resampled(std::span<const Eigen::Vector2d> closed, int n) {
   const std::size_t count = closed.size();
   const double step = perimeter(closed) / n;

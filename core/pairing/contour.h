@@ -14,7 +14,6 @@ struct ContourOptions {
       3.0;                    ///< at least so many point spacings, or it falls through the cloud
   double smoothing_mm = 0.4;  ///< Gaussian along the line: the points' spacing, below break relief
   double step_mm = 0.25;      ///< of the resampled line
-  Result<void> check() const;
 };
 
 /// The outline of a scan seen along an axis: closed, counter-clockwise seen from the tip of the

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "base/text.h"
@@ -39,9 +38,7 @@ std::string number(double value) {
 std::string colour(const Grey& grey) {
   if (!grey) return "none";
   const int level = static_cast<int>(std::lround(255 * std::clamp(*grey, 0.0, 1.0)));
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", level, level, level);
-  return text;
+  return formatted("#%02x%02x%02x", level, level, level);
 }
 
 struct SvgItem {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "base/text.h"
@@ -26,9 +25,7 @@ std::string reference(int id) {
 }
 
 std::string hex(unsigned value, int digits) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%0*X", digits, value);
-  return text;
+  return formatted("%0*X", digits, value);
 }
 
 // Letters as PDF names them: in UTF-16 with the larger byte first.
@@ -221,11 +218,7 @@ class Objects {
     const std::size_t table = out_.size();
     const std::string count = std::to_string(offsets_.size() + 1);
     out_ += "xref\n0 " + count + "\n0000000000 65535 f \n";
-    for (const std::size_t offset : offsets_) {
-      char entry[24];
-      std::snprintf(entry, sizeof entry, "%010zu 00000 n \n", offset);
-      out_ += entry;
-    }
+    for (const std::size_t offset : offsets_) out_ += formatted("%010zu 00000 n \n", offset);
     out_ += "trailer\n<< /Size " + count + " /Root " + reference(catalog) + " /Info " +
             reference(information) + " >>\nstartxref\n" + std::to_string(table) + "\n%%EOF\n";
     return std::move(out_);

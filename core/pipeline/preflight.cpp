@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
+#include "base/text.h"
 #include "colmap/colmap_program.h"
 #include "pipeline/mask_source.h"
 
@@ -17,12 +17,6 @@ namespace {
 // photographs a side, and what is held is pictures, masks and depths of all photographs of a side.
 constexpr double kBase_mb = 80, kEachMegapixel_mb = 790.0 / 24;
 constexpr double kPixelsPerMegapixel = 1e6;
-
-std::string text(const char* form, double a, double b) {
-  std::array<char, 200> out;
-  std::snprintf(out.data(), out.size(), form, a, b);
-  return out.data();
-}
 
 int countOf(const batch::Batch& batch, batch::Side side) {
   return static_cast<int>(
@@ -87,7 +81,7 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
                         std::to_string(backs) + " of the back, from " +
                         std::to_string(cameras.size()) + " cameras at " +
                         std::to_string(stops.size()) + " positions; " +
-                        text("%.1f megapixels, used with %.1f", original, ahead.megapixels));
+                        formatted("%.1f megapixels, used with %.1f", original, ahead.megapixels));
   ahead.lines.push_back(std::string("before: cameras: ") +
                         (!batch.plate  ? "found by COLMAP"
                          : options.rig ? "from the plate's markers, lenses from the calibrated rig"
@@ -99,15 +93,14 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
   // It may lie in the folder above the photographs, and be another sheet's.
   if (!batch.plate_file.empty())
     ahead.lines.push_back("before: sheet: as in " + batch.plate_file.string());
-  ahead.lines.push_back(text(free_memory_mb > 0
-                                 ? "before: memory: about %.1f GB at the peak, %.1f GB are free"
-                                 : "before: memory: about %.1f GB at the peak",
-                             ahead.memory_mb / 1000, free_memory_mb / 1000));
+  ahead.lines.push_back(
+      formatted("before: memory: about %.1f GB at the peak", ahead.memory_mb / 1000) +
+      (free_memory_mb > 0 ? formatted(", %.1f GB are free", free_memory_mb / 1000) : ""));
   if (free_memory_mb > 0 && ahead.memory_mb > free_memory_mb)
-    ahead.warnings.push_back(
-        text("This needs about %.1f GB of memory, but only %.1f GB are free: the computer may stop "
-             "the program or become very slow. Close other programs, or process a draft.",
-             ahead.memory_mb / 1000, free_memory_mb / 1000));
+    ahead.warnings.push_back(formatted(
+        "This needs about %.1f GB of memory, but only %.1f GB are free: the computer may stop "
+        "the program or become very slow. Close other programs, or process a draft.",
+        ahead.memory_mb / 1000, free_memory_mb / 1000));
   return ahead;
 }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "base/memory.h"
 #include "base/part_progress.h"
+#include "base/text.h"
 #include "batch/copied_photographs.h"
 #include "batch/photographs.h"
 #include "checks/camera_settings.h"
@@ -69,9 +69,7 @@ std::string fromWhen(const Run& run, const std::vector<rig::PosedImage>& images,
   if (run.batch.way == batch::Way::FreeCamera)
     return "from " + fs::path(images[static_cast<std::size_t>(stop)].file).filename().string() +
            " on,";
-  char text[48];
-  std::snprintf(text, sizeof text, "from position %d on (pos%02d),", stop + 1, stop);
-  return text;
+  return formatted("from position %d on (pos%02d),", stop + 1, stop);
 }
 
 // Whether sherds lay still while a side was photographed. Nothing mends a push: what follows goes
@@ -85,10 +83,8 @@ Result<StageRecord> stillnessStage(const Run& run, batch::Side side, const Stage
     const std::vector<checks::MovedSherd> moved = checks::findMoved(
         images, found.masks.value, found.scans.value, {.threads = run.options.threads});
     for (const checks::MovedSherd& sherd : moved) {
-      char by[16];
-      std::snprintf(by, sizeof by, "%.0f", sherd.by_mm);
-      const std::string text = sherd.scan + " moved by about " + by + " mm on the " +
-                               batch::name(side) +
+      const std::string text = sherd.scan + " moved by about " + fixed(sherd.by_mm, 0) +
+                               " mm on the " + batch::name(side) +
                                " side: " + fromWhen(run, images, sherd.from_stop) +
                                " it lies elsewhere; reshoot this side.";
       notes.warnings.emplace_back(text);

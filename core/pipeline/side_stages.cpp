@@ -107,7 +107,7 @@ Result<mask::MaskResult> networkMasks(const Run& run, const std::vector<cv::Mat>
   mask::MaskResult result;
   for (const cv::Mat& photograph : photographs) {
     if (run.stop.stop_requested()) return Error::cancelled();
-    Result<cv::Mat1b> mask = mask::maskByNetwork(photograph, run.options.masks, {});
+    Result<cv::Mat1b> mask = mask::maskByNetwork(photograph, run.options.masks);
     if (!mask) return mask.error();
     result.masks.push_back(std::move(*mask));
     run.progress.report(static_cast<std::int64_t>(result.masks.size()),

@@ -119,9 +119,4 @@ std::string Numbering::warning(const std::map<std::string, std::string>& values)
   return {};
 }
 
-bool Numbering::uses(std::string_view token) const {
-  return std::any_of(parts_.begin(), parts_.end(),
-                     [&](const Part& part) { return part.token && part.text == token; });
-}
-
 }  // namespace ostraka::records

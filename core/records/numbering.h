@@ -23,7 +23,6 @@ class Numbering {
   Result<std::string> counter(const std::map<std::string, std::string>& values) const;
   /// What could be misread: a value that contains the literal beside it, as 12-3. Empty when clear.
   std::string warning(const std::map<std::string, std::string>& values) const;
-  bool uses(std::string_view token) const;
 
  private:
   struct Part {

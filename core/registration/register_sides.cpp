@@ -273,26 +273,11 @@ const std::map<std::string, Method>& methodsByName() {
   return kMethods;
 }
 
-Result<void> RegistrationOptions::check() const {
-  if (auto ok = strip.check(); !ok) return ok;
-  if (!(last_radius_mm > 0) || !(first_radius_mm >= last_radius_mm))
-    return Error{ErrorCode::UnusableInput,
-                 "Registration options: need 0 < last_radius_mm <= first_radius_mm.",
-                 {}};
-  if (!(max_normal_angle_rad > 0) || !(height_step_mm >= 0) || max_survivors < 1)
-    return Error{ErrorCode::UnusableInput,
-                 "Registration options: max_normal_angle_rad, height_step_mm or max_survivors is "
-                 "out of range.",
-                 {}};
-  return {};
-}
-
 Result<Registration> registerSides(const Strip& front, const Strip& back,
                                    std::span<const Isometry3d> starts,
                                    const Constraints& constraints,
                                    const RegistrationOptions& options, Progress& progress,
                                    std::stop_token stop) {
-  if (auto ok = options.check(); !ok) return ok.error();
   if (starts.empty())
     return Error{ErrorCode::NotEnough, "No start pose was given for the registration.", {}};
   if (options.method != Method::Default)

@@ -53,7 +53,6 @@ struct RegistrationOptions {
   double height_step_mm = 2.0;          ///< starts are also tried this much higher and lower
   int max_survivors = 3;                ///< starts that go on to the fine rounds
   int threads = 1;
-  Result<void> check() const;
 };
 
 /// Why a pose must not be believed, for programs; `reason` says it to people.

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "base/median.h"
+#include "base/text.h"
 
 namespace ostraka::registration {
 namespace {
@@ -18,12 +18,6 @@ constexpr double kSmallestOverlap = 0.02;  // below it the fractures were not se
 constexpr double kLittleOverlap = 0.20;    // of whole scans 0.6 and more meets
 constexpr double kLargestCrossing = 0.10;  // faces may touch at feathered edges only
 constexpr float kFace = 0.8f;              // within 37 degrees of the viewer: face, no broken edge
-
-std::string sentence(const char* format, double a, double b = 0) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
-}
 
 }  // namespace
 
@@ -92,26 +86,26 @@ void checkRegistration(const Strip& front, const Strip& back, Registration& foun
                  "The back lies upside down: both sides face the same way.");
   else if (wall.compared > 20 && wall.crossing_share > kLargestCrossing)
     failed_check(FailedCheck::FacesCross,
-                 sentence("The faces cross: %.0f %% of the front lies behind the back.",
-                          100 * wall.crossing_share));
+                 formatted("The faces cross: %.0f %% of the front lies behind the back.",
+                           100 * wall.crossing_share));
   else if (found.fracture_overlap < kSmallestOverlap)
     failed_check(FailedCheck::NoSharedFracture,
                  "The two scans share almost no fracture; only their outlines match.");
   else if (found.fracture_overlap < kLittleOverlap)
     failed_check(FailedCheck::NoSharedFracture,
-                 sentence("The two scans share only %.0f %% of the fracture.",
-                          100 * found.fracture_overlap));
+                 formatted("The two scans share only %.0f %% of the fracture.",
+                           100 * found.fracture_overlap));
   else if (found.fracture_rms_mm > kLargestRmsMm)
     failed_check(FailedCheck::FractureMisfits,
-                 sentence("The fractures do not fit: %.2f mm RMS.", found.fracture_rms_mm));
+                 formatted("The fractures do not fit: %.2f mm RMS.", found.fracture_rms_mm));
   else if (found.uncertainty_mm > kLargestUncertaintyMm)
     failed_check(FailedCheck::FractureLoose,
-                 sentence("The fracture barely fixes the pose: uncertain by %.2f mm.",
-                          found.uncertainty_mm));
+                 formatted("The fracture barely fixes the pose: uncertain by %.2f mm.",
+                           found.uncertainty_mm));
   else if (found.runner_up_gap < kRivalGap && found.runner_up_mm > kRivalMm)
-    failed_check(
-        FailedCheck::RivalPlace,
-        sentence("A position %.1f mm along the fracture fits almost as well.", found.runner_up_mm));
+    failed_check(FailedCheck::RivalPlace,
+                 formatted("A position %.1f mm along the fracture fits almost as well.",
+                           found.runner_up_mm));
 }
 
 }  // namespace ostraka::registration

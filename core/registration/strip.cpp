@@ -113,7 +113,6 @@ void addShell(const PointCloud& cloud, const KdTree& tree, double edge_mm, Strip
     const bool whole = patch.count >= 0.95 * static_cast<double>(found.size());
     strip.shell_inside.push_back(whole && patch.aside < 0.2f ? 1 : 0);
   }
-  strip.shell_tree = KdTree(strip.shell);
   for (const Vector3f& p : strip.shell) strip.centre += p.cast<double>();
   strip.centre /= std::max<double>(1.0, static_cast<double>(strip.shell.size()));
   double sum = 0;
@@ -123,16 +122,7 @@ void addShell(const PointCloud& cloud, const KdTree& tree, double edge_mm, Strip
 
 }  // namespace
 
-Result<void> StripOptions::check() const {
-  if (!(normal_radius_mm > 0) || !(coarse_mm > 0) || !(max_up > 0 && max_up <= 1))
-    return Error{ErrorCode::UnusableInput,
-                 "Strip options: normal_radius_mm and coarse_mm must be above 0, max_up in (0, 1].",
-                 {}};
-  return {};
-}
-
 Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) {
-  if (auto ok = options.check(); !ok) return ok.error();
   if (!scan.cloud.hasNormals())
     return Error{ErrorCode::NotEnough, "The scan has no normals; export it with normals.", scan.id};
   const bool dense = medianSpacing(scan.cloud) < 0.7 * kUsefulSpacingMm;

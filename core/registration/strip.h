@@ -15,7 +15,6 @@ struct StripOptions {
   double coarse_mm = 1.2;         ///< spacing of the first rounds: a third of the thinnest wall
   double max_up = 0.85;  ///< points whose normal leans more than this towards the viewer are face:
                          ///< the other side's views stop at 75 degrees of incidence
-  Result<void> check() const;
 };
 
 /// What a point's colour differs from its surroundings, in SDs of each of three channels, and how
@@ -42,7 +41,6 @@ struct Strip {
   std::vector<Eigen::Vector3f> shell;  ///< whole scan thinned and smoothed, for rest and crossing
   std::vector<Eigen::Vector3f> shell_normals;
   std::vector<std::uint8_t> shell_inside;  ///< 1 = all around is scanned face, not near the strip
-  KdTree shell_tree{{}};
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();     ///< towards the viewer, frame of the scan
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< mean of the shell, mm
   double radius_mm = 0;                              ///< RMS distance of the shell from the centre

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <opencv2/aruco/charuco.hpp>
 #include <sstream>
 
+#include "base/text.h"
 #include "rig/marker_dictionary.h"
 #include "rig/marker_outline.h"
 
@@ -27,12 +27,6 @@ constexpr double kWordsFromEdge_mm = 4;
 // an arm reaches over the cut edge; half the line where that edge comes to lie.
 constexpr std::array<double, 4> kCrosses{-0.85, -0.55, 0.55, 0.85};
 constexpr double kArmBeyondCut_mm = 6, kEdgeMark_mm = 6;
-
-std::string words(const char* format, double a, double b = 0) {
-  char text[160];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
-}
 
 // Lines of at most so many letters, broken between words.
 std::vector<std::string> wrapped(const std::string& sentence, std::size_t letters) {
@@ -119,12 +113,12 @@ class Drawing {
 
   void drawWords() {
     const std::vector<std::string> sentences{
-        words("Ostraka plate, diameter %.0f mm, markers of %.0f mm", options_.diameter_mm,
-              options_.marker_mm),
+        formatted("Ostraka plate, diameter %.0f mm, markers of %.0f mm", options_.diameter_mm,
+                  options_.marker_mm),
         options_.dictionary + ", " + std::to_string(out_.plate.markers.size()) + " markers",
-        words("Both rulers must measure %.0f mm. If they do not, regenerate the files with "
-              "--ruler-measured and the measured length.",
-              out_.ruler_mm),
+        formatted("Both rulers must measure %.0f mm. If they do not, regenerate the files with "
+                  "--ruler-measured and the measured length.",
+                  out_.ruler_mm),
         "Turntable axis at the small cross; sherds within the dashed circle, on matt dark cloth "
         "cut to it."};
     const double size = freeRadius() > 100 ? 3.2 : 2.2, step = 1.5 * size;
@@ -310,8 +304,6 @@ class Drawing {
       out_.pages.push_back({size, size + below_mm_, {{sheet_, {size / 2, size / 2}, {}}}});
       return;
     }
-    out_.sheets_across = across_.count;
-    out_.sheets_down = down_.count;
     out_.markers_cut = across_.cut + down_.cut;
     markSeams(across_, 0);
     markSeams(down_, 1);
@@ -376,11 +368,12 @@ class Drawing {
     sheet.polygon({-margin, {size.x() + 8, -8}, size + margin, {-8, size.y() + 8}}, {}, 0.6, 0.1);
     const double ruler = 150;
     drawRuler(sheet, {(size.x() - ruler) / 2, size.y() + 17}, {1, 0}, ruler);
-    sheet.text({0, size.y() + 15}, 3.0,
-               words("Board: squares of %.0f mm, markers of %.0f mm, ", b.square_mm, b.marker_mm) +
-                   b.dictionary +
-                   ". The ruler must measure 150 mm. Glue it on glass or a stiff "
-                   "board; it must not bend.");
+    sheet.text(
+        {0, size.y() + 15}, 3.0,
+        formatted("Board: squares of %.0f mm, markers of %.0f mm, ", b.square_mm, b.marker_mm) +
+            b.dictionary +
+            ". The ruler must measure 150 mm. Glue it on glass or a stiff "
+            "board; it must not bend.");
     out_.pages.push_back({paper.x(), paper.y(), {{sheet, out_.board_corner, {}}}});
   }
 
@@ -407,7 +400,7 @@ std::string whatFits(double diameter_mm) {
   for (int marker_mm = 200; marker_mm >= 5; --marker_mm)
     if (markersOnRing(diameter_mm, marker_mm) >= kFewestMarkers &&
         freeRadiusOf(diameter_mm, marker_mm) >= kLeastFree_mm)
-      return words("markers of %.0f mm fit on it.", static_cast<double>(marker_mm));
+      return formatted("markers of %.0f mm fit on it.", static_cast<double>(marker_mm));
   return "make the plate larger.";
 }
 
@@ -422,12 +415,12 @@ Result<void> PlatePrintOptions::check() const {
   if (!(diameter_mm > 0 && diameter_mm <= 2000))
     return bad("The plate's diameter must be between 1 and 2000 mm.");
   if (markersOnRing(diameter_mm, marker_mm) < kFewestMarkers)
-    return bad(words("Fewer than six markers of %.0f mm fit on a plate of %.0f mm; ", marker_mm,
-                     diameter_mm) +
+    return bad(formatted("Fewer than six markers of %.0f mm fit on a plate of %.0f mm; ", marker_mm,
+                         diameter_mm) +
                whatFits(diameter_mm));
   if (freeRadiusOf(diameter_mm, marker_mm) < kLeastFree_mm)
-    return bad(words("Markers of %.0f mm leave no room for a sherd on a plate of %.0f mm; ",
-                     marker_mm, diameter_mm) +
+    return bad(formatted("Markers of %.0f mm leave no room for a sherd on a plate of %.0f mm; ",
+                         marker_mm, diameter_mm) +
                whatFits(diameter_mm));
   if (!(printer_margin_mm >= 0 && printer_margin_mm <= 40))
     return bad("The printer's margin must be between 0 and 40 mm.");
@@ -472,9 +465,9 @@ Result<PlatePrint> printPlate(const PlatePrintOptions& options) {
     if (std::abs(off) > 0.1)
       return Error{
           ErrorCode::UnusableInput,
-          words("The ruler of this plate is drawn %.0f mm long; %.1f mm differs by more than a "
-                "tenth. Print the file at 100 %, without 'fit to page', and measure again.",
-                print.ruler_mm, options.ruler_measured_mm),
+          formatted("The ruler of this plate is drawn %.0f mm long; %.1f mm differs by more than a "
+                    "tenth. Print the file at 100 %%, without 'fit to page', and measure again.",
+                    print.ruler_mm, options.ruler_measured_mm),
           {}};
   }
   return print;

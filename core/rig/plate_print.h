@@ -40,9 +40,8 @@ struct PlatePrint {
   std::vector<Eigen::Vector2d> centres;
   Eigen::Vector2d board_corner = Eigen::Vector2d::Zero();  ///< upper left of the board's squares
   double ruler_mm = 0;                                     ///< length of the ruler as drawn
-  int sheets_across = 1, sheets_down = 1;
-  int markers_cut = 0;  ///< markers that lie on a seam
-  batch::Plate plate;   ///< scaled to the measured ruler
+  int markers_cut = 0;                                     ///< markers that lie on a seam
+  batch::Plate plate;                                      ///< scaled to the measured ruler
   batch::Board board;
 };
 

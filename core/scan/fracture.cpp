@@ -8,14 +8,6 @@
 #include "scan/footprint.h"
 
 namespace ostraka::scan {
-Result<void> FractureOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (!(steep_rad > 0 && steep_rad < 1.57)) return bad("steep_rad must lie between 0 and 1.57.");
-  if (!(edge_mm >= 0)) return bad("edge_mm must not be negative.");
-  if (!(reach_mm >= edge_mm)) return bad("reach_mm must not be less than edge_mm.");
-  return {};
-}
-
 Eigen::Vector3d estimateUp(const PointCloud& cloud) {
   if (cloud.size() < 3) return Eigen::Vector3d::UnitZ();
   // About 60 cubes along the longest side: even weights, whatever the density of the points.

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/result.h"
 #include "cloud/point_cloud.h"
 
 namespace ostraka::scan {
@@ -15,7 +14,6 @@ struct FractureOptions {
   double edge_mm = 1.0;  ///< always fracture: this close to the outline seen along up
   double reach_mm = 12.0;  ///< steep points further inside belong to the vessel's shape; walls are
                            ///< 3-10 mm thick, and an oblique break is as wide as the wall is thick
-  Result<void> check() const;
 };
 
 /// Per point 1 on the strip of broken edge, else 0. A scan alone tells it: the point's normal,

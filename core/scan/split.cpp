@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "base/plate_order.h"
+#include "base/text.h"
 #include "cloud/nearest.h"
 #include "scan/footprint.h"
 #include "scan/fracture.h"
@@ -19,14 +19,8 @@ namespace {
 
 constexpr std::size_t kFewest = 100;  // points; fewer are flying points, not even a crumb
 
-std::string millimetres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.0f", value);
-  return text;
-}
-
 std::string at(const Eigen::Vector2d& place) {
-  return "at x " + millimetres(place.x()) + ", y " + millimetres(place.y()) + " mm";
+  return "at x " + fixed(place.x(), 0) + ", y " + fixed(place.y(), 0) + " mm";
 }
 
 // Where a sheet rises it may have given way under the sherd.
@@ -181,7 +175,7 @@ void leaveOutRelative(const Limits& limits, double longest, SplitResult& result)
   const double percent = 100 * longest / (limits.usual * kUsualSherd_mm);
   const bool front = limits.side == batch::Side::Front;
   result.warnings.push_back(
-      "An object of " + millimetres(percent) +
+      "An object of " + fixed(percent, 0) +
       " % of the typical sherd's length was left out of the " + (front ? "front" : "back") +
       " side; without a scale, it may be a sherd. If it is one, photograph it alone.");
   result.doubtful.push_back(result.warnings.back());
@@ -201,7 +195,7 @@ bool isSherd(const PointCloud& piece, const Limits& limits, SplitResult& result)
   if (limits.options.lengths == Lengths::Relative) {
     leaveOutRelative(limits, extent.longest_mm, result);
   } else if (small) {
-    result.warnings.push_back("A crumb of " + millimetres(extent.longest_mm) + " mm " +
+    result.warnings.push_back("A crumb of " + fixed(extent.longest_mm, 0) + " mm " +
                               at(extent.middle) +
                               " was left out; if it is a sherd, photograph it alone.");
   } else {
@@ -270,18 +264,8 @@ void addParts(PointCloud piece, const Limits& limits, SplitResult& result) {
 
 }  // namespace
 
-Result<void> SplitOptions::check() const {
-  if (!(gap_mm > 0)) return Error{ErrorCode::UnusableInput, "gap_mm must be above 0.", {}};
-  if (!(touching.neck_share >= 0 && touching.neck_share < 1))
-    return Error{ErrorCode::UnusableInput, "neck_share must lie in [0, 1).", {}};
-  if (images.size() != masks.size())
-    return Error{ErrorCode::UnusableInput, "images and masks must be of one number.", {}};
-  return {};
-}
-
 Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                                const SplitOptions& options, Progress& progress) {
-  if (const Result<void> checked = options.check(); !checked) return checked.error();
   if (!plate_cloud.empty() && !plate_cloud.hasNormals())
     return Error{ErrorCode::UnusableInput, "The plate's point cloud has no normals.", {}};
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));
@@ -308,9 +292,7 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                        extentOf(b.cloud, options.ground).middle);
   });
   for (std::size_t i = 0; i < result.scans.size(); ++i) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%c%03zu", side == batch::Side::Front ? 'f' : 'b', i + 1);
-    result.scans[i].id = number;
+    result.scans[i].id = formatted("%c%03zu", side == batch::Side::Front ? 'f' : 'b', i + 1);
     result.scans[i].fracture = findFracture(result.scans[i].cloud, {.up = result.scans[i].up});
   }
   progress.note(NoteLevel::Info, std::string("scans: ") + std::to_string(result.scans.size()) +

@@ -34,7 +34,6 @@ struct SplitOptions {
   /// Photographs and masks of the side, see outlines.h; without them gaps alone separate sherds.
   std::span<const rig::PosedImage> images = {};
   std::span<const cv::Mat1b> masks = {};
-  Result<void> check() const;
 };
 
 struct SplitResult {

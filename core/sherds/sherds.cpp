@@ -6,6 +6,7 @@
 #include "base/uuid.h"
 #include "catalogue/history.h"
 #include "catalogue/search.h"
+#include "catalogue/stamped_rows.h"
 #include "records/words.h"
 #include "sherds/filter.h"
 #include "sherds/sherd_changes.h"
@@ -25,7 +26,7 @@ constexpr const char* kSherds =
     "SELECT s.row, s.id, s.number, s.state, s.void_reason, s.context, s.bag, s.batch, s.front, "
     "s.back, s.part, s.decoration, s.condition, s.ware, s.fabric, s.inclusions, s.manufacture, "
     "s.firing, s.surface_out, s.surface_in, s.munsell_out, s.munsell_in, s.munsell_core, s.period, "
-    "s.date_edtf, s.vessel, s.note, s.extra, s.created_at, s.updated_at, s.revision, site.code, "
+    "s.date_edtf, s.vessel, s.note, s.extra, s.revision, site.code, "
     "trench.code, context.number, bag.number, batch.number, ifnull(batch.scale_doubts, '') <> '', "
     "s.preview_path, s.model_path, ifnull(max(front.position, 0), 0), "
     "m.length, m.width, m.thickness_min, m.thickness_mean, m.thickness_max, m.area, m.volume, "
@@ -43,9 +44,8 @@ records::SherdRecord readSherd(store::Statement& row) {
       s.front >> s.back >> part >> decoration >> condition >> s.ware >> s.fabric >> s.inclusions >>
       s.manufacture >> s.firing >> s.surface_out >> s.surface_in >> s.munsell_out >> s.munsell_in >>
       s.munsell_core >> s.period >> s.date_edtf >> s.vessel >> s.note >> s.extra_json >>
-      s.created_ms >> s.updated_ms >> s.revision >> s.site >> s.trench >> s.context_number >>
-      s.bag_number >> s.batch_number >> s.scale_doubtful >> s.preview_path >> s.model_path >>
-      s.piece;
+      s.revision >> s.site >> s.trench >> s.context_number >> s.bag_number >> s.batch_number >>
+      s.scale_doubtful >> s.preview_path >> s.model_path >> s.piece;
   s.state = records::fromWord<records::SherdState>(state);
   s.part = store::termsFromJson(part);
   s.decoration = store::termsFromJson(decoration);
@@ -196,15 +196,9 @@ Result<store::SherdRow> Sherds::add(const records::SherdRecord& s,
     if (!isUuid(id)) store::refuse("The uuid of a sherd is not well formed.", id);
     store::Statement same = database_->sql("SELECT 1 FROM sherd WHERE id = ?");
     if (same.with(id).next()) store::refuse("A sherd with this uuid already exists.", id);
-    database_
-        ->sql(
-            "INSERT INTO sherd (id, created_at, created_by, updated_at, updated_by, number_sort, "
-            "context, bag, batch, front, back, extra) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-            "?)")
-        .with(id, now(), provenance.person, now(), provenance.person, kBehindAllNumbers, s.context,
-              s.bag, s.batch, s.front, s.back, s.extra_json)
-        .run();
-    const store::SherdRow row{database_->lastRow()};
+    const store::SherdRow row{catalogue::addRow(
+        catalogue_, provenance, "sherd", id, "number_sort context bag batch front back extra",
+        kBehindAllNumbers, s.context, s.bag, s.batch, s.front, s.back, s.extra_json)};
     database_->sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
     catalogue::remember(catalogue_, provenance, "sherd", row.value, "", "", id);
     std::vector<records::FieldChange> changes;

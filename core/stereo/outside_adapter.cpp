@@ -200,9 +200,7 @@ Result<FolderLock> writeOutsideFolder(std::span<const View> views, const DenseOp
     if (error) return *error;
   colmap::ColmapModel model = colmap::toColmap(cameras, names);
   if (const Result<void> done = addPoints(views, options, model, stop); !done) return done.error();
-  // Text: every version of both programs reads it.
-  const Result<void> written =
-      colmap::writeColmapModel(folder / "sparse", model, colmap::ColmapFormat::Text);
+  const Result<void> written = colmap::writeColmapModel(folder / "sparse", model);
   if (!written) return written.error();
   return held;
 }

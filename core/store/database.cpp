@@ -130,8 +130,8 @@ static int lookAgain(void*, int times) {
   return 1;
 }
 
-Database::Database(fs::path file, Mode mode, const char* vfs)
-    : file_(std::move(file)), vfs_(vfs), read_only_(mode == Mode::ReadOnly) {}
+Database::Database(fs::path file, Mode mode)
+    : file_(std::move(file)), read_only_(mode == Mode::ReadOnly) {}
 
 Database::~Database() {
   prepared_.clear();
@@ -139,7 +139,7 @@ Database::~Database() {
 }
 
 // As a URI names it, for what only URIs can say.
-static std::string uriOf(const fs::path& file, const char* parameter) {
+static std::string immutableUriOf(const fs::path& file) {
   std::string uri = "file:";
   for (const char c : fs::absolute(file).string()) {
     if (c == '?' || c == '#' || c == '%') {
@@ -148,12 +148,13 @@ static std::string uriOf(const fs::path& file, const char* parameter) {
       uri += c;
     }
   }
-  return uri + "?" + parameter;
+  return uri + "?immutable=1";
 }
 
 Result<void> Database::connect(const std::string& name, int flags) {
   sqlite3_close(std::exchange(handle_, nullptr));
-  if (sqlite3_open_v2(name.c_str(), &handle_, flags | SQLITE_OPEN_EXRESCODE, vfs_) == SQLITE_OK) {
+  if (sqlite3_open_v2(name.c_str(), &handle_, flags | SQLITE_OPEN_EXRESCODE, checkedPagesVfs()) ==
+      SQLITE_OK) {
     sqlite3_busy_handler(handle_, lookAgain, nullptr);
     return {};
   }
@@ -170,7 +171,7 @@ Result<void> Database::connectWhereNothingCanBeWritten() {
   const fs::path wal = file_.string() + "-wal", index = file_.string() + "-shm";
   const bool has_wal = fs::exists(wal, ignored) && fs::file_size(wal, ignored) > 0;
   if (!has_wal && !fs::exists(index, ignored))
-    return connect(uriOf(file_, "immutable=1"), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    return connect(immutableUriOf(file_), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
   if (Result<void> opened = connect(file_.string(), SQLITE_OPEN_READONLY); !opened) return opened;
   if (asResult([&] { exec("SELECT count(*) FROM sqlite_schema"); })) return {};
   return connectToCopy();
@@ -198,13 +199,9 @@ Result<void> Database::connectToCopy() {
 }
 
 Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode) {
-  const char* vfs = checkedPagesVfs();
-  if (mode != Mode::Create) {
-    const Result<Pages> pages = lookAtHeader(file);
-    if (!pages) return pages.error();
-    if (*pages == Pages::Plain) vfs = nullptr;
-  }
-  std::unique_ptr<Database> database(new Database(file, mode, vfs));
+  if (mode != Mode::Create)
+    if (const Result<void> good = checkHeader(file); !good) return good.error();
+  std::unique_ptr<Database> database(new Database(file, mode));
   Result<void> opened;
   if (mode != Mode::ReadOnly)
     opened = database->connect(
@@ -335,8 +332,8 @@ Error Database::errorOf(const SqlFailure& failure) const {
 
 void Database::copyTo(const fs::path& file) const {
   sqlite3* target = nullptr;
-  int code =
-      sqlite3_open_v2(file.c_str(), &target, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, vfs_);
+  int code = sqlite3_open_v2(file.c_str(), &target, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE,
+                             checkedPagesVfs());
   if (code == SQLITE_OK) {
     if (sqlite3_backup* backup = sqlite3_backup_init(target, "main", handle_, "main")) {
       code = sqlite3_backup_step(backup, -1);  // finishing says nothing of a database that is busy
@@ -354,20 +351,6 @@ void Database::copyTo(const fs::path& file) const {
   if (code == SQLITE_OK) return;
   const Error error = errorAt({code, text}, file);
   throw Refused(error.code == ErrorCode::CannotWrite ? error : errorOf({code, text}));
-}
-
-Result<void> Database::rewriteWithChecksums(const fs::path& file) {
-  const std::string name = fs::absolute(file_).string();
-  const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_URI;  // which the new file's name needs
-  if (Result<void> opened = connect(name, flags); !opened) return opened;
-  return asResult([&] {
-    exec("PRAGMA locking_mode = EXCLUSIVE");
-    exec("PRAGMA journal_mode = DELETE");  // busy while others have it open
-    int reserved = static_cast<int>(kReservedBytes);
-    sqlite3_file_control(handle_, "main", SQLITE_FCNTL_RESERVE_BYTES, &reserved);
-    const std::string vfs = std::string("vfs=") + checkedPagesVfs();
-    sql("VACUUM INTO ?").with(uriOf(file, vfs.c_str())).run();
-  });
 }
 
 }  // namespace ostraka::store

@@ -18,7 +18,7 @@ struct sqlite3;
 namespace ostraka::store {
 
 /// One connection. Foreign keys are on, the journal is a WAL, others are waited for 10 s. Pages are
-/// checked as they are read (page_checksums.h), but for those of catalogues before that.
+/// checked as they are read (page_checksums.h).
 class Database {
  public:
   /// ReadOnly: also where nothing can be written, not even what SQLite needs beside the file.
@@ -64,11 +64,8 @@ class Database {
   }
   /// This whole database into another file (SQLite's backup), page by page.
   void copyTo(const std::filesystem::path& file) const;
-  /// Into a new file whose pages have checksums. Error: another program has this one open.
-  Result<void> rewriteWithChecksums(const std::filesystem::path& file);
   const std::filesystem::path& file() const { return file_; }
   bool readOnly() const { return read_only_; }
-  bool hasChecksums() const { return vfs_ != nullptr; }
 
  private:
   class Scope {
@@ -95,7 +92,7 @@ class Database {
       }
     });
   }
-  Database(std::filesystem::path file, Mode mode, const char* vfs);
+  Database(std::filesystem::path file, Mode mode);
   Result<void> connect(const std::string& name, int flags);
   Result<void> connectWhereNothingCanBeWritten();
   Result<void> connectToCopy();
@@ -105,7 +102,6 @@ class Database {
   struct Prepared;
   sqlite3* handle_ = nullptr;
   std::filesystem::path file_;
-  const char* vfs_;  ///< null: the system's
   bool read_only_;
   std::optional<ScratchFolder> scratch_;  ///< of a copy that this connection alone reads
   std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;

@@ -5,9 +5,7 @@
 #include <array>
 #include <cstring>
 
-#include "store/database.h"
 #include "store/page_checksums.h"
-#include "store/partial_file.h"
 
 namespace ostraka::store {
 namespace {
@@ -18,8 +16,7 @@ namespace fs = std::filesystem;
 using Header = std::array<unsigned char, 100>;
 constexpr std::string_view kMagic("SQLite format 3", 16);
 constexpr std::size_t kPageSize = 16, kReserved = 20, kVersion = 60, kApplication = 68;
-constexpr std::uint32_t kOstraka = 1330861138;  // OSTR; since version 4
-constexpr std::uint32_t kFirstNamedVersion = 4;
+constexpr std::uint32_t kOstraka = 1330861138;  // OSTR
 
 std::uint32_t bigEndianAt(const Header& header, std::size_t at) {
   std::uint32_t value = 0;
@@ -38,7 +35,7 @@ Error damagedCatalogue(const std::string& why, const fs::path& file) {
 }
 
 // Through SQLite: a process that closes a file of its own loses SQLite's locks on it.
-Result<Pages> lookAtHeader(const fs::path& file) {
+Result<void> checkHeader(const fs::path& file) {
   Header header{};
   sqlite3* handle = nullptr;
   sqlite3_file* opened = nullptr;
@@ -58,37 +55,14 @@ Result<Pages> lookAtHeader(const fs::path& file) {
   if (bytes == 0) return damagedCatalogue("the file is empty", file);
   if (std::memcmp(header.data(), kMagic.data(), kMagic.size()) != 0)
     return damagedCatalogue("the file is not a database", file);
-  const std::uint32_t version = bigEndianAt(header, kVersion);
-  const std::uint32_t application = bigEndianAt(header, kApplication);
-  const bool unnamed = application == 0 && version < kFirstNamedVersion;
-  if (application != kOstraka && !unnamed)
+  if (bigEndianAt(header, kApplication) != kOstraka)
     return damagedCatalogue("the file belongs to another program", file);
-  if (version == 0) return damagedCatalogue("the file contains no catalogue", file);
+  if (bigEndianAt(header, kVersion) == 0)
+    return damagedCatalogue("the file contains no catalogue", file);
   const std::size_t page_bytes = std::size_t{header[kPageSize]} << 8 | header[kPageSize + 1];
-  // A file that is being brought up to date has checksums before it has their version.
-  const bool checked = header[kReserved] == kReservedBytes;
-  const bool plain = header[kReserved] == 0 && version < kFirstCheckedVersion;
-  if (page_bytes != kPageBytes || (!checked && !plain))
+  if (page_bytes != kPageBytes || header[kReserved] != kReservedBytes)
     return damagedCatalogue("the header is inconsistent", file);
-  return checked ? Pages::Checked : Pages::Plain;
-}
-
-Result<void> addPageChecksums(const fs::path& file) {
-  Result<PartialFile> fresh = PartialFile::beside(file);
-  if (!fresh) return fresh.error();
-  // Two programs may open it for the first time at once.
-  const std::optional<Hold> alone =
-      Hold::wait(fs::absolute(file).parent_path(), std::chrono::seconds(10));
-  const Result<Pages> now = lookAtHeader(file);
-  if (!now) return now.error();
-  if (*now == Pages::Checked) return {};
-  {
-    Result<std::unique_ptr<Database>> plain = Database::open(file, Database::Mode::ReadWrite);
-    if (!plain) return plain.error();
-    if (Result<void> written = (*plain)->rewriteWithChecksums(fresh->path()); !written)
-      return written;
-  }
-  return fresh->become(file, PartialFile::Existing::Replaced);
+  return {};
 }
 
 }  // namespace ostraka::store

@@ -115,11 +115,10 @@ struct Found {
 // The schema alone is read, and nothing of what it says is run. It stays trusted: SQLite 3.40 holds
 // the json_valid() of our own checks for unsafe.
 Result<Found> foreignSchema(const fs::path& file) {
-  const Result<Pages> pages = lookAtHeader(file);
-  if (!pages) return pages.error();
+  if (const Result<void> good = checkHeader(file); !good) return good.error();
   sqlite3* opened = nullptr;
   int code = sqlite3_open_v2(file.c_str(), &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE,
-                             *pages == Pages::Checked ? checkedPagesVfs() : nullptr);
+                             checkedPagesVfs());
   const Connection database(opened);
   for (const auto& [setting, on] :
        {std::pair(SQLITE_DBCONFIG_DEFENSIVE, 1), std::pair(SQLITE_DBCONFIG_ENABLE_TRIGGER, 0),

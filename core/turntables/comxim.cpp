@@ -1,14 +1,12 @@
 #include "turntables/comxim.h"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <cmath>
-#include <mutex>
 #include <vector>
 
 #include "base/text.h"
-#include "devices/conversation.h"
+#include "turntables/line_turntable.h"
 
 namespace ostraka::turntables {
 namespace {
@@ -29,18 +27,18 @@ std::optional<double> numberIn(std::string_view text) {
   return value;
 }
 
-class ComXimTurntable final : public devices::Turntable {
+class ComXimTurntable final : public LineTurntable {
  public:
   ComXimTurntable(std::unique_ptr<devices::ByteChannel> channel, const ComXimOptions& options,
                   std::shared_ptr<devices::Clock> clock)
-      : line_(std::move(channel), std::move(clock), ';', "#"), options_(options) {}
+      : LineTurntable({std::move(channel), std::move(clock), ';', "#"}, options.speed_deg_s,
+                      options.clockwise),
+        dialect_(options.dialect) {}
   ~ComXimTurntable() override { close(); }
 
   std::string name() const override { return "ComXim turntable at " + where_; }
 
-  Result<void> connect(std::stop_token stop) {
-    where_ = line_.channel().name();
-    line_.forget();
+  Result<void> connect(std::stop_token stop) override {
     setPosition(std::nullopt);
     bool answered = false;
     std::vector<std::string> greetings{"+QR,VERSION", "+QR,VERSION"};
@@ -73,6 +71,7 @@ class ComXimTurntable final : public devices::Turntable {
   }
 
   Result<void> home(std::stop_token stop) override {
+    halt_ = false;
     setPosition(std::nullopt);
     const Result<ComXimReply> reply = command(brackets() ? "CT+TOZERO()" : "+CT,TOZERO", stop);
     if (!reply) return reply.error();
@@ -105,12 +104,7 @@ class ComXimTurntable final : public devices::Turntable {
   }
 
   Result<void> moveTo(double degrees, std::stop_token stop) override {
-    if (!std::isfinite(degrees))
-      return Error{ErrorCode::UnusableInput, "The angle is not a number.", where_};
-    if (!position_deg())
-      return Error{ErrorCode::NotEnough,
-                   "The turntable's position is unknown: home it or align it.", where_};
-    halt_ = false;
+    if (const Result<double> start = beginMove(degrees); !start) return start.error();
     for (int turn = 0; turn < kMostTurns; ++turn) {
       const double by = degrees - *position_deg();
       if (std::abs(by) <= (turn == 0 ? 0.005 : kTolerance_deg)) return {};
@@ -123,44 +117,14 @@ class ComXimTurntable final : public devices::Turntable {
                  "The turntable does not reach its angle; check that nothing blocks it.", where_};
   }
 
-  void stopNow() override { halt_ = true; }
-  std::optional<double> position_deg() const override {
-    const std::lock_guard lock(guard_);
-    return position_deg_;
-  }
-  Result<void> reopen(std::stop_token stop) override {
-    setPosition(std::nullopt);
-    if (Result<void> r = line_.channel().reopen(stop); !r) return r;
-    return connect(stop);
-  }
-  void close() override { line_.channel().close(); }
-
  private:
-  bool brackets() const { return options_.dialect == ComXimDialect::Brackets; }
-  double now_s() { return line_.clock().now_s(); }
-  double sign() const { return options_.clockwise ? -1 : 1; }
-  double patience_s(double by) const { return 1.5 * std::abs(by) / options_.speed_deg_s + 3; }
-  Error gone(const std::string& what) const { return {ErrorCode::Missing, what, where_}; }
+  bool brackets() const { return dialect_ == ComXimDialect::Brackets; }
   Error refused(const ComXimReply& reply) const {
     return {ErrorCode::Failed,
             "The turntable rejected a command (error " + std::to_string(reply.error) +
                 "): wrong turntable type or bad cable.",
             where_};
   }
-  void setPosition(std::optional<double> degrees) {
-    const std::lock_guard lock(guard_);
-    position_deg_ = degrees;
-  }
-
-  Result<void> drain() {
-    for (int k = 0; k < 1000; ++k) {
-      const auto message = line_.waiting();
-      if (!message) return message.error();
-      if (!*message) return {};
-    }
-    return {};
-  }
-
   // Sends it and gives the first reply of one of these kinds; Other: none came in time.
   Result<ComXimReply> ask(const std::string& text, std::initializer_list<Kind> wanted,
                           std::stop_token stop) {
@@ -173,7 +137,7 @@ class ComXimTurntable final : public devices::Turntable {
       if (!message) return message.error();
       if (stop.stop_requested()) return Error::cancelled();
       if (!*message) break;
-      const ComXimReply reply = parseComXimReply(**message, options_.dialect);
+      const ComXimReply reply = parseComXimReply(**message, dialect_);
       heard_ = heard_ || (*message)->starts_with("CR+") || (*message)->starts_with("+DATA") ||
                (*message)->starts_with("+OK") || (*message)->starts_with("+FAIL");
       if (std::find(wanted.begin(), wanted.end(), reply.kind) != wanted.end()) return reply;
@@ -192,7 +156,7 @@ class ComXimTurntable final : public devices::Turntable {
       if (!message) return message.error();
       if (stop.stop_requested() || halt_) return halt();
       if (!*message) continue;
-      const ComXimReply reply = parseComXimReply(**message, options_.dialect);
+      const ComXimReply reply = parseComXimReply(**message, dialect_);
       if (reply.kind == Kind::Arrived) return true;
       if (reply.kind == Kind::Paused) {
         setPosition(std::nullopt);
@@ -206,7 +170,7 @@ class ComXimTurntable final : public devices::Turntable {
     const Result<ComXimReply> reply = ask(brackets() ? "CT+GETOFFSETANGLE()" : "+QT,CHANGEANGLE",
                                           {Kind::Angle, Kind::Refused}, stop);
     if (!reply) return reply.error();
-    if (reply->kind == Kind::Angle) return std::optional(sign() * reply->angle_deg);
+    if (reply->kind == Kind::Angle) return std::optional(sign_ * reply->angle_deg);
     return std::optional<double>();
   }
 
@@ -229,7 +193,7 @@ class ComXimTurntable final : public devices::Turntable {
   Result<void> turnBy(double by, std::stop_token stop) {
     const double start = *position_deg();
     setPosition(std::nullopt);
-    const double way = sign() * by;
+    const double way = sign_ * by;
     const std::string text =
         brackets() ? std::string(new_spelling_ ? "CT+TURNSINGLE(" : "CT+TRUNSINGLE(") +
                          (way > 0 ? "1," : "0,") + fixed(std::abs(way), 2) + ")"
@@ -269,14 +233,9 @@ class ComXimTurntable final : public devices::Turntable {
   }
   Result<void> haltAt() { return halt(); }
 
-  devices::Conversation line_;
-  ComXimOptions options_;
-  std::string where_;
+  const ComXimDialect dialect_;
   bool new_spelling_ = false, tells_angle_ = false, heard_ = false;
   double base_deg_ = 0;  // what the table tells at our zero
-  std::atomic<bool> halt_ = false;
-  mutable std::mutex guard_;
-  std::optional<double> position_deg_;
 };
 
 }  // namespace
@@ -315,18 +274,12 @@ ComXimReply parseComXimReply(std::string_view message, ComXimDialect dialect) {
   return reply;
 }
 
-Result<void> ComXimOptions::check() const {
-  if (speed_deg_s > 0) return {};
-  return Error{ErrorCode::UnusableInput, "The turntable's speed must be greater than 0.", {}};
-}
-
 Result<std::unique_ptr<devices::Turntable>> openComXim(
     std::unique_ptr<devices::ByteChannel> channel, const ComXimOptions& options,
     std::shared_ptr<devices::Clock> clock, std::stop_token stop) {
-  if (const Result<void> checked = options.check(); !checked) return checked.error();
-  auto table = std::make_unique<ComXimTurntable>(std::move(channel), options, std::move(clock));
-  if (Result<void> r = table->connect(std::move(stop)); !r) return r.error();
-  return std::unique_ptr<devices::Turntable>(std::move(table));
+  return LineTurntable::open(
+      std::make_unique<ComXimTurntable>(std::move(channel), options, std::move(clock)),
+      std::move(stop));
 }
 
 }  // namespace ostraka::turntables

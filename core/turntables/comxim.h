@@ -18,7 +18,6 @@ struct ComXimOptions {
   ComXimDialect dialect = ComXimDialect::Brackets;
   double speed_deg_s = 10;  ///< about; how long a turn may take at most follows from it
   bool clockwise = false;   ///< positive angles turn clockwise on this table
-  Result<void> check() const;
 };
 
 /// A table of this family. It turns by relative angles only, so that a command is never repeated:

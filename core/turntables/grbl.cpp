@@ -1,13 +1,11 @@
 #include "turntables/grbl.h"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <cmath>
-#include <mutex>
 
 #include "base/text.h"
-#include "devices/conversation.h"
+#include "turntables/line_turntable.h"
 
 namespace ostraka::turntables {
 namespace {
@@ -26,19 +24,19 @@ struct Answer {
   std::string words;  // of Refused and Alarm
 };
 
-class GrblTurntable final : public devices::Turntable {
+class GrblTurntable final : public LineTurntable {
  public:
   GrblTurntable(std::unique_ptr<devices::ByteChannel> channel, GrblOptions options,
                 std::shared_ptr<devices::Clock> clock)
-      : line_(std::move(channel), std::move(clock), '\n'), options_(std::move(options)) {}
+      : LineTurntable({std::move(channel), std::move(clock), '\n'}, options.speed_deg_s,
+                      options.clockwise),
+        shutter_(std::move(options.shutter)) {}
   ~GrblTurntable() override { close(); }
 
   std::string name() const override { return "GRBL turntable at " + where_; }
 
   // Speaks to it until it answers as a GRBL.
-  Result<void> connect(std::stop_token stop) {
-    where_ = line_.channel().name();
-    line_.forget();
+  Result<void> connect(std::stop_token stop) override {
     for (const char* wake : {"\n", "\x18"}) {
       if (Result<void> r = line_.send(wake); !r) return r;
       const double deadline_s = now_s() + kBoot_s;
@@ -89,27 +87,17 @@ class GrblTurntable final : public devices::Turntable {
   }
 
   Result<void> moveTo(double degrees, std::stop_token stop) override {
-    if (!std::isfinite(degrees))
-      return Error{ErrorCode::UnusableInput, "The angle is not a number.", where_};
     if (Result<void> r = drain(); !r) return r;
-    if (!position_deg()) return lost();
-    halt_ = false;
-    const double start = *position_deg();
-    if (std::abs(degrees - start) <= tolerance_deg_) return standsAt(degrees, stop);
-    const Result<void> moved = turn(start, degrees, stop);
-    if (!moved && moved.error().code != ErrorCode::Cancelled && position_deg() == start)
+    const Result<double> start = beginMove(degrees);
+    if (!start) return start.error();
+    if (std::abs(degrees - *start) <= tolerance_deg_) return standsAt(degrees, stop);
+    const Result<void> moved = turn(*start, degrees, stop);
+    if (!moved && moved.error().code != ErrorCode::Cancelled && position_deg() == *start)
       setPosition(std::nullopt);  // on its way, we do not know where
     return moved;
   }
 
-  void stopNow() override { halt_ = true; }
-
-  std::optional<double> position_deg() const override {
-    const std::lock_guard lock(guard_);
-    return position_deg_;
-  }
-
-  bool firesShutters() const override { return !options_.shutter.empty(); }
+  bool firesShutters() const override { return !shutter_.empty(); }
   Result<void> fireShutters(std::stop_token stop) override {
     Result<void> fired;
     for (const std::string& step : {shutterOn(), std::string("G4 P0.2")}) {
@@ -123,43 +111,22 @@ class GrblTurntable final : public devices::Turntable {
     return fired;
   }
 
-  // A controller that kept its power still knows where it is; a banner tells if it did not.
-  Result<void> reopen(std::stop_token stop) override {
-    setPosition(std::nullopt);
-    if (Result<void> r = line_.channel().reopen(stop); !r) return r;
-    return connect(stop);
-  }
-
   void close() override {
     if (closed_) return;
     closed_ = true;
     if (firesShutters()) (void)line_.send(shutterOff() + "\n");
-    line_.channel().close();
+    LineTurntable::close();
   }
 
  private:
-  double now_s() { return line_.clock().now_s(); }
-  double sign() const { return options_.clockwise ? -1 : 1; }
-
-  Error lost() const {
-    return {ErrorCode::NotEnough, "The turntable's position is unknown: home it or align it.",
-            where_};
-  }
-  Error gone(const std::string& what) const { return {ErrorCode::Missing, what, where_}; }
-
-  void setPosition(std::optional<double> degrees) {
-    const std::lock_guard lock(guard_);
-    position_deg_ = degrees;
-  }
-
   static bool isBanner(std::string_view line) {
     return line.starts_with("Grbl ") || line.find("for help]") != std::string_view::npos;
   }
 
-  std::string shutterOn() const { return options_.shutter == "M3" ? "M3 S1000" : options_.shutter; }
+  std::string shutterOn() const { return shutter_ == "M3" ? "M3 S1000" : shutter_; }
   std::string shutterOff() const {
-    if (options_.shutter == "M3") return "M5";
-    if (options_.shutter.starts_with("M62")) return "M63" + options_.shutter.substr(3);
+    if (shutter_ == "M3") return "M5";
+    if (shutter_.starts_with("M62")) return "M63" + shutter_.substr(3);
     return "M9";
   }
 
@@ -194,15 +161,8 @@ class GrblTurntable final : public devices::Turntable {
       tolerance_deg_ = std::clamp(1.5 / value, 0.005, 0.1);
   }
 
-  // Old replies mean nothing to the next command, but a restart or an alarm does.
-  Result<void> drain() {
-    for (int k = 0; k < 1000; ++k) {
-      const auto message = line_.waiting();
-      if (!message) return message.error();
-      if (!*message) return {};
-      if (isBanner(**message) || (*message)->starts_with("ALARM:")) setPosition(std::nullopt);
-    }
-    return {};
+  void overhear(const std::string& line) override {
+    if (isBanner(line) || line.starts_with("ALARM:")) setPosition(std::nullopt);
   }
 
   Result<Answer> command(const std::string& text, double timeout_s, std::stop_token stop) {
@@ -275,8 +235,8 @@ class GrblTurntable final : public devices::Turntable {
   }
 
   std::optional<double> placeIn(const GrblReport& report) const {
-    if (report.work) return sign() * *report.work;
-    if (report.machine) return sign() * (*report.machine - offset_);
+    if (report.work) return sign_ * *report.work;
+    if (report.machine) return sign_ * (*report.machine - offset_);
     return std::nullopt;
   }
 
@@ -309,10 +269,10 @@ class GrblTurntable final : public devices::Turntable {
     const Result<GrblReport> before = settled(stop);
     if (!before) return before.error();
     for (int again = 0; again < 3; ++again) {  // saying it twice changes nothing
-      const Result<Answer> answer = command("G92 X" + fixed(sign() * degrees, 3), kReply_s, stop);
+      const Result<Answer> answer = command("G92 X" + fixed(sign_ * degrees, 3), kReply_s, stop);
       if (!answer) return answer.error();
       if (answer->reply != Reply::Ok && answer->reply != Reply::Lost) return judge(*answer, {});
-      if (before->machine) offset_ = *before->machine - sign() * degrees;
+      if (before->machine) offset_ = *before->machine - sign_ * degrees;
       const Result<GrblReport> now = settled(stop);
       if (!now) return now.error();
       const auto place = placeIn(*now);
@@ -351,17 +311,16 @@ class GrblTurntable final : public devices::Turntable {
 
   Result<void> turn(double start, double target, std::stop_token stop) {
     if (Result<void> r = stillCounts(start, stop); !r) return r;
-    const double patience_s = 1.5 * std::abs(target - start) / options_.speed_deg_s + 3;
-    double deadline_s = now_s() + patience_s;
-    const std::string move =
-        "G1 X" + fixed(sign() * target, 3) + " F" + fixed(60 * options_.speed_deg_s, 3);
+    const double patience = patience_s(target - start);
+    double deadline_s = now_s() + patience;
+    const std::string move = "G1 X" + fixed(sign_ * target, 3) + " F" + fixed(60 * speed_deg_s_, 3);
     int sent = 0, arrived = 0, resting = 0, silences = 0;
     bool must_send = true;
     while (true) {
       if (must_send) {
         must_send = false;
         ++sent;
-        deadline_s = now_s() + patience_s;
+        deadline_s = now_s() + patience;
         const Result<Answer> answer = command(move, kReply_s, stop);
         if (!answer) return answer.error().code == ErrorCode::Cancelled ? halt() : answer.error();
         if (answer->reply != Reply::Ok && answer->reply != Reply::Lost) return judge(*answer, {});
@@ -423,37 +382,26 @@ class GrblTurntable final : public devices::Turntable {
     return Error::cancelled();
   }
 
-  devices::Conversation line_;
-  GrblOptions options_;
-  std::string where_;
+  const std::string shutter_;
   bool has_switch_ = false;
   double tolerance_deg_ = 0.1;  // one and a half steps, as soon as the steps are known
   double offset_ = 0;           // machine count at our zero
-  std::atomic<bool> halt_ = false;
   bool closed_ = false;
-  mutable std::mutex guard_;
-  std::optional<double> position_deg_;
 };
 
 }  // namespace
-
-Result<void> GrblOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
-  if (!(speed_deg_s > 0)) return bad("The turntable's speed must be greater than 0.");
-  if (!shutter.empty() && shutter != "M8" && shutter != "M7" && shutter != "M3" &&
-      !shutter.starts_with("M62 P"))
-    return bad("The shutter output must be M8, M7, M3 or M62 Pn.");
-  return {};
-}
 
 Result<std::unique_ptr<devices::Turntable>> openGrbl(std::unique_ptr<devices::ByteChannel> channel,
                                                      const GrblOptions& options,
                                                      std::shared_ptr<devices::Clock> clock,
                                                      std::stop_token stop) {
-  if (const Result<void> checked = options.check(); !checked) return checked.error();
-  auto table = std::make_unique<GrblTurntable>(std::move(channel), options, std::move(clock));
-  if (Result<void> r = table->connect(std::move(stop)); !r) return r.error();
-  return std::unique_ptr<devices::Turntable>(std::move(table));
+  const std::string& shutter = options.shutter;
+  if (!shutter.empty() && shutter != "M8" && shutter != "M7" && shutter != "M3" &&
+      !shutter.starts_with("M62 P"))
+    return Error::unusable("The shutter output must be M8, M7, M3 or M62 Pn.");
+  return LineTurntable::open(
+      std::make_unique<GrblTurntable>(std::move(channel), options, std::move(clock)),
+      std::move(stop));
 }
 
 }  // namespace ostraka::turntables

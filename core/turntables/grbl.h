@@ -14,7 +14,6 @@ struct GrblOptions {
   double speed_deg_s = 20;
   std::string shutter{};   ///< "M8", "M3" or "M62 P0"; empty: no output
   bool clockwise = false;  ///< the axis counts clockwise
-  Result<void> check() const;
 };
 
 /// A turntable on a GRBL 1.1 or FluidNC controller, degrees as its units on the X axis.

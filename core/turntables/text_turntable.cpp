@@ -1,16 +1,14 @@
 #include "turntables/text_turntable.h"
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "base/text.h"
-#include "devices/conversation.h"
 #include "files/json_numbers.h"
+#include "turntables/line_turntable.h"
 
 namespace ostraka::turntables {
 namespace {
@@ -21,23 +19,21 @@ std::string filledIn(std::string text, const std::string& name, double value) {
   return text;
 }
 
-class TextTurntable final : public devices::Turntable {
+class TextTurntable final : public LineTurntable {
   static constexpr double kTolerance_deg = 0.1;
   static constexpr int kTries = 3;
   static constexpr double kHoming_s = 60;
   static constexpr double kBoot_s = 3;
   static constexpr double kTrail_s = 0.3;  // within which the end of an answer follows it
-  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
   enum class Answer { Accepted, Arrived, Refused, Restarted, Lost };
 
  public:
   TextTurntable(std::unique_ptr<devices::ByteChannel> channel, const TextTableOptions& options,
                 std::shared_ptr<devices::Clock> clock)
-      : line_(std::move(channel), std::move(clock), options.dialect.end),
-        options_(options),
+      : LineTurntable({std::move(channel), std::move(clock), options.dialect.end},
+                      options.speed_deg_s, options.clockwise),
         words_(options.dialect),
-        where_(line_.channel().name()),
         accepted_(words_.accepted),
         refused_(words_.refused),
         restarted_(words_.restarted),
@@ -50,8 +46,8 @@ class TextTurntable final : public devices::Turntable {
 
   // Many boards restart when their line is opened, and hear nothing meanwhile. What they say then
   // is no answer to anything; the first command has to be understood.
-  Result<void> connect(std::stop_token stop) {
-    position_deg_ = kUnknown;
+  Result<void> connect(std::stop_token stop) override {
+    setPosition(std::nullopt);
     saw_restart_ = false;
     for (double end_s = now_s() + kBoot_s; !words_.restarted.empty() && now_s() < end_s;) {
       const auto message = line_.next(end_s - now_s(), stop);
@@ -75,8 +71,9 @@ class TextTurntable final : public devices::Turntable {
   std::string name() const override { return words_.name + " at " + where_; }
 
   Result<void> home(std::stop_token stop) override {
+    halt_ = false;
     if (words_.home.empty()) return gone("This turntable has no zero switch: align it by eye.");
-    position_deg_ = kUnknown;
+    setPosition(std::nullopt);
     if (Result<void> r = obey(words_.home, kHoming_s, stop); !r) return r;
     if (!words_.still.empty())
       if (Result<void> r = obey(words_.still, kHoming_s, stop); !r) return r;
@@ -84,53 +81,38 @@ class TextTurntable final : public devices::Turntable {
   }
 
   Result<void> zeroHere(std::stop_token stop) override {
+    halt_ = false;
     if (!words_.zero.empty())
       if (Result<void> r = obey(words_.zero, words_.reply_s, std::move(stop)); !r) return r;
-    position_deg_ = 0;
+    setPosition(0);
     return {};
   }
 
   Result<void> moveTo(double degrees, std::stop_token stop) override {
-    halt_ = false;
-    const double start = position_deg_;
-    if (std::isnan(start))
-      return Error{ErrorCode::NotEnough,
-                   "The turntable's position is unknown: home it or align it.", where_};
-    if (start == degrees) return {};
-    position_deg_ = kUnknown;  // until it has arrived
-    Result<void> turned = turn(start, degrees, stop);
+    const Result<double> start = beginMove(degrees);
+    if (!start) return start.error();
+    if (*start == degrees) return {};
+    setPosition(std::nullopt);  // until it has arrived
+    Result<void> turned = turn(*start, degrees, stop);
     if (turned)
-      position_deg_ = degrees;
+      setPosition(degrees);
     else if (turned.error().code == ErrorCode::Missing)
       findOut({});
     return turned;
   }
 
-  void stopNow() override { halt_ = true; }
-  std::optional<double> position_deg() const override {
-    const double now = position_deg_;
-    return std::isnan(now) ? std::nullopt : std::optional(now);
-  }
-
   // A line that was only cut leaves the controller counting; it is asked.
   Result<void> reopen(std::stop_token stop) override {
+    halt_ = false;
     if (Result<void> r = line_.channel().reopen(stop); !r) return r;
     line_.forget();
     if (Result<void> r = connect(stop); !r) return r;
     findOut(std::move(stop));
     return {};
   }
-  void close() override {
-    if (closed_) return;
-    closed_ = true;
-    line_.channel().close();
-  }
 
  private:
-  double now_s() { return line_.clock().now_s(); }
-  double sign() const { return options_.clockwise ? -1 : 1; }
   bool turnsBySteps() const { return words_.move.find("{by}") != std::string::npos; }
-  Error gone(const std::string& what) const { return {ErrorCode::Missing, what, where_}; }
   static bool says(const std::string& line, const std::string& word, const std::regex& regex) {
     return !word.empty() && std::regex_search(line, regex);
   }
@@ -138,19 +120,11 @@ class TextTurntable final : public devices::Turntable {
   bool isRestart(const std::string& line) {
     if (!says(line, words_.restarted, restarted_)) return false;
     saw_restart_ = true;
-    position_deg_ = kUnknown;
+    setPosition(std::nullopt);
     return true;
   }
 
-  Result<void> drain() {
-    for (int k = 0; k < 1000; ++k) {
-      const auto message = line_.waiting();
-      if (!message) return message.error();
-      if (!*message) return {};
-      (void)isRestart(**message);
-    }
-    return {};
-  }
+  void overhear(const std::string& line) override { (void)isRestart(line); }
 
   Result<Answer> say(const std::string& command, double patience_s, std::stop_token stop) {
     if (Result<void> r = drain(); !r) return r.error();
@@ -206,23 +180,23 @@ class TextTurntable final : public devices::Turntable {
   }
 
   Result<void> turn(double start, double target, std::stop_token stop) {
-    const double patience_s = 1.5 * std::abs(target - start) / options_.speed_deg_s + 3;
-    std::string move = filledIn(words_.move, "{target}", sign() * target);
-    move = filledIn(move, "{by}", sign() * (target - start));
-    move = filledIn(move, "{deg_min}", 60 * options_.speed_deg_s);
-    move = filledIn(move, "{deg_s}", options_.speed_deg_s);
+    const double patience = patience_s(target - start);
+    std::string move = filledIn(words_.move, "{target}", sign_ * target);
+    move = filledIn(move, "{by}", sign_ * (target - start));
+    move = filledIn(move, "{deg_min}", 60 * speed_deg_s_);
+    move = filledIn(move, "{deg_s}", speed_deg_s_);
     Result<Answer> answer = say(move, words_.reply_s, stop);
     for (int k = 1; k < kTries && answer && *answer == Answer::Lost && !turnsBySteps(); ++k)
       answer = say(move, words_.reply_s, stop);
     if (!answer) return answer.error();
     if (*answer != Answer::Accepted && *answer != Answer::Arrived) return trouble(*answer);
     if (!words_.still.empty()) {
-      if (Result<void> r = obey(words_.still, patience_s, stop); !r) return r;
+      if (Result<void> r = obey(words_.still, patience, stop); !r) return r;
     } else if (!words_.arrived.empty() && *answer != Answer::Arrived) {
-      answer = hear(patience_s, stop);
+      answer = hear(patience, stop);
       if (!answer) return answer.error();
       if (*answer != Answer::Arrived) return trouble(*answer);
-    } else if (words_.arrived.empty() && !line_.clock().sleep(patience_s, stop)) {
+    } else if (words_.arrived.empty() && !line_.clock().sleep(patience, stop)) {
       return halted();
     }
     if (words_.query.empty()) return {};
@@ -252,7 +226,7 @@ class TextTurntable final : public devices::Turntable {
           continue;
         // Its "ok" must not be taken for that of the next command.
         if (const Result<Answer> rest = hear(kTrail_s, stop); !rest) return rest.error();
-        return std::optional(sign() * place);
+        return std::optional(sign_ * place);
       }
     }
     return std::optional<double>();
@@ -266,7 +240,7 @@ class TextTurntable final : public devices::Turntable {
       const Result<std::optional<double>> place = ask(stop);
       if (!place || !*place) return;
       if (before && std::abs(*before - **place) < 1e-6) {
-        position_deg_ = **place;
+        setPosition(**place);
         return;
       }
       before = *place;
@@ -274,15 +248,10 @@ class TextTurntable final : public devices::Turntable {
     }
   }
 
-  devices::Conversation line_;
-  TextTableOptions options_;
   const TextDialect words_;
-  std::string where_;
   std::regex accepted_, refused_, restarted_, arrived_, busy_, place_;
   std::string complaint_;
-  std::atomic<double> position_deg_ = kUnknown;
-  std::atomic<bool> halt_ = false;
-  bool saw_restart_ = false, closed_ = false;
+  bool saw_restart_ = false;
 };
 
 }  // namespace
@@ -325,12 +294,6 @@ Result<void> TextDialect::check() const {
   return {};
 }
 
-Result<void> TextTableOptions::check() const {
-  if (!(speed_deg_s > 0))
-    return Error{ErrorCode::UnusableInput, "The turntable's speed must be greater than 0.", {}};
-  return dialect.check();
-}
-
 Result<TextDialect> dialectFromJson(const nlohmann::json& json) {
   const Error unusable{
       ErrorCode::UnusableInput,
@@ -369,10 +332,10 @@ Result<TextDialect> dialectFromJson(const nlohmann::json& json) {
 Result<std::unique_ptr<devices::Turntable>> openTextTable(
     std::unique_ptr<devices::ByteChannel> channel, const TextTableOptions& options,
     std::shared_ptr<devices::Clock> clock, std::stop_token stop) {
-  if (const Result<void> checked = options.check(); !checked) return checked.error();
-  auto table = std::make_unique<TextTurntable>(std::move(channel), options, std::move(clock));
-  if (Result<void> r = table->connect(std::move(stop)); !r) return r.error();
-  return std::unique_ptr<devices::Turntable>(std::move(table));
+  if (const Result<void> checked = options.dialect.check(); !checked) return checked.error();
+  return LineTurntable::open(
+      std::make_unique<TextTurntable>(std::move(channel), options, std::move(clock)),
+      std::move(stop));
 }
 
 }  // namespace ostraka::turntables

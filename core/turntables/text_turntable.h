@@ -37,7 +37,6 @@ struct TextTableOptions {
   TextDialect dialect = marlinDialect();
   double speed_deg_s = 20;
   bool clockwise = false;  ///< the controller counts clockwise
-  Result<void> check() const;
 };
 
 /// After a lost reply an absolute target is said again, which turns nothing twice; a table that

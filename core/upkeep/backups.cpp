@@ -40,7 +40,7 @@ std::string timeStamp(std::int64_t now_ms) {
 Result<fs::path> backUpInto(const fs::path& folder, const catalogue::Catalogue& catalogue,
                             const std::string& kind) {
   // A connection still shows what it read before the file under it was emptied.
-  if (const Result<store::Pages> live = store::lookAtHeader(catalogue.database().file()); !live)
+  if (const Result<void> live = store::checkHeader(catalogue.database().file()); !live)
     return live.error();
   std::error_code code;
   if (const Result<void> made = makeFolder(folder / "backups"); !made) return made.error();

@@ -84,35 +84,23 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
   if (!database) return database.error();
   // Anybody may have written it: what it says is read before any of it is run.
   if (const Result<void> ours = store::checkSchema(**database); !ours) return ours.error();
-  Result<catalogue::Catalogue> catalogue =
-      catalogue::Catalogue(std::move(*database), orSystemClock(clock));
-  const auto isOld = [&] { return catalogue->schemaVersion() < store::migrations().back().number; };
-  if (!writable && isOld())
+  catalogue::Catalogue catalogue(std::move(*database), orSystemClock(clock));
+  if (!writable && catalogue.schemaVersion() < store::migrations().back().number)
     return refused(
         "An older Ostraka made this project, and it is read-only here; copy it to a folder that "
         "you can write to, and open it there.",
         folder);
-  bool saved = false;
   const auto save = [&]() -> Result<void> {
-    if (std::exchange(saved, true)) return {};
-    const Result<fs::path> copy = backUpInto(folder, *catalogue, "-before-update");
+    const Result<fs::path> copy = backUpInto(folder, catalogue, "-before-update");
     return copy ? Result<void>() : copy.error();
   };
-  if (!catalogue->database().hasChecksums()) {
-    if (const Result<void> done = save(); !done) return done.error();
-    catalogue = refused({}, {});  // closes it
-    if (const Result<void> done = store::addPageChecksums(file); !done) return done.error();
-    database = store::Database::open(file, Mode::ReadWrite);
-    if (!database) return database.error();
-    catalogue = catalogue::Catalogue(std::move(*database), orSystemClock(clock));
-  }
-  if (const Result<void> done = store::migrate(catalogue->database(), store::migrations(), save);
+  if (const Result<void> done = store::migrate(catalogue.database(), store::migrations(), save);
       !done)
     return done.error();
-  const Result<records::ProjectRecord> record = catalogue::Settings(*catalogue).project();
+  const Result<records::ProjectRecord> record = catalogue::Settings(catalogue).project();
   if (!record) return record.error();
   if (record->id.empty()) return store::damagedCatalogue("it contains no project", file);
-  if (const Result<void> safe = checkBatchFolders(*catalogue); !safe) return safe.error();
+  if (const Result<void> safe = checkBatchFolders(catalogue); !safe) return safe.error();
   return catalogue;
 }
 
@@ -193,10 +181,6 @@ bool Project::isProject(const fs::path& folder) {
   return fs::is_regular_file(folder / kFile, code);
 }
 
-Result<catalogue::Catalogue> Project::connect() const {
-  return connect(folder_);
-}
-
 Result<catalogue::Catalogue> Project::connect(const fs::path& folder) {
   return openCatalogue(folder, {});
 }
@@ -206,16 +190,6 @@ fs::path Project::batchFolder(const std::string& number) const {
 }
 fs::path Project::resultsFolder(const std::string& number) const {
   return folder_ / "results" / number;
-}
-fs::path Project::absolute(const std::string& relative) const {
-  return folder_ / relative;
-}
-
-Result<std::string> Project::relative(const fs::path& absolute) const {
-  const Result<std::string> path = store::checkedPath(
-      fs::absolute(absolute).lexically_normal().lexically_relative(folder_).generic_string());
-  if (!path) return refused("This file is outside the project's folder.", absolute);
-  return path;
 }
 
 }  // namespace ostraka::upkeep

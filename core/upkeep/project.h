@@ -35,14 +35,10 @@ class Project {
   catalogue::Catalogue& catalogue() { return catalogue_; }
   const catalogue::Catalogue& catalogue() const { return catalogue_; }
   /// A connection of its own for another thread; callable from any thread.
-  Result<catalogue::Catalogue> connect() const;
   static Result<catalogue::Catalogue> connect(const std::filesystem::path& folder);
 
   std::filesystem::path batchFolder(const std::string& number) const;
   std::filesystem::path resultsFolder(const std::string& number) const;
-  std::filesystem::path absolute(const std::string& relative) const;  ///< of paths in records
-  /// Relative with '/' as the records hold it; an error outside the project.
-  Result<std::string> relative(const std::filesystem::path& absolute) const;
 
   /// Into backups/, checked by reading it back. This one and the newest `keep` stay, of each of the
   /// latest `days` (UTC) with a copy the last one, and all that are larger by more than a quarter:

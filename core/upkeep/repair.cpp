@@ -11,7 +11,6 @@
 #include "files/cannot_write.h"
 #include "files/files.h"
 #include "store/database.h"
-#include "store/file_header.h"
 #include "store/migrations.h"
 #include "store/partial_file.h"
 #include "store/schema_check.h"
@@ -70,9 +69,6 @@ class Repair {
       fs::copy_file(file_.string() + kWal, copy->path().string() + kWal, failed);
     if (failed) return cannotWrite(file_, failed.value());
     progress_.report(0, 4);
-    // Pages of before the checksums prove nothing.
-    if (const auto old = store::lookAtHeader(file_); old && *old == store::Pages::Plain)
-      if (const Result<bool> whole = isWhole(copy->path()); whole && *whole) return report_;
     if (Result<void> found = findBackups(); !found) return found.error();
     const Result<PageRepair> pages = repairPages(copy->path(), backups_);
     if (!pages) return pages.error();
@@ -167,7 +163,6 @@ class Repair {
   }
 
   Result<void> bringUpToDate(const fs::path& file) const {
-    if (Result<void> checked = store::addPageChecksums(file); !checked) return checked;
     Result<catalogue::Catalogue> catalogue = opened(file, store::Database::Mode::ReadWrite);
     if (!catalogue) return catalogue.error();
     return store::migrate(catalogue->database(), store::migrations(),

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/text.h"
 #include "cloud/ply.h"
 #include "files/files.h"
 #include "files/json.h"
-#include "rendering/numbered.h"
 #include "rendering/plate_surface.h"
 #include "rig/plate_print.h"
 
@@ -60,8 +60,7 @@ std::string encodedJpeg(const cv::Mat& image, const JpegOptions& options) {
 }
 
 std::string photographName(batch::Side side, int camera, int stop) {
-  return std::string(batch::name(side)) + "/" +
-         rendering::numbered("cam%d_pos%02d.jpg", camera, stop);
+  return std::string(batch::name(side)) + "/" + formatted("cam%d_pos%02d.jpg", camera, stop);
 }
 
 Result<void> writeJpeg(const std::filesystem::path& file, const cv::Mat& image,
@@ -102,7 +101,7 @@ Result<void> writeTruth(const std::filesystem::path& folder,
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < sherds.size(); ++i) {
     const vessels::VirtualSherd& s = sherds[i];
-    const std::string mesh = rendering::numbered("sherd%02d.ply", static_cast<int>(i));
+    const std::string mesh = formatted("sherd%02d.ply", static_cast<int>(i));
     if (Result<void> r = writePly(folder / mesh, s.mesh, "model"); !r) return r;
     nlohmann::ordered_json group;
     if (s.lookalike_group >= 0) group = s.lookalike_group;

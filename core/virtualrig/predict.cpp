@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "base/parallel.h"
+#include "base/text.h"
 #include "cloud/ply.h"
 #include "evaluate/model.h"
 #include "evaluate/truth.h"
@@ -26,12 +26,6 @@ constexpr std::array<double, 3> kRadii_mm{12, 22, 37};  // of outlines; sherds a
 
 // Of a trial's time; simulating takes what is left of processing it.
 constexpr double kProcessShare = 0.75;
-
-std::string words(const char* format, double a, double b = 0, double c = 0) {
-  char text[240];
-  std::snprintf(text, sizeof text, format, a, b, c);
-  return text;
-}
 
 // What masks and stereo work on: large photographs are averaged down before.
 int workingWidth(const rig::Rig& rig) {
@@ -106,10 +100,10 @@ std::string cameraName(const rig::Rig& rig, std::size_t c) {
 
 // Of small, medium and large sherds.
 std::string figuresOf(const Prediction& prediction, const std::array<SizePrediction, 3>& sizes) {
-  return words("%.3f, %.3f, %.3f mm and ", prediction.expectedAccuracy(sizes[0]),
-               prediction.expectedAccuracy(sizes[1]), prediction.expectedAccuracy(sizes[2])) +
-         words("%.1f, %.1f, %.1f %%", sizes[0].completeness_percent, sizes[1].completeness_percent,
-               sizes[2].completeness_percent);
+  return formatted("%.3f, %.3f, %.3f mm and ", prediction.expectedAccuracy(sizes[0]),
+                   prediction.expectedAccuracy(sizes[1]), prediction.expectedAccuracy(sizes[2])) +
+         formatted("%.1f, %.1f, %.1f %%", sizes[0].completeness_percent,
+                   sizes[1].completeness_percent, sizes[2].completeness_percent);
 }
 
 void remarkOnMoves(const rig::Rig& rig, const PredictOptions& options, Prediction& prediction) {
@@ -125,8 +119,9 @@ void remarkOnMoves(const rig::Rig& rig, const PredictOptions& options, Predictio
     prediction.remarks.push_back(
         tried.better
             ? name + " should be " + where +
-                  words(", by %.0f degrees about the plate's middle", std::abs(degrees)) + figures
-            : name + " can stay: " + words("%.0f degrees ", std::abs(degrees)) + where +
+                  formatted(", by %.0f degrees about the plate's middle", std::abs(degrees)) +
+                  figures
+            : name + " can stay: " + formatted("%.0f degrees ", std::abs(degrees)) + where +
                   " is most promising, but models would not be better" + figures);
   }
   if (prediction.moves.empty() && options.moves > 0)
@@ -140,14 +135,14 @@ void remark(const rig::Rig& rig, const PredictOptions& options, Prediction& pred
   for (std::size_t c = 0; c < prediction.pixels_mm.size(); ++c)
     if (prediction.pixels_mm[c] > 1.3 * finest)
       prediction.remarks.push_back(cameraName(rig, c) +
-                                   words(" resolves %.2f mm per pixel, the finest camera %.2f; "
-                                         "move it closer or zoom in, then recalibrate.",
-                                         prediction.pixels_mm[c], finest));
+                                   formatted(" resolves %.2f mm per pixel, the finest camera %.2f; "
+                                             "move it closer or zoom in, then recalibrate.",
+                                             prediction.pixels_mm[c], finest));
   if (prediction.outside > 0.005)
-    prediction.remarks.push_back(
-        words("On average, %.1f %% of the sherds' surface falls outside a camera's picture; aim "
-              "the cameras at the plate's middle, or move them back.",
-              100 * prediction.outside));
+    prediction.remarks.push_back(formatted(
+        "On average, %.1f %% of the sherds' surface falls outside a camera's picture; aim "
+        "the cameras at the plate's middle, or move them back.",
+        100 * prediction.outside));
   remarkOnMoves(rig, options, prediction);
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <optional>
 
 #include "base/parallel.h"
+#include "base/text.h"
 #include "rendering/photograph.h"
 #include "rendering/sheet_backdrop.h"
 #include "virtualrig/batch_files.h"
@@ -20,9 +20,7 @@ namespace {
 // A summer's morning: seconds since its midnight as EXIF writes a moment.
 std::string clockTime(double seconds) {
   const int s = static_cast<int>(seconds);
-  char text[24];
-  std::snprintf(text, sizeof text, "2026:07:14 %02d:%02d:%02d", s / 3600 % 24, s / 60 % 60, s % 60);
-  return text;
+  return formatted("2026:07:14 %02d:%02d:%02d", s / 3600 % 24, s / 60 % 60, s % 60);
 }
 
 // Draws places until a thing lies clear of the sherds and of other things: on the sheet, or, as

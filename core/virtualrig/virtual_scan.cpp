@@ -8,9 +8,9 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "base/text.h"
 #include "cloud/ply.h"
 #include "files/json.h"
-#include "rendering/numbered.h"
 #include "rendering/scene.h"
 
 namespace ostraka::virtualrig {
@@ -207,8 +207,8 @@ Result<void> writeScans(const std::vector<vessels::VirtualSherd>& sherds, const 
     });
     if (stop.stop_requested()) return Error::cancelled();
     for (std::size_t i = 0; i < count; ++i) {
-      const std::string file = front ? rendering::numbered("front/f%03d.ply", fronts[i])
-                                     : rendering::numbered("back/b%03d.ply", backs[i]);
+      const std::string file =
+          front ? formatted("front/f%03d.ply", fronts[i]) : formatted("back/b%03d.ply", backs[i]);
       if (Result<void> r =
               writePly(options.output / file, clouds[i], front ? "plate_front" : "plate_back");
           !r)
@@ -218,15 +218,15 @@ Result<void> writeScans(const std::vector<vessels::VirtualSherd>& sherds, const 
   }
   nlohmann::ordered_json pairs = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string mesh = rendering::numbered("truth/f%03d.ply", fronts[i]);
+    const std::string mesh = formatted("truth/f%03d.ply", fronts[i]);
     if (Result<void> r = writePly(options.output / mesh,
                                   transformed(sherds[i].mesh, layout.front[i]), "plate_front");
         !r)
       return r;
     nlohmann::ordered_json group;
     if (sherds[i].lookalike_group >= 0) group = sherds[i].lookalike_group;
-    pairs.push_back({{"front", rendering::numbered("front/f%03d.ply", fronts[i])},
-                     {"back", rendering::numbered("back/b%03d.ply", backs[i])},
+    pairs.push_back({{"front", formatted("front/f%03d.ply", fronts[i])},
+                     {"back", formatted("back/b%03d.ply", backs[i])},
                      {"T_front_from_back", toJson(layout.front[i] * layout.back[i].inverse())},
                      {"lookalike_group", group},
                      {"symmetric", false},

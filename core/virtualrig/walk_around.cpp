@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "rendering/numbered.h"
+#include "base/text.h"
 #include "virtualrig/setup.h"
 
 namespace ostraka::virtualrig {
@@ -101,7 +101,7 @@ std::vector<FreeShot> walkAround(const rendering::HandHeldOptions& options,
     const double start = random.uniform(0, 2 * std::numbers::pi), way = random.chance(0.5) ? 1 : -1;
     for (int i = 0; i < options.photographs; ++i) {
       FreeShot shot;
-      shot.name = rendering::numbered("IMG_%04d", number++);
+      shot.name = formatted("IMG_%04d", number++);
       shot.side = side;
       rig::Intrinsics& k = shot.intrinsics;
       k.width = width;

@@ -2,6 +2,9 @@
 -- Every table that people see has: row, id (UUID), created/updated at (ms UTC) and by, revision,
 -- extra (JSON: the user's own fields). created_by and updated_by NULL: the program.
 
+-- The file's header says what kind of SQLite file it is: the letters OSTR, as in the MIME type's magic.
+PRAGMA application_id = 1330861138;
+
 CREATE TABLE person (
   row INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE,
   created_at INTEGER NOT NULL, created_by INTEGER REFERENCES person,
@@ -92,7 +95,10 @@ CREATE TABLE batch (
                                        'review', 'done', 'failed')),
   started_ms INTEGER, ended_ms INTEGER, reprojection_px REAL, scale_error_pct REAL,
   rig_sha256 TEXT NOT NULL DEFAULT '', program TEXT NOT NULL DEFAULT '',
-  settings_sha256 TEXT NOT NULL DEFAULT '', note TEXT NOT NULL DEFAULT ''
+  settings_sha256 TEXT NOT NULL DEFAULT '', note TEXT NOT NULL DEFAULT '',
+  -- Why the scale is in doubt, whole sentences, one a line; empty: nothing speaks against it. Until
+  -- it is settled all measures that the program took of its sherds are in doubt.
+  scale_doubts TEXT NOT NULL DEFAULT ''
 ) STRICT;
 
 CREATE TABLE batch_bag (
@@ -139,6 +145,21 @@ CREATE TABLE pair_decision (
 ) STRICT;
 CREATE INDEX pair_decision_batch ON pair_decision (batch);
 
+-- What people said about pieces that the masks separated or joined wrongly. Only added to.
+CREATE TABLE piece_decision (
+  row INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, at INTEGER NOT NULL,
+  decision TEXT NOT NULL DEFAULT '',  -- its id in the batch's decisions.json
+  person INTEGER REFERENCES person, batch INTEGER NOT NULL REFERENCES batch,
+  side TEXT NOT NULL CHECK (side IN ('front', 'back')),
+  verdict TEXT NOT NULL CHECK (verdict IN ('join', 'cut', 'withdraw')),
+  -- [{"name": "f003", "place_mm": [x, y]}]: scans come and go with each computation, places stay
+  pieces TEXT NOT NULL DEFAULT '[]' CHECK (json_type(pieces) = 'array'),
+  cut_mm TEXT NOT NULL DEFAULT '[]' CHECK (json_type(cut_mm) = 'array'),  -- [[x, y], [x, y]]
+  replaces INTEGER REFERENCES piece_decision, note TEXT NOT NULL DEFAULT '',
+  CHECK (verdict <> 'withdraw' OR replaces IS NOT NULL)
+) STRICT;
+CREATE INDEX piece_decision_batch ON piece_decision (batch);
+
 CREATE TABLE sherd (
   row INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE,
   created_at INTEGER NOT NULL, created_by INTEGER REFERENCES person,
@@ -165,11 +186,16 @@ CREATE TABLE sherd (
   CHECK (state <> 'numbered' OR (number <> '' AND context IS NOT NULL)),
   CHECK (state <> 'draft' OR number = '')
 ) STRICT;
-CREATE INDEX sherd_number ON sherd (number_sort, row);
 CREATE INDEX sherd_context ON sherd (context);
 CREATE INDEX sherd_bag ON sherd (bag);
 CREATE INDEX sherd_batch ON sherd (batch);
 CREATE INDEX sherd_updated ON sherd (updated_at);
+-- The table of the window is put into another order from indexes alone: none of the rows is read.
+-- State and number tell which sherds are shown.
+CREATE INDEX sherd_number ON sherd (number_sort, row, state, number);
+CREATE INDEX sherd_state ON sherd (state);
+CREATE INDEX sherd_part ON sherd (part);
+CREATE INDEX sherd_ware ON sherd (ware);
 
 -- Every number that was ever given: none comes back, not even after a sherd was renumbered.
 CREATE TABLE given_number (
@@ -236,6 +262,8 @@ CREATE TABLE history (
   new TEXT NOT NULL, why TEXT NOT NULL, source TEXT NOT NULL
 ) STRICT;
 CREATE INDEX history_row ON history (table_name, row);
+-- Which front of an earlier plate a sherd had before it was photographed again.
+CREATE INDEX history_front ON history (old) WHERE table_name = 'sherd' AND field = 'front';
 
 CREATE TRIGGER history_stays BEFORE UPDATE ON history
   BEGIN SELECT raise(ABORT, 'history is only added to'); END;
@@ -245,6 +273,10 @@ CREATE TRIGGER pair_decision_stays BEFORE UPDATE ON pair_decision
   BEGIN SELECT raise(ABORT, 'pair decisions are only added to'); END;
 CREATE TRIGGER pair_decision_is_kept BEFORE DELETE ON pair_decision
   BEGIN SELECT raise(ABORT, 'pair decisions are only added to'); END;
+CREATE TRIGGER piece_decision_stays BEFORE UPDATE ON piece_decision
+  BEGIN SELECT raise(ABORT, 'decisions about pieces are only added to'); END;
+CREATE TRIGGER piece_decision_is_kept BEFORE DELETE ON piece_decision
+  BEGIN SELECT raise(ABORT, 'decisions about pieces are only added to'); END;
 CREATE TRIGGER given_number_is_kept BEFORE DELETE ON given_number
   BEGIN SELECT raise(ABORT, 'a number that was given stays taken'); END;
 

@@ -168,8 +168,8 @@ Sentences sentencesOfPipeline() {
                         "The fronts are not in mm: lengths in the result, although labelled mm, "
                         "are in the fronts' own unit."),
       QT_TRANSLATE_NOOP("ostraka::Error",
-                        "The pairs of this batch are not processed yet, or are from an older "
-                        "version of Ostraka; reprocess the batch: complete results are kept."),
+                        "The pairs of this batch are not processed yet; process the batch: "
+                        "complete results are kept."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The scale is wrong: %1, so all measurements would be %2 % too small; "
                         "measure the ruler on the plate and set its true size in plate.json with "

@@ -200,7 +200,6 @@ Sentences sentencesOfRig() {
       QT_TRANSLATE_NOOP("ostraka::Error", "COLMAP's model has no camera for the image '%1'."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The file is damaged or not in COLMAP's format; run COLMAP again."),
-      QT_TRANSLATE_NOOP("ostraka::Error", "Line %1 is not in COLMAP's format; run COLMAP again."),
       QT_TRANSLATE_NOOP("ostraka::Error",
                         "The pose of this photograph is estimated without its mask."),
       QT_TRANSLATE_NOOP("ostraka::Error",

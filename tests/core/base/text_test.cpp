@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <clocale>
 #include <limits>
 #include <regex>
 #include <vector>
@@ -17,6 +18,16 @@ TEST(Text, NumbersHaveTheDigitsThatAreAskedFor) {
 
 TEST(Text, TheLargestNumberIsNotCutOff) {
   EXPECT_EQ(fixed(std::numeric_limits<double>::max(), 2).size(), 309u + 3u);
+}
+
+// Locales that this computer lacks change nothing: then this asks for less.
+TEST(Text, IsFormattedWithAPointInAnyLocale) {
+  for (const char* locale : {"C", "de_DE.UTF-8", "fr_FR.UTF-8"}) {
+    std::setlocale(LC_ALL, locale);
+    EXPECT_EQ(formatted("%s: %.2f mm, %g %%", "a", 1.5, 0.25), "a: 1.50 mm, 0.25 %") << locale;
+  }
+  std::setlocale(LC_ALL, "C");
+  EXPECT_EQ(formatted("%*s", 500, "").size(), 500u) << "of any length";
 }
 
 TEST(Text, OnlyLettersOfAsciiBecomeSmall) {

@@ -48,12 +48,6 @@ TEST(PoseBatch, SaysWhatToDoWhenNoMarkerIsFound) {
   std::filesystem::remove(picture);
 }
 
-TEST(PoseOptions, NamesTheFieldThatIsWrong) {
-  PoseOptions options;
-  options.table_repeatability_rad = 0;
-  EXPECT_THAT(options.check().error().what, testing::HasSubstr("table_repeatability_rad"));
-}
-
 TEST(MarkerDictionary, RefusesAnUnknownName) {
   EXPECT_TRUE(rig::markerDictionary("DICT_6X6_1000").has_value());
   EXPECT_THAT(rig::markerDictionary("DICT_9X9").error().what, testing::HasSubstr("DICT_9X9"));

@@ -69,7 +69,7 @@ TEST_F(RefusedFiles, TheFileOfAnotherProgramIsRefused) {
   fs::remove(file());
   store::Database::open(file(), store::Database::Mode::Create)
       .value()
-      ->script("CREATE TABLE song (name TEXT); PRAGMA user_version = 8; PRAGMA application_id = 7");
+      ->script("CREATE TABLE song (name TEXT); PRAGMA user_version = 1; PRAGMA application_id = 7");
   expectRefused("the file belongs to another program");
 }
 

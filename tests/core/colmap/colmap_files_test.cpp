@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "colmap/colmap_format.h"
+#include "tests/core/colmap/model_forms.h"
 #include "tests/core/rig/simulated_rig.h"
 
 namespace ostraka::colmap {
@@ -27,39 +27,52 @@ ColmapModel sampleModel() {
   return model;
 }
 
-class EveryForm : public testing::TestWithParam<ColmapFormat> {};
+class ColmapFiles : public testing::Test {
+ protected:
+  ColmapFiles() { std::filesystem::create_directories(folder_); }
+  ~ColmapFiles() override { std::filesystem::remove_all(folder_); }
 
-TEST_P(EveryForm, ComesBackAsItWasWritten) {
-  const auto folder =
+  static void expectSample(const ColmapModel& read) {
+    const ColmapModel model = sampleModel();
+    EXPECT_EQ(read.cameras[0].parameters, model.cameras[0].parameters);
+    EXPECT_EQ(read.cameras[0].model, 4);
+    ASSERT_EQ(read.images.size(), 2U);
+    EXPECT_EQ(read.images[0].name, "front a.jpg");
+    EXPECT_TRUE(
+        read.images[0].camera_from_world.isApprox(model.images[0].camera_from_world, 1e-14));
+    ASSERT_EQ(read.images[0].observations.size(), 2U);
+    EXPECT_EQ(read.images[0].observations[1].point, -1);
+    EXPECT_EQ(read.images[0].observations[0].pixel, Eigen::Vector2d(1.5, 2.5));
+    EXPECT_EQ(read.images[1].id, 8U);
+    EXPECT_EQ(read.points[0].position, Eigen::Vector3d(1, 2, 3));
+    EXPECT_EQ(read.points[0].colour[2], 255);
+    EXPECT_EQ(read.points[0].track, model.points[0].track);
+  }
+
+  std::filesystem::path folder_ =
       std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "-colmap");
-  std::filesystem::create_directories(folder);
-  const ColmapModel model = sampleModel();
-  ASSERT_TRUE(writeColmapModel(folder, model, GetParam()).has_value());
-  const auto read = readColmapModel(folder);
-  std::filesystem::remove_all(folder);
+};
+
+TEST_F(ColmapFiles, AreReadAsColmapWritesThem) {
+  writeBinaryModel(folder_, sampleModel());
+  const auto read = readColmapModel(folder_);
   ASSERT_TRUE(read.has_value()) << read.error().sentence();
-  EXPECT_EQ(read->cameras[0].parameters, model.cameras[0].parameters);
-  EXPECT_EQ(read->cameras[0].model, 4);
-  ASSERT_EQ(read->images.size(), 2U);
-  EXPECT_EQ(read->images[0].name, "front a.jpg");
-  EXPECT_TRUE(read->images[0].camera_from_world.isApprox(model.images[0].camera_from_world, 1e-14));
-  ASSERT_EQ(read->images[0].observations.size(), 2U);
-  EXPECT_EQ(read->images[0].observations[1].point, -1);
-  EXPECT_EQ(read->images[0].observations[0].pixel, Eigen::Vector2d(1.5, 2.5));
-  EXPECT_EQ(read->images[1].id, 8U);
-  EXPECT_EQ(read->points[0].position, Eigen::Vector3d(1, 2, 3));
-  EXPECT_EQ(read->points[0].colour[2], 255);
-  EXPECT_EQ(read->points[0].track, model.points[0].track);
+  expectSample(*read);
 }
 
-TEST_P(EveryForm, SurvivesChangedAndMissingBytes) {
-  const std::string whole = colmapBytes(sampleModel().images, GetParam());
+TEST_F(ColmapFiles, AreWrittenAsText) {
+  ASSERT_TRUE(writeColmapModel(folder_, sampleModel()).has_value());
+  expectSample(textModelIn(folder_));
+}
+
+TEST_F(ColmapFiles, SurviveChangedAndMissingBytes) {
+  const std::string whole = BinaryForm(sampleModel().images).bytes;
   std::mt19937 random(11);
   for (int round = 0; round < 5000; ++round) {
     std::string damaged = whole.substr(0, random() % whole.size());
     for (int k = 0; k < 3 && !damaged.empty(); ++k)
       damaged[random() % damaged.size()] = static_cast<char>(random());
-    const auto read = parseColmapImages(damaged, GetParam(), "images");
+    const auto read = parseColmapImages(damaged, "images");
     if (!read) {
       EXPECT_EQ(read.error().where, "images");
       continue;
@@ -71,13 +84,10 @@ TEST_P(EveryForm, SurvivesChangedAndMissingBytes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Forms, EveryForm,
-                         testing::Values(ColmapFormat::Text, ColmapFormat::Binary));
-
-TEST(ColmapBinary, RefusesACountBeyondTheFile) {
-  std::string bytes = colmapBytes(sampleModel().points, ColmapFormat::Binary);
+TEST_F(ColmapFiles, WithACountBeyondTheirSizeAreRefused) {
+  std::string bytes = BinaryForm(sampleModel().points).bytes;
   bytes[6] = 1;  // 2^48 points
-  const auto points = parseColmapPoints(bytes, ColmapFormat::Binary, "points3D.bin");
+  const auto points = parseColmapPoints(bytes, "points3D.bin");
   ASSERT_FALSE(points.has_value());
   EXPECT_THAT(points.error().sentence(), testing::HasSubstr("points3D.bin"));
 }

@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "tests/core/colmap/model_forms.h"
 #include "tests/core/rig/simulated_rig.h"
 
 namespace ostraka::colmap {
@@ -83,7 +84,7 @@ TEST_F(ColmapProgram, GivesTheShotsTheirPosesInATurntableFrame) {
                             {},
                             0.5,
                             {}});
-  ASSERT_TRUE(writeColmapModel(folder_ / "model", model, ColmapFormat::Binary).has_value());
+  writeBinaryModel(folder_ / "model", model);
   const auto poses =
       pose(standIn("mkdir -p $out/0 && cp " + (folder_ / "model").string() + "/* $out/0/"), 7);
   ASSERT_TRUE(poses.has_value()) << poses.error().sentence();
@@ -142,7 +143,7 @@ TEST_F(ColmapProgram, HandsOverSmallerCopiesByLensAndGivesCamerasOfThePhotograph
                             "cam" + std::to_string(k / 2) + "/" + std::to_string(k) + ".jpg",
                             {}});
   model.points.push_back({1, {0, 0, 0}, {}, 0.5, {}});
-  ASSERT_TRUE(writeColmapModel(folder_ / "model", model, ColmapFormat::Binary).has_value());
+  writeBinaryModel(folder_ / "model", model);
   ColmapPoseOptions options;
   options.program = standIn("mkdir -p $out/0 && cp " + (folder_ / "model").string() + "/* $out/0/");
   options.lenses = {0, 0, 1, 1};

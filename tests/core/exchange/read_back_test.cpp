@@ -64,10 +64,10 @@ TEST_F(ReadingBack, GivesAnEmptyProjectTheSameRecordsAndFiles) {
         return n.kind == m.kind && n.value == m.value && n.method == m.method &&
                n.model_sha256 == m.model_sha256;
       })) << m.kind;
-    EXPECT_TRUE(fs::exists(other.absolute(now.model_path)));
-    EXPECT_TRUE(fs::exists(other.absolute(now.preview_path)));
+    EXPECT_TRUE(fs::exists(other.folder() / now.model_path));
+    EXPECT_TRUE(fs::exists(other.folder() / now.preview_path));
     for (const records::FileRecord& file : valueIn(Files(other.catalogue()).of(now_row)))
-      EXPECT_EQ(sha256(*readFile(other.absolute(file.path))), file.sha256) << file.path;
+      EXPECT_EQ(sha256(*readFile(other.folder() / file.path)), file.sha256) << file.path;
   }
   EXPECT_EQ(Places(other.catalogue()).contexts()->front().id,
             Places(catalogue()).context(context12)->id);
@@ -371,7 +371,7 @@ TEST_F(ReadingBack, ABatchWhoseNumberIsTakenGetsTheNextOne) {
         *sherds::Sherds(other.catalogue()).byId(sherds::Sherds(catalogue()).get(row)->id);
     EXPECT_EQ(sherds::Sherds(other.catalogue()).get(there)->batch_number, "B0002");
     EXPECT_TRUE(
-        fs::exists(other.absolute(sherds::Sherds(other.catalogue()).get(there)->model_path)));
+        fs::exists(other.folder() / sherds::Sherds(other.catalogue()).get(there)->model_path));
   }
   EXPECT_TRUE(other.catalogue().checkIntegrity());
 }
@@ -429,7 +429,7 @@ TEST_F(ReadingBack, FilesLieUnderTheNumberThatIsEnteredThoughABatchIsBegunMeanwh
     const store::SherdRow there =
         *sherds::Sherds(other.catalogue()).byId(sherds::Sherds(catalogue()).get(row)->id);
     EXPECT_TRUE(
-        fs::exists(other.absolute(sherds::Sherds(other.catalogue()).get(there)->model_path)));
+        fs::exists(other.folder() / sherds::Sherds(other.catalogue()).get(there)->model_path));
   }
   EXPECT_TRUE(other.catalogue().checkIntegrity());
 }

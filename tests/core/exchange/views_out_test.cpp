@@ -6,9 +6,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "colmap/colmap_files.h"
 #include "files/files.h"
 #include "small_project.h"
+#include "tests/core/colmap/model_forms.h"
 #include "textured_ball.h"
 
 namespace ostraka::exchange {
@@ -57,12 +57,11 @@ TEST(ViewsOut, HoldWhatColmapAndOpenMvsLookForAndNameTheirPhotographs) {
   for (const char* name :
        {"images/0007.png", "masks/0007.mask.png", "masks/0007.png.png", "sparse/points3D.txt"})
     EXPECT_TRUE(fs::exists(back / name)) << name;
-  const auto model = colmap::readColmapModel(back / "sparse");
-  ASSERT_TRUE(model) << model.error().sentence();
-  ASSERT_EQ(model->images.size(), 8u);
-  EXPECT_EQ(model->images[3].name, "0003.png");
-  EXPECT_GT(model->points.size(), 100u);
-  EXPECT_TRUE(model->images[3].camera_from_world.isApprox(
+  const colmap::ColmapModel model = colmap::textModelIn(back / "sparse");
+  ASSERT_EQ(model.images.size(), 8u);
+  EXPECT_EQ(model.images[3].name, "0003.png");
+  EXPECT_GT(model.points.size(), 100u);
+  EXPECT_TRUE(model.images[3].camera_from_world.isApprox(
       stereo::ballViews({}, 4)[3].camera.camera_from_plate, 1e-9));
   EXPECT_NE(readFile(back / "photographs.csv")->find("0003.png,back/cam0_pos03.png"),
             std::string::npos);

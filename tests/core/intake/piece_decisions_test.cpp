@@ -1,6 +1,6 @@
 #include "intake/piece_decisions.h"
 
-#include "store/migrations.h"
+#include "store/database.h"
 #include "tests/core/catalogue/small_project.h"
 
 namespace ostraka::intake {
@@ -64,30 +64,6 @@ TEST_F(PieceDecisions, WithoutAPersonOrPiecesAreRefused) {
   stray.replaces = {77};
   EXPECT_FALSE(decidePieces(catalogue(), stray, anna));
   EXPECT_TRUE(catalogue::valueIn(pieceDecisions(catalogue(), batch)).empty());
-}
-
-TEST(PieceDecisionsOfAnOlderCatalogue, FindTheirTableAfterTheUpdateAndItsRowsAreKept) {
-  const catalogue::TemporaryFolder folder;
-  const auto database =
-      std::move(*store::Database::open(folder.path() / "c.sqlite", store::Database::Mode::Create));
-  ASSERT_TRUE(store::migrate(*database, store::migrations().first(1), {}));
-  database->script(
-      "INSERT INTO person (id, created_at, updated_at, name, initials, initials_key) VALUES ('p', "
-      "1, "
-      "1, 'Anna', 'AP', 'ap')");
-  int backups = 0;
-  ASSERT_TRUE(store::migrate(*database, store::migrations(), [&]() -> Result<void> {
-    ++backups;
-    return {};
-  }));
-  EXPECT_EQ(backups, 1);
-  store::Statement row =
-      database->sql("SELECT (SELECT count(*) FROM person), (SELECT count(*) FROM piece_decision)");
-  int persons = 0, decisions = -1;
-  ASSERT_TRUE(row.next());
-  row >> persons >> decisions;
-  EXPECT_EQ(persons, 1);
-  EXPECT_EQ(decisions, 0);
 }
 
 }  // namespace

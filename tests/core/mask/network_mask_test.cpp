@@ -71,7 +71,7 @@ cv::Mat halves(int width, int height) {
 TEST(NetworkMask, OneChannelOfLogitsBecomesTheLogisticFunction) {
   // 4 R - 4 B: +4 on red, -4 on blue; logistic(4) = 0.98201, times 255 = 250.4.
   const auto onnx = network("logit", {4, 0, -4}, {0}, 32, 64);
-  const auto mask = maskByNetwork(halves(64, 32), onnx, {});
+  const auto mask = maskByNetwork(halves(64, 32), onnx);
   ASSERT_TRUE(mask.has_value()) << mask.error().sentence();
   EXPECT_EQ(mask->size(), cv::Size(64, 32));
   EXPECT_EQ((*mask)(16, 5), 250);
@@ -81,7 +81,7 @@ TEST(NetworkMask, OneChannelOfLogitsBecomesTheLogisticFunction) {
 TEST(NetworkMask, TwoChannelsOfLogitsAreBackgroundAndSherd) {
   // background = B, sherd = 3 R: differences 3 and -1; logistic 0.95257 and 0.26894.
   const auto onnx = network("softmax", {0, 0, 1, 3, 0, 0}, {0, 0}, 32, 64);
-  const auto mask = maskByNetwork(halves(64, 32), onnx, {});
+  const auto mask = maskByNetwork(halves(64, 32), onnx);
   ASSERT_TRUE(mask.has_value()) << mask.error().sentence();
   EXPECT_EQ((*mask)(16, 5), 243);
   EXPECT_EQ((*mask)(16, 60), 69);
@@ -89,7 +89,7 @@ TEST(NetworkMask, TwoChannelsOfLogitsAreBackgroundAndSherd) {
 
 TEST(NetworkMask, ProbabilitiesAreTakenAsTheyAre) {
   const auto onnx = network("probability", {0.75F, 0, 0.25F}, {0}, 32, 64);
-  const auto mask = maskByNetwork(halves(64, 32), onnx, {});
+  const auto mask = maskByNetwork(halves(64, 32), onnx);
   ASSERT_TRUE(mask.has_value()) << mask.error().sentence();
   EXPECT_EQ((*mask)(16, 5), 191);
   EXPECT_EQ((*mask)(16, 60), 64);
@@ -97,7 +97,7 @@ TEST(NetworkMask, ProbabilitiesAreTakenAsTheyAre) {
 
 TEST(NetworkMask, TheInputSizeComesFromTheModelAndTheMaskHasThePhotographsSize) {
   const auto onnx = network("small", {4, 0, -4}, {0}, 16, 16);
-  const auto mask = maskByNetwork(halves(200, 120), onnx, {});
+  const auto mask = maskByNetwork(halves(200, 120), onnx);
   ASSERT_TRUE(mask.has_value()) << mask.error().sentence();
   EXPECT_EQ(mask->size(), cv::Size(200, 120));
   EXPECT_EQ((*mask)(60, 20), 250);
@@ -107,7 +107,7 @@ TEST(NetworkMask, TheInputSizeComesFromTheModelAndTheMaskHasThePhotographsSize) 
 TEST(NetworkMask, AFileThatIsNoNetworkIsAnErrorThatNamesIt) {
   const auto path = std::filesystem::path(testing::TempDir()) / "text.onnx";
   ASSERT_TRUE(writeFileAtomically(path, "this is no network").has_value());
-  const auto mask = maskByNetwork(halves(64, 32), path, {});
+  const auto mask = maskByNetwork(halves(64, 32), path);
   ASSERT_FALSE(mask.has_value());
   EXPECT_EQ(mask.error().code, ErrorCode::UnusableInput);
   EXPECT_THAT(mask.error().sentence(), testing::HasSubstr("text.onnx"));
@@ -115,7 +115,7 @@ TEST(NetworkMask, AFileThatIsNoNetworkIsAnErrorThatNamesIt) {
 
 TEST(NetworkMask, ThreeOutputChannelsAreRefused) {
   const auto onnx = network("three", {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}, 32, 64);
-  const auto mask = maskByNetwork(halves(64, 32), onnx, {});
+  const auto mask = maskByNetwork(halves(64, 32), onnx);
   ASSERT_FALSE(mask.has_value());
   EXPECT_THAT(mask.error().sentence(), testing::HasSubstr("three.onnx"));
 }

@@ -143,10 +143,6 @@ TEST(CloseModel, WhatCannotBeUsedIsSaid) {
   EXPECT_EQ(closed(bare, good).error().code, ErrorCode::UnusableInput);
   EXPECT_EQ(closed(good, PointCloud{}).error().code, ErrorCode::NotEnough);
   EXPECT_EQ(closed(subset(good, {0, 9, 99}), subset(good, {1})).error().code, ErrorCode::NotEnough);
-  ModelOptions options;
-  options.cell_mm = -1;
-  EXPECT_EQ(closeModel(good, good, Eigen::Isometry3d::Identity(), options, quiet, {}).error().code,
-            ErrorCode::UnusableInput);
 }
 
 // 80 points a side made a closed body with a length, a width and a thickness of nothing.

@@ -85,11 +85,5 @@ TEST(Mirrored, KeepsTheSenseOfRotation) {
   EXPECT_NEAR(twice, 2, 1e-12);
 }
 
-TEST(ContourOptions, NameTheWrongField) {
-  ContourOptions options;
-  options.step_mm = 0;
-  EXPECT_NE(options.check().error().what.find("step_mm"), std::string::npos);
-}
-
 }  // namespace
 }  // namespace ostraka::pairing

@@ -12,6 +12,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "batch/moved_batch.h"
 #include "batch/photograph.h"
 #include "cloud/ply.h"
 #include "decisions/candidate_table.h"
@@ -258,6 +259,7 @@ TEST_F(ProcessBatch, ComputesOnlyWhatFollowsFromAMendedMask) {
     stroke.paint = decisions::MaskPaint::Plate;
     stroke.radius_px = 14;
     stroke.path_px = {image.project({first.place_mm.x(), first.place_mm.y(), 5.0})};
+    stroke.photograph = decisions::photographHash(batch::photographNow(image.file, out));
     strokes.push_back(stroke);
   }
   ASSERT_TRUE(decisions::writeMaskStrokes(out, strokes).has_value());

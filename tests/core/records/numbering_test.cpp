@@ -14,8 +14,6 @@ TEST(Numbering, TheHousesOwnSchemeGivesTheHousesOwnNumber) {
   ASSERT_TRUE(scheme) << scheme.error().what;
   EXPECT_EQ(*scheme->number(kPlace, 7), "ARM1-T3-0012-0007");
   EXPECT_EQ(*scheme->counter(kPlace), "ARM1-T3-0012-{n}");
-  EXPECT_TRUE(scheme->uses("trench"));
-  EXPECT_FALSE(scheme->uses("bag"));
 }
 
 TEST(Numbering, AWidthIsALeastWidth) {

@@ -184,9 +184,6 @@ TEST(SplitScans, SaysWhatIsWrongWithItsInput) {
   EXPECT_EQ(split(bare).error().code, ErrorCode::UnusableInput);
   PointCloud low = test::box(0, 0, 30, 25, 0.1);
   EXPECT_EQ(split(low).error().code, ErrorCode::NotEnough);
-  SplitOptions options;
-  options.gap_mm = 0;
-  EXPECT_EQ(split(low, options).error().code, ErrorCode::UnusableInput);
 }
 
 }  // namespace

@@ -175,7 +175,7 @@ TEST_F(LostModels, AreNotRemovedWhereTheNewResultsCannotBeRead) {
   enter();
   EXPECT_FALSE(std::filesystem::exists(unused));
   for (const records::SherdRecord& sherd : sherds())
-    EXPECT_TRUE(std::filesystem::exists(project_->absolute(sherd.model_path))) << sherd.model_path;
+    EXPECT_TRUE(std::filesystem::exists(project_->folder() / sherd.model_path)) << sherd.model_path;
 }
 
 TEST_F(LostModels, AreNeverSoughtOutsideTheProject) {

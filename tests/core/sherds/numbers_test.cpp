@@ -122,7 +122,7 @@ TEST_F(NumbersTest, FollowAChangedSchemeAndNeverDouble) {
 }
 
 TEST_F(NumbersTest, GivenByTwoConnectionsAtOnceAreStillDifferent) {
-  catalogue::Catalogue other = *project_->connect();
+  catalogue::Catalogue other = *upkeep::Project::connect(project_->folder());
   const store::SherdRow a = draft(context12), b = draft(context12);
   EXPECT_EQ(Numbers(catalogue()).propose(std::span(&a, 1))->front(),
             Numbers(other).propose(std::span(&b, 1))->front());

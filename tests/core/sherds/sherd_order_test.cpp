@@ -38,26 +38,6 @@ TEST(Order, OfTheShownRowsComesFromIndexesAlone) {
   }
 }
 
-TEST(Order, AnOlderCatalogueGetsItsIndexesAndKeepsItsRows) {
-  const catalogue::TemporaryFolder folder;
-  const auto database =
-      std::move(*store::Database::open(folder.path() / "c.sqlite", store::Database::Mode::Create));
-  ASSERT_TRUE(store::migrate(*database, store::migrations().first(1), {}));
-  database->script(
-      "INSERT INTO sherd (id, created_at, updated_at, number, number_sort, ware) VALUES "
-      "('a', 1, 1, '', 'z', 'grey'), ('b', 1, 1, '', 'y', 'grey');"
-      "INSERT INTO sherd (id, created_at, updated_at, state, number_sort) VALUES "
-      "('c', 1, 1, 'void', 'x');");
-  ASSERT_TRUE(store::migrate(*database, store::migrations(), []() -> Result<void> { return {}; }));
-  store::Statement rows = database->sql(
-      "SELECT group_concat(id, '') FROM (SELECT id FROM sherd INDEXED BY sherd_number WHERE NOT "
-      "(state = 'void' AND number = '') ORDER BY number_sort)");
-  std::string ids;
-  ASSERT_TRUE(rows.next());
-  rows >> ids;
-  EXPECT_EQ(ids, "ba");
-}
-
 class Ordered : public catalogue::SmallProject {
  protected:
   Ordered() {

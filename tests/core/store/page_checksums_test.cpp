@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "sherds/sherds.h"
-#include "store/file_header.h"
-#include "store/migrations.h"
 #include "tests/core/catalogue/flipped_bits.h"
 #include "tests/core/catalogue/small_project.h"
 
@@ -192,33 +190,6 @@ TEST_F(PageChecksums, ManyWritersAtOnceLeaveAWholeFile) {
   EXPECT_EQ(sherds::Sherds(again->catalogue()).rows({}, {})->size(), 160u);
   const Result<void> whole = again->catalogue().checkIntegrity();
   EXPECT_TRUE(whole) << whole.error().sentence();
-}
-
-TEST_F(PageChecksums, ACatalogueOfBeforeThemGetsThemAndKeepsItsRows) {
-  fill(20);
-  project_.reset();
-  const std::string content = *catalogue::contentOf(folder());
-  // As the versions before 8 wrote it: no reserved bytes.
-  const fs::path original = folder_.path() / "original.sqlite";
-  fs::rename(file(), original);
-  for (const Migration& step : migrations().first(kFirstCheckedVersion - 1))
-    ASSERT_EQ(askedOfPlainSqlite(file(), std::string(step.sql).c_str()), "") << step.name;
-  std::string copy = "ATTACH '" + original.string() + "' AS original; PRAGMA user_version = 7;";
-  for (const char* table :
-       {"person", "project", "setting", "vocabulary", "site", "trench", "context", "bag", "sherd",
-        "given_number", "measurement", "sherd_measure", "history", "sherd_term"})
-    copy += std::string("INSERT INTO ") + table + " SELECT * FROM original." + table + ";";
-  copy += "INSERT INTO sherd_text (rowid, words) SELECT rowid, words FROM original.sherd_text";
-  ASSERT_EQ(askedOfPlainSqlite(file(), copy.c_str()), "");
-  ASSERT_EQ(*lookAtHeader(file()), Pages::Plain);
-  const Result<std::string> after = catalogue::contentOf(folder());
-  ASSERT_TRUE(after) << after.error().sentence();
-  EXPECT_EQ(*after, content);
-  EXPECT_EQ(*lookAtHeader(file()), Pages::Checked);
-  ASSERT_EQ(catalogue::valueIn(upkeep::Project::open(folder())).backups().size(), 1u);
-  EXPECT_EQ(*lookAtHeader(catalogue::valueIn(upkeep::Project::open(folder())).backups()[0]),
-            Pages::Plain)
-      << "as it was before";
 }
 
 }  // namespace

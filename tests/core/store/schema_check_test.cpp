@@ -62,7 +62,6 @@ TEST(SchemaCheck, RefusesWhatAStrangerMayHaveSQLiteRun) {
       {"index", "CREATE INDEX evil ON sherd (length(ware))"},
       {"another index", "DROP INDEX sherd_ware; CREATE INDEX sherd_ware ON sherd (upper(ware))"},
       {"search", "CREATE VIRTUAL TABLE evil USING fts5(words)"},
-      {"older version", "PRAGMA user_version = 1"},
       {"no version", "PRAGMA user_version = -1"}};
   const catalogue::TemporaryFolder folder;
   for (const auto& [name, change] : attacks) {

@@ -158,6 +158,14 @@ TEST_P(ComXim, StopsTheTableOnRequest) {
   EXPECT_LT(device_->degrees(), 180);
 }
 
+TEST_P(ComXim, IsHomedAgainAfterItWasStopped) {
+  make();
+  open();
+  ASSERT_TRUE(table_->home({}).has_value());
+  table_->stopNow();
+  EXPECT_TRUE(table_->home({}).has_value());
+}
+
 TEST_P(ComXim, WorksOverAPseudoTerminal) {
   const auto device =
       std::make_shared<SimulatedComXim>(devices::steadyClock(), Mischief{}, GetParam());

@@ -89,6 +89,14 @@ TEST_F(TextTurntable, TurnsAMarlinTableAndWaitsUntilItStands) {
   EXPECT_NEAR(board_->turned_in_all(), 405, 0.01);
 }
 
+TEST_F(TextTurntable, IsHomedAndAlignedAgainAfterItWasStopped) {
+  open();
+  table_->stopNow();
+  EXPECT_TRUE(table_->home({}).has_value());
+  table_->stopNow();
+  EXPECT_TRUE(table_->zeroHere({}).has_value());
+}
+
 TEST_F(TextTurntable, TurnsOnceThoughRepliesAreLostDoubledOrLate) {
   open({.lost = 0.1, .late = 0.1, .doubled = 0.1, .deaf = 0.1, .seed = 3});
   double target = 0;

@@ -167,15 +167,10 @@ TEST_F(ProjectFolder, ADamagedCatalogueIsNoticed) {
 }
 
 TEST_F(ProjectFolder, AnotherThreadsConnectionSeesWhatWasSaved) {
-  const Result<catalogue::Catalogue> other = project_->connect();
+  const Result<catalogue::Catalogue> other = Project::connect(project_->folder());
   ASSERT_TRUE(other) << other.error().sentence();
   const store::SherdRow sherd = numbered(context12);
   EXPECT_EQ(sherds::Sherds(*other).get(sherd)->number, "ARM1-T3-0012-0001");
-}
-
-TEST_F(ProjectFolder, PathsOutsideTheProjectHaveNoPlaceInIt) {
-  EXPECT_EQ(*project_->relative(project_->folder() / "results" / "x.ply"), "results/x.ply");
-  EXPECT_FALSE(project_->relative(folder_.path() / "x.ply"));
 }
 
 TEST_F(ProjectFolder, SeveralActsAreOneTransaction) {

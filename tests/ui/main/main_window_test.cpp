@@ -189,7 +189,7 @@ class MainWindowTest : public QObject {
       file.media_type = "application/octet-stream";
       file.role = "model";
       QVERIFY(catalogue::Files(project->catalogue()).save(file, {}).has_value());
-      QVERIFY(writeFileAtomically(project->absolute(file.path), "one bit another").has_value());
+      QVERIFY(writeFileAtomically(project->folder() / file.path, "one bit another").has_value());
     }
     MainWindow window(jobs_);
     activate(window);

@@ -1,0 +1,39 @@
+#pragma once
+#include <cstdint>
+#include <string>
+
+#include "base/uuid.h"
+#include "catalogue/catalogue.h"
+#include "records/records.h"
+#include "store/database.h"
+
+namespace ostraka::catalogue {
+
+/// The SQL that writes a row of a table that people see, with what all of those have: id, who made
+/// and changed it and when, its revision. columns: the others, a blank between each.
+std::string insertion(const std::string& table, const std::string& columns);
+std::string change(const std::string& table, const std::string& columns);
+
+/// Returns the new row. id: empty for a fresh one; values: in the order of the columns.
+template <class... Values>
+std::int64_t addRow(const Catalogue& catalogue, const records::Provenance& provenance,
+                    const char* table, const std::string& id, const std::string& columns,
+                    const Values&... values) {
+  const std::int64_t now = catalogue.now();
+  catalogue.database()
+      .sql(insertion(table, columns))
+      .with(values..., id.empty() ? newId(now) : id, now, provenance.person, now, provenance.person)
+      .run();
+  return catalogue.database().lastRow();
+}
+
+template <class... Values>
+void changeRow(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
+               std::int64_t row, const std::string& columns, const Values&... values) {
+  catalogue.database()
+      .sql(change(table, columns))
+      .with(values..., catalogue.now(), provenance.person, row)
+      .run();
+}
+
+}  // namespace ostraka::catalogue

@@ -1,0 +1,58 @@
+#include "turntables/line_turntable.h"
+
+#include <cmath>
+
+namespace ostraka::turntables {
+
+std::optional<double> LineTurntable::position_deg() const {
+  const double now = position_deg_;
+  return std::isnan(now) ? std::nullopt : std::optional(now);
+}
+
+void LineTurntable::setPosition(std::optional<double> degrees) {
+  position_deg_ = degrees.value_or(kUnknown);
+}
+
+Result<void> LineTurntable::reopen(std::stop_token stop) {
+  setPosition(std::nullopt);
+  if (Result<void> r = line_.channel().reopen(stop); !r) return r;
+  line_.forget();
+  return connect(std::move(stop));
+}
+
+double LineTurntable::patience_s(double by_deg) const {
+  return 1.5 * std::abs(by_deg) / speed_deg_s_ + 3;
+}
+
+Error LineTurntable::lost() const {
+  return {ErrorCode::NotEnough, "The turntable's position is unknown: home it or align it.",
+          where_};
+}
+
+Result<double> LineTurntable::beginMove(double degrees) {
+  halt_ = false;
+  if (!std::isfinite(degrees)) return Error::unusable("The angle is not a number.", where_);
+  const std::optional<double> start = position_deg();
+  if (!start) return lost();
+  return *start;
+}
+
+Result<void> LineTurntable::drain() {
+  for (int k = 0; k < 1000; ++k) {
+    const auto message = line_.waiting();
+    if (!message) return message.error();
+    if (!*message) return {};
+    overhear(**message);
+  }
+  return {};
+}
+
+Result<std::unique_ptr<devices::Turntable>> LineTurntable::open(
+    std::unique_ptr<LineTurntable> table, std::stop_token stop) {
+  if (!(table->speed_deg_s_ > 0))
+    return Error::unusable("The turntable's speed must be greater than 0.");
+  if (Result<void> r = table->connect(std::move(stop)); !r) return r.error();
+  return std::unique_ptr<devices::Turntable>(std::move(table));
+}
+
+}  // namespace ostraka::turntables

@@ -1,2 +1,0 @@
--- From here on each page ends with a checksum of its content, in 8 bytes that SQLite reserves
--- (core/store/page_checksums.h). The file was rewritten before this step; no table changes.

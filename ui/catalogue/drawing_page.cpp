@@ -239,10 +239,7 @@ void DrawingPage::draw() {
   connect(drawing_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
     bar_->setValue(qRound(1000 * progress.fraction));
   });
-  connect(drawing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    drawing_->deleteLater();
-    drawing_.clear();
-    const auto drawn = outcomeAs<std::shared_ptr<const Drawn>>(outcome);
+  whenDone<std::shared_ptr<const Drawn>>(drawing_, this, [this](const auto& drawn) {
     if (drawn) return arrived(*drawn);
     problem_ = drawn.error().code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was drawn.")
                                                           : sentenceOf(drawn.error());
@@ -270,9 +267,8 @@ void DrawingPage::showPage(int page) {
     return paintedSheet(drawn->pages[static_cast<std::size_t>(page)], kShownDpi);
   };
   painting_ = session_->jobs().start(makeJob(tr("A sheet"), work), this);
-  connect(painting_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    painting_->deleteLater();
-    if (const Result<QImage> sheet = outcomeAs<QImage>(outcome)) view_->showSheet(*sheet);
+  whenDone<QImage>(painting_, this, [this](const auto& sheet) {
+    if (sheet) view_->showSheet(*sheet);
   });
 }
 
@@ -385,12 +381,10 @@ void DrawingPage::write(const std::shared_ptr<const Drawn>& drawn, const QString
     return work(drawn->pages);
   };
   writing_ = session_->jobs().start(makeJob(title, job), this);
-  connect(writing_, &JobHandle::finished, this, [this, done](const JobOutcome& outcome) {
-    writing_->deleteLater();
-    writing_.clear();
+  whenDone<void>(writing_, this, [this, done](const auto& written) {
     refresh();
-    if (outcome) return emit said(done);
-    words_->setText(sentenceOf(outcome.error()));
+    if (written) return emit said(done);
+    words_->setText(sentenceOf(written.error()));
     words_->show();
   });
   refresh();

@@ -241,8 +241,7 @@ void MapScreen::openBatch(const QString& batch) {
       makeJob(tr("Map of %1").arg(batch),
               [output](Progress&, std::stop_token stop) { return readMap(output, stop); }),
       this);
-  connect(opening_, &JobHandle::finished, this, [this, lit](const JobOutcome& outcome) {
-    const auto picture = outcomeAs<MapPicture>(outcome);
+  whenDone<MapPicture>(opening_, this, [this, lit](const auto& picture) {
     print_->setEnabled(picture.has_value());
     if (!picture) {
       view_->setPicture({});

@@ -250,8 +250,7 @@ void ReviewScreen::openOutput(const QString& batch) {
                                        return openBatch(output, rows);
                                      }),
                              this);
-  connect(opening_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    const auto opened = outcomeAs<OpenedBatch>(outcome);
+  whenDone<OpenedBatch>(opening_, this, [this](const auto& opened) {
     if (!opened) return say(sentenceOf(opened.error()));
     showOpened(*opened);
   });
@@ -358,14 +357,12 @@ void ReviewScreen::restoreModels(const QString& batch) {
                 return intake::enterLostModels(folder, number, progress, stop);
               }),
       this);
-  connect(job, &JobHandle::finished, this,
-          [this, batch, session = session_](const JobOutcome& outcome) {
-            const auto restored = outcomeAs<bool>(outcome);
-            if (!restored) return say(sentenceOf(restored.error()));
-            if (!*restored || !session || session != session_) return;
-            session_->tellBatchChanged(batch);
-            session_->tellSherdsChanged();
-          });
+  whenDone<bool>(job, this, [this, batch, session = session_](const auto& restored) {
+    if (!restored) return say(sentenceOf(restored.error()));
+    if (!*restored || !session || session != session_) return;
+    session_->tellBatchChanged(batch);
+    session_->tellSherdsChanged();
+  });
 }
 
 // What another screen did to this batch: new pairs are shown, a mere change of its state is not.

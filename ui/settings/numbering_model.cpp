@@ -242,11 +242,9 @@ void NumberingModel::lookForGaps() {
                 return gapsIn(folder, stop);
               }),
       this);
-  connect(looking_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    looking_->deleteLater();
-    looking_.clear();
+  whenDone<Gaps>(looking_, this, [this](const auto& gaps) {
     gaps_.clear();
-    if (const auto gaps = outcomeAs<Gaps>(outcome))
+    if (gaps)
       for (const auto& [place, numbers] : *gaps)
         gaps_ << tr("%1: %2").arg(place, numberRanges(numbers, kRangesInALine));
     emit gapsChanged();

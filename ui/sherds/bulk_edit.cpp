@@ -218,8 +218,7 @@ void BulkEdit::preview() {
     return Preview{std::move(*move), std::move(*shown), std::move(*records)};
   };
   previewing_ = session_->jobs().start(makeJob(tr("Preview of a change"), work), this);
-  connect(previewing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    const Result<Preview> preview = outcomeAs<Preview>(outcome);
+  whenDone<Preview>(previewing_, this, [this](const auto& preview) {
     if (preview)
       showPreview(*preview);
     else

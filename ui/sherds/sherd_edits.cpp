@@ -196,11 +196,8 @@ void SherdEdits::changeMany(const QString& title, const Making& making,
   job.is_promised = true;
   job_ = session_.jobs().start(std::move(job), this);
   connect(job_, &JobHandle::progressed, this, &SherdEdits::busyChanged);
-  connect(job_, &JobHandle::finished, this, [this, then](const JobOutcome& outcome) {
-    job_->deleteLater();
-    job_.clear();
+  whenDone<std::shared_ptr<const Made>>(job_, this, [this, then](const auto& made) {
     session_.undo().setActive(true);
-    const auto made = outcomeAs<std::shared_ptr<const Made>>(outcome);
     emit busyChanged();
     if (!made) {
       emit failed(made.error().code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was changed.")

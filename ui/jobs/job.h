@@ -46,8 +46,6 @@ class JobHandle : public QObject {
  public:
   ~JobHandle() override;
   QString title() const;
-  bool isRunning() const;
-  bool isPaused() const;
   const JobProgress& progress() const;
 
  public slots:

@@ -8,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPdfWriter>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
@@ -295,17 +294,6 @@ QString MapScreen::pageTitle() const {
   return date_.isEmpty() ? tr("Batch %1").arg(batch) : tr("Batch %1, %2").arg(batch, date_);
 }
 
-bool MapScreen::writePdf(const QString& file) {
-  QPdfWriter pdf(file);
-  pdf.setResolution(300);
-  pdf.setPageSize(QPageSize(QPageSize::A4));
-  pdf.setTitle(pageTitle());
-  QString why;
-  if (printMap(pdf, view_->picture(), labels(), pageTitle(), &why)) return true;
-  say(why);
-  return false;
-}
-
 // Such labels are for the table, not for the bag: in the store nobody knows their batch.
 QString MapScreen::unnumberedWords() const {
   const QVector<PlateSherd> all = sherds();
@@ -330,19 +318,6 @@ void MapScreen::print() {
             : why);
   });
   dialog->open();
-}
-
-bool MapScreen::writeBagLabels(const QString& file) {
-  if (!session_ || !session_->hasProject()) return false;
-  QPdfWriter pdf(file);
-  pdf.setResolution(300);
-  pdf.setPageSize(QPageSize(QPageSize::A4));
-  pdf.setTitle(tr("Bag labels"));
-  QString why;
-  if (printLabels(pdf, bagLabels(session_->project().catalogue(), session_->initials()), &why))
-    return true;
-  say(why);
-  return false;
 }
 
 void MapScreen::printBags() {

@@ -38,9 +38,6 @@ class MapScreen final : public Screen {
   /// As the catalogue has them; before it has, with the batch's and the sherd's number. None for
   /// what is void.
   QVector<SherdLabel> labels() const;
-  /// Map and labels as PDF. False: said why.
-  bool writePdf(const QString& file);
-  bool writeBagLabels(const QString& file);
 
  public slots:
   void showItem(const QString& batch) override;

@@ -25,6 +25,7 @@
 #include "ui/jobs/job.h"
 #include "ui/look/look.h"
 #include "ui/widgets/form_rows.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/words/print_wording.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -89,24 +90,15 @@ QLayout* DrawingPage::buildChoices() {
 }
 
 QLayout* DrawingPage::buildActs() {
-  const auto button = [this](const char* name, const char* picture, const QString& text) {
-    auto* made = new QPushButton(icon(picture), text, this);
-    made->setObjectName(name);
-    made->setMinimumHeight(controlHeight(*this));
-    return made;
-  };
-  enter_ = button("enterRim", "check", tr("Enter the diameter"));
-  save_ = button("saveDrawing", "export", tr("Save…"));
-  print_ = button("printDrawing", "print", tr("Print…"));
+  enter_ = iconButton(this, "enterRim", "check", tr("Enter the diameter"));
+  save_ = iconButton(this, "saveDrawing", "export", tr("Save…"));
+  print_ = iconButton(this, "printDrawing", "print", tr("Print…"));
   connect(enter_, &QPushButton::clicked, this, &DrawingPage::enterRim);
   connect(save_, &QPushButton::clicked, this, &DrawingPage::save);
   connect(print_, &QPushButton::clicked, this, &DrawingPage::print);
-  auto* action = new QAction(tr("Print the drawing"), this);
-  action->setShortcut(QKeySequence::Print);
-  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  QAction* action = addPageAct(this, {}, {}, tr("Print the drawing"), QKeySequence::Print);
   action->setAutoRepeat(false);
   connect(action, &QAction::triggered, this, &DrawingPage::print);
-  addAction(action);
   auto* row = new QHBoxLayout;
   row->addWidget(save_, 1);
   row->addWidget(print_, 1);
@@ -117,9 +109,7 @@ QLayout* DrawingPage::buildActs() {
 }
 
 void DrawingPage::buildLayout() {
-  draw_ = new QPushButton(icon("edit"), {}, this);
-  draw_->setObjectName("drawMany");
-  draw_->setMinimumHeight(controlHeight(*this));
+  draw_ = iconButton(this, "drawMany", "edit", {});
   connect(draw_, &QPushButton::clicked, this, &DrawingPage::draw);
   bar_ = new QProgressBar(this);
   bar_->setObjectName("drawingProgress");

@@ -24,6 +24,7 @@
 #include "ui/map/map_view.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -77,12 +78,8 @@ MapScreen::MapScreen(QWidget* parent) : Screen(parent) {
   message_ = new QLabel(this);
   message_->setObjectName("message");
   message_->setWordWrap(true);
-  auto* print_action = new QAction(tr("Print map and labels"), this);
-  print_action->setObjectName("print");
-  print_action->setShortcut(QKeySequence::Print);
-  print_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  connect(print_action, &QAction::triggered, this, &MapScreen::print);
-  addAction(print_action);
+  connect(addPageAct(this, "print", {}, tr("Print map and labels"), QKeySequence::Print),
+          &QAction::triggered, this, &MapScreen::print);
   print_ = new BigButton(this);
   print_->setText(tr("Print map and labels"));
   print_->setKeyHint(QKeySequence(QKeySequence::Print).toString(QKeySequence::NativeText));
@@ -91,18 +88,14 @@ MapScreen::MapScreen(QWidget* parent) : Screen(parent) {
   print_->setFocusPolicy(Qt::TabFocus);
   print_->setEnabled(false);
   connect(print_, &QPushButton::clicked, this, &MapScreen::print);
-  auto* bags_action = new QAction(tr("Print bag labels"), this);
-  bags_action->setObjectName("printBags");
-  bags_action->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P));
-  bags_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  connect(bags_action, &QAction::triggered, this, &MapScreen::printBags);
-  addAction(bags_action);
-  bags_ = new QPushButton(icon(QStringLiteral("print")), tr("Print bag labels"), this);
+  connect(
+      addPageAct(this, "printBags", {}, tr("Print bag labels"), Qt::CTRL | Qt::SHIFT | Qt::Key_P),
+      &QAction::triggered, this, &MapScreen::printBags);
+  bags_ = iconButton(this, {}, "print", tr("Print bag labels"));
   bags_->setToolTip(
       tr("Print a label for each bag; its code gives a batch its context "
          "(Ctrl+Shift+P)"));
   bags_->setFocusPolicy(Qt::TabFocus);
-  bags_->setMinimumHeight(controlHeight(*this));
   bags_->setEnabled(false);
   connect(bags_, &QPushButton::clicked, this, &MapScreen::printBags);
   view_ = new MapView(this);

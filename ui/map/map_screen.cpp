@@ -17,7 +17,6 @@
 
 #include "catalogue/batches.h"
 #include "files/output_place.h"
-#include "ui/frame/batch_place.h"
 #include "ui/frame/project_session.h"
 #include "ui/look/look.h"
 #include "ui/map/catalogue_labels.h"
@@ -70,14 +69,7 @@ bool mayPrint(const QPrinter& printer, QString* why) {
 
 }  // namespace
 
-MapScreen::MapScreen(QWidget* parent) : Screen(parent) {
-  batches_ = new QComboBox(this);
-  batches_->setObjectName("batch");
-  batches_->setAccessibleName(tr("Batch"));
-  batches_->setFocusPolicy(Qt::TabFocus);
-  message_ = new QLabel(this);
-  message_->setObjectName("message");
-  message_->setWordWrap(true);
+MapScreen::MapScreen(QWidget* parent) : PlateScreen(tr("Batch"), parent) {
   connect(addPageAct(this, "print", {}, tr("Print map and labels"), QKeySequence::Print),
           &QAction::triggered, this, &MapScreen::print);
   print_ = new BigButton(this);
@@ -121,8 +113,6 @@ MapScreen::MapScreen(QWidget* parent) : Screen(parent) {
   all->addWidget(empty_, 1);
   all->addLayout(foot);
   setFocusProxy(view_);
-  connect(batches_, &QComboBox::activated, this,
-          [this](int index) { openBatch(batches_->itemText(index)); });
   connect(view_, &MapView::highlightedChanged, this, [this](const QString& number) {
     const MapNumbers& numbers = view_->picture().numbers;
     if (!number.isEmpty()) say(tr("Sherd %1").arg(numbers.whole(number)));
@@ -166,32 +156,9 @@ void MapScreen::setInFront(bool in_front) {
   if (in_front) view_->setFocus();
 }
 
-QString MapScreen::chosen() const {
-  return batch_.isEmpty() ? QString() : kPlate + batch_;
-}
-
-QString MapScreen::whereWords() const {
-  return session_ && session_->hasProject() && !batch_.isEmpty()
-             ? batchWords(session_->project().catalogue(), batch_)
-             : batch_;
-}
-
-// The batch that was reviewed is the one whose map is wanted.
-void MapScreen::takeChosen(const QString& what) {
-  if (what.startsWith(kPlate) && what != chosen() &&
-      batches_->findText(what.mid(kPlate.size())) >= 0)
-    showBatch(what.mid(kPlate.size()));
-}
-
 void MapScreen::listBatches() {
   if (!session_) return;
-  QStringList names;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(session_->folder() / "results", ignored))
-    if (fs::exists(entry.path() / "work" / "pairs" / "candidates.json", ignored))
-      names << QString::fromStdString(entry.path().filename().string());
-  std::sort(names.begin(), names.end(), std::greater<>());
+  const QStringList names = reviewable();
   batches_->clear();
   batches_->addItems(names);
   batches_->setCurrentText(batch_);
@@ -228,11 +195,12 @@ void MapScreen::openBatch(const QString& batch) {
   message_->clear();
   print_->setEnabled(false);  // what is shown is about to be another
   if (opening_) opening_->drop();
-  const fs::path output = session_->folder() / "results" / batch.toStdString();
-  opening_ = session_->jobs().start(
-      makeJob(tr("Map of %1").arg(batch),
-              [output](Progress&, std::stop_token stop) { return readMap(output, stop); }),
-      this);
+  opening_ =
+      session_->jobs().start(makeJob(tr("Map of %1").arg(batch),
+                                     [output = outputOf(batch)](Progress&, std::stop_token stop) {
+                                       return readMap(output, stop);
+                                     }),
+                             this);
   whenDone<MapPicture>(opening_, this, [this, lit](const auto& picture) {
     print_->setEnabled(picture.has_value());
     if (!picture) {
@@ -330,11 +298,6 @@ void MapScreen::printBags() {
             say(printLabels(*printer, labels, &why) ? printedWords(*printer, sent) : why);
           });
   dialog->open();
-}
-
-void MapScreen::say(const QString& sentence) {
-  message_->setText(sentence);
-  emit said(sentence);
 }
 
 }  // namespace ostraka::ui

@@ -134,7 +134,6 @@ Sentences CoreSentences::ofRig() {
                  "use OPENCV instead."),
       QT_TR_NOOP("COLMAP's model has no camera for the image '%1'."),
       QT_TR_NOOP("The file is damaged or not in COLMAP's format; run COLMAP again."),
-      QT_TR_NOOP("Line %1 is not in COLMAP's format; run COLMAP again."),
       QT_TR_NOOP("The pose of this photograph is estimated without its mask."),
       QT_TR_NOOP("Without plate.json, poses come from COLMAP, which is not installed; install the "
                  "package 'colmap' or photograph on a marker plate."),

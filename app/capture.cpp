@@ -16,6 +16,7 @@
 #include "capture/rig_devices.h"
 #include "command.h"
 #include "files/output_place.h"
+#include "shown.h"
 #include "virtualrig/virtual_camera.h"
 
 namespace ostraka::app {
@@ -55,7 +56,7 @@ Result<ShotName> shotFromWord(const std::string& word) {
 
 // A sentence to the terminal, then Enter; the end of the input means no.
 bool askOnTerminal(const std::string& sentence, std::stop_token stop) {
-  std::fprintf(stderr, "\n%s Then press Enter. ", sentence.c_str());
+  show(stderr, "\n%s Then press Enter. ", sentence.c_str());
   std::fflush(stderr);
   while (!stop.stop_requested()) {
     pollfd input{STDIN_FILENO, POLLIN, 0};
@@ -95,8 +96,7 @@ void tell(const CaptureEvent& event, Session& session) {
   switch (event.kind) {
     case CaptureEventKind::PressShutter:
       session.finishProgress();
-      std::fprintf(stderr, "Press the shutter of camera %s.\n",
-                   batch::cameraLetter(event.camera).c_str());
+      show(stderr, "Press the shutter of camera %s.\n", batch::cameraLetter(event.camera).c_str());
       break;
     case CaptureEventKind::ShotKept:
       for (const std::string& sentence : event.check.sentences())
@@ -181,16 +181,17 @@ nlohmann::ordered_json asJson(const SideResult& result, batch::Side side, int st
 }
 
 void print(const SideResult& result, batch::Side side, const CaptureArguments& arguments) {
-  std::printf("%s: %d photographs, %d sherd%s.\n", batch::name(side), result.summary.kept,
-              result.summary.check.sherds, result.summary.check.sherds == 1 ? "" : "s");
-  for (const std::string& sentence : result.sentences) std::printf("  %s\n", sentence.c_str());
+  show(stdout, "%s: %d photographs, %d sherd%s.\n", batch::name(side), result.summary.kept,
+       result.summary.check.sherds, result.summary.check.sherds == 1 ? "" : "s");
+  for (const std::string& sentence : result.sentences) show(stdout, "  %s\n", sentence.c_str());
   if (result.sentences.empty())
-    std::printf("  %s\n", side == batch::Side::Front ? "You may turn the sherds over now."
-                                                     : "You may clear the plate.");
+    show(stdout, "  %s\n",
+         side == batch::Side::Front ? "You may turn the sherds over now."
+                                    : "You may clear the plate.");
   if (arguments.side == Sides::Front)
-    std::printf("Then: the same command with --side back\n");
+    show(stdout, "Then: the same command with --side back\n");
   else if (side == batch::Side::Back && result.sentences.empty())
-    std::printf("Next: ostraka process %s --output OUT\n", arguments.output.c_str());
+    show(stdout, "Next: ostraka process %s --output OUT\n", arguments.output.c_str());
 }
 
 int runCapture(const CaptureArguments& arguments, Session& session) {

@@ -16,6 +16,7 @@
 #include "intake/enter_results.h"
 #include "sherds/filter.h"
 #include "sherds/sherds.h"
+#include "shown.h"
 #include "upkeep/file_check.h"
 #include "upkeep/project.h"
 #include "upkeep/repair.h"
@@ -83,11 +84,11 @@ int runExport(const Options& options, Session& session) {
                                            session.progress, session.stop);
   if (!done) return fail(session, done.error());
   session.finishProgress();
-  for (const std::string& warning : done->warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+  for (const std::string& warning : done->warnings) show(stderr, "%s\n", warning.c_str());
   const std::vector<std::string> missing = namesOf(done->without_file);
   if (!missing.empty())
-    std::fprintf(stderr, "No file of these forms, since the sherds have none: %s.\n",
-                 joined(missing, ", ").c_str());
+    show(stderr, "No file of these forms, since the sherds have none: %s.\n",
+         joined(missing, ", ").c_str());
   const bool nothing = done->without_file.size() == how.forms.size();
   const int status = done->warnings.empty() && !nothing ? Whole : NotWhole;
   return said(session,
@@ -137,7 +138,7 @@ int runArchive(const Options& options, Session& session) {
   session.finishProgress();
   printDamage(done->damage);
   for (const std::string& link : done->links)
-    std::fprintf(stderr, "%s is a link; move what it leads to into the project.\n", link.c_str());
+    show(stderr, "%s is a link; move what it leads to into the project.\n", link.c_str());
   const std::string damaged = "damaged files: " + std::to_string(done->damage.size()) +
                               ", links: " + std::to_string(done->links.size());
   std::string words = "The whole project: " + options.output.string();
@@ -162,7 +163,7 @@ int runRestore(const Options& options, Session& session) {
       archive::restoreProject(options.other, options.output, session.progress, session.stop);
   if (!done) return fail(session, done.error());
   session.finishProgress();
-  for (const std::string& line : done->damage) std::fprintf(stderr, "%s\n", line.c_str());
+  for (const std::string& line : done->damage) show(stderr, "%s\n", line.c_str());
   return said(session,
               {{"output", options.output.string()},
                {"damage", done->damage},
@@ -235,7 +236,7 @@ int runRepair(const Options& options, Session& session) {
     const std::string words = wordsOf(row, backup);
     rows.push_back(words);
     lost += row.from == upkeep::RepairedRow::From::Nowhere ? 1 : 0;
-    if (!session.json) std::printf("%s\n", words.c_str());
+    if (!session.json) show(stdout, "%s\n", words.c_str());
   }
   const bool whole = report->damaged.empty();
   const std::string pages = std::to_string(report->pages_by_bit) + " pages had one changed bit, " +
@@ -281,7 +282,7 @@ int said(Session& session, nlohmann::ordered_json json, const std::string& words
   if (session.json)
     printJson(json);
   else
-    std::printf("%s\n", words.c_str());
+    show(stdout, "%s\n", words.c_str());
   return json["exit_status"];
 }
 

@@ -13,6 +13,7 @@
 #include "exchange/read_back.h"
 #include "files/files.h"
 #include "refusals_file.h"
+#include "shown.h"
 #include "tables/column_names.h"
 #include "upkeep/project.h"
 
@@ -48,9 +49,9 @@ const char* chosenBy(tables::ChosenBy by) {
 void printMapping(const tables::TableMapping& mapping) {
   for (const tables::ColumnChoice& choice : mapping.columns) {
     const std::string unit = choice.unit.empty() ? std::string() : " in " + choice.unit;
-    std::fprintf(stderr, "column '%s': %s%s (%s%s)\n", choice.column.c_str(),
-                 choice.field.empty() ? "left out" : choice.field.c_str(), unit.c_str(),
-                 chosenBy(choice.by), choice.unit_guessed ? "; the unit is a guess" : "");
+    show(stderr, "column '%s': %s%s (%s%s)\n", choice.column.c_str(),
+         choice.field.empty() ? "left out" : choice.field.c_str(), unit.c_str(),
+         chosenBy(choice.by), choice.unit_guessed ? "; the unit is a guess" : "");
   }
 }
 
@@ -107,26 +108,24 @@ ordered_json changesJson(const std::vector<tables::ChangedValue>& changes) {
 
 void printChanges(const std::vector<tables::ChangedValue>& changes) {
   for (std::size_t i = 0; i < std::min(changes.size(), kMostChangesSaid); ++i)
-    std::fprintf(stderr, "%s, %s: '%s' becomes '%s'\n", changes[i].name.c_str(),
-                 changes[i].field.c_str(), changes[i].old_value.c_str(),
-                 changes[i].new_value.c_str());
+    show(stderr, "%s, %s: '%s' becomes '%s'\n", changes[i].name.c_str(), changes[i].field.c_str(),
+         changes[i].old_value.c_str(), changes[i].new_value.c_str());
   if (changes.size() > kMostChangesSaid)
-    std::fprintf(stderr, "%zu more values change; --json lists all.\n",
-                 changes.size() - kMostChangesSaid);
+    show(stderr, "%zu more values change; --json lists all.\n", changes.size() - kMostChangesSaid);
 }
 
 void printReport(const tables::ImportReport& report) {
   printMapping(report.mapping);
   for (const auto* list : {&report.refusals, &report.questions})
     for (const tables::Refusal& refusal : *list)
-      std::fprintf(stderr, "line %d, %s '%s': %s%s\n", refusal.line, refusal.column.c_str(),
-                   refusal.value.c_str(), refusal.reason.c_str(),
-                   list == &report.questions ? (" Not entered; --confirm " +
-                                                std::to_string(refusal.line) + " enters the row.")
-                                                   .c_str()
-                                             : "");
+      show(stderr, "line %d, %s '%s': %s%s\n", refusal.line, refusal.column.c_str(),
+           refusal.value.c_str(), refusal.reason.c_str(),
+           list == &report.questions
+               ? (" Not entered; --confirm " + std::to_string(refusal.line) + " enters the row.")
+                     .c_str()
+               : "");
   printChanges(report.changed_values);
-  for (const std::string& warning : report.warnings) std::fprintf(stderr, "%s\n", warning.c_str());
+  for (const std::string& warning : report.warnings) show(stderr, "%s\n", warning.c_str());
 }
 
 ExitStatus statusOf(const tables::ImportReport& report, bool units_open, bool refusals_lost) {
@@ -153,11 +152,11 @@ int reported(Session& session, const tables::ImportReport& report,
     written = writeFileAtomically(arguments.refusals, tables::refusalsCsv(report));
   if (!session.json) printReport(report);
   const std::vector<std::string> open = openUnits(report.mapping);
-  for (const std::string& sentence : open) std::fprintf(stderr, "%s\n", sentence.c_str());
+  for (const std::string& sentence : open) show(stderr, "%s\n", sentence.c_str());
   if (report.not_reached > 0)
-    std::fprintf(stderr, "Stopped: %d rows are not entered; the same command enters them.\n",
-                 report.not_reached);
-  if (!written) std::fprintf(stderr, "ostraka: %s\n", written.error().sentence().c_str());
+    show(stderr, "Stopped: %d rows are not entered; the same command enters them.\n",
+         report.not_reached);
+  if (!written) show(stderr, "ostraka: %s\n", written.error().sentence().c_str());
   ordered_json json = {{"entered", arguments.enter && !report.held},
                        {"new", report.fresh},
                        {"same", report.same},

@@ -1,4 +1,5 @@
 #include "command.h"
+#include "shown.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -39,12 +40,12 @@ void addPairing(CLI::App& command, pairing::Method& pairing, registration::Metho
 }
 
 void printNames(const char* title, std::span<const std::string> names) {
-  if (!names.empty()) std::printf("%s: %s\n", title, joined(names, " ").c_str());
+  if (!names.empty()) show(stdout, "%s: %s\n", title, joined(names, " ").c_str());
 }
 
 void printJson(const nlohmann::ordered_json& value) {
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  std::printf("%s\n", value.dump(1, ' ', false, replace).c_str());
+  show(stdout, "%s\n", value.dump(1, ' ', false, replace).c_str());
 }
 
 int fail(const Session& session, const Error& error, WhenStopped when_stopped) {
@@ -56,7 +57,7 @@ int fail(const Session& session, const Error& error, WhenStopped when_stopped) {
                      "from there."
                    : "Cancelled. Run the same command to start again.";
   session.finishProgress();
-  std::fprintf(stderr, "ostraka: %s\n", sentence.c_str());
+  show(stderr, "ostraka: %s\n", sentence.c_str());
   if (session.json)
     printJson({{"error", sentence}, {"stopped", stopped}, {"exit_status", statusOf(error)}});
   return statusOf(error);

@@ -1,4 +1,5 @@
 #include "damage.h"
+#include "shown.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -6,8 +7,7 @@
 namespace ostraka::app {
 
 void printDamage(std::span<const upkeep::DamagedFile> damaged) {
-  for (const upkeep::DamagedFile& file : damaged)
-    std::fprintf(stderr, "%s\n", sentenceOf(file).c_str());
+  for (const upkeep::DamagedFile& file : damaged) show(stderr, "%s\n", sentenceOf(file).c_str());
 }
 
 nlohmann::ordered_json damageJson(std::span<const upkeep::DamagedFile> damaged) {

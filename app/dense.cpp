@@ -16,6 +16,7 @@
 #include "mask/given_mask.h"
 #include "mask/hull_mask.h"
 #include "rig/camera.h"
+#include "shown.h"
 #include "stereo/background.h"
 #include "stereo/stereo.h"
 
@@ -183,7 +184,7 @@ int disagree(Session& session, const stereo::Agreement& agreement, ordered_json 
       "The photographs do not agree on a surface, so no cloud was written. " + inWords(agreement) +
       " Check that the cameras are those of these photographs and of their orientation.";
   session.finishProgress();
-  std::fprintf(stderr, "ostraka: %s\n", sentence.c_str());
+  show(stderr, "ostraka: %s\n", sentence.c_str());
   if (session.json) {
     figures.update({{"error", sentence}, {"stopped", false}, {"exit_status", NotWhole}});
     printJson(figures);
@@ -227,9 +228,8 @@ int runDense(const DenseArguments& arguments, Session& session) {
                     {"exit_status", static_cast<int>(Whole)}});
     printJson(figures);
   } else {
-    std::printf("%zu points from %zu photographs in %.0f s: %s\n%s\n", found->cloud.size(),
-                views->size(), seconds, arguments.output.c_str(),
-                inWords(found->agreement).c_str());
+    show(stdout, "%zu points from %zu photographs in %.0f s: %s\n%s\n", found->cloud.size(),
+         views->size(), seconds, arguments.output.c_str(), inWords(found->agreement).c_str());
   }
   return Whole;
 }

@@ -11,6 +11,7 @@
 #include "cameras/gphoto_camera.h"
 #include "command.h"
 #include "devices/usb_watch.h"
+#include "shown.h"
 
 namespace ostraka::app {
 namespace {
@@ -50,17 +51,17 @@ int printDevices(Session& session) {
     return Whole;
   }
   for (const devices::FoundDevice& d : devices) {
-    std::printf("%s: %s%s%s\n", devices::name(d.kind).c_str(), d.model.c_str(),
-                d.serial.empty() ? "" : ", number ", d.serial.c_str());
-    std::printf("  in RIG.json: driver %s, %s\n", d.driver.c_str(),
-                d.address.empty() ? "no address" : d.address.c_str());
-    for (const std::string& trouble : d.troubles) std::printf("  %s\n", trouble.c_str());
-    if (d.troubles.empty()) std::printf("  ready\n");
+    show(stdout, "%s: %s%s%s\n", devices::name(d.kind).c_str(), d.model.c_str(),
+         d.serial.empty() ? "" : ", number ", d.serial.c_str());
+    show(stdout, "  in RIG.json: driver %s, %s\n", d.driver.c_str(),
+         d.address.empty() ? "no address" : d.address.c_str());
+    for (const std::string& trouble : d.troubles) show(stdout, "  %s\n", trouble.c_str());
+    if (d.troubles.empty()) show(stdout, "  ready\n");
   }
   if (devices.empty())
-    std::printf(
-        "No camera and no turntable is plugged in. Cameras that are asleep, or set to mass "
-        "storage, do not show; the virtual rig needs none: ostraka capture --rig virtual\n");
+    show(stdout,
+         "No camera and no turntable is plugged in. Cameras that are asleep, or set to mass "
+         "storage, do not show; the virtual rig needs none: ostraka capture --rig virtual\n");
   return Whole;
 }
 
@@ -83,7 +84,7 @@ int watchDevices(Session& session) {
     changed = false;
     lock.unlock();
     printDevices(session);
-    if (!session.json) std::printf("\n");
+    if (!session.json) show(stdout, "\n");
     std::fflush(stdout);
   }
   return Whole;

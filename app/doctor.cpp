@@ -16,6 +16,7 @@
 #include "base/text.h"
 #include "colmap/colmap_program.h"
 #include "command.h"
+#include "shown.h"
 #include "window.h"
 
 namespace ostraka::app {
@@ -192,8 +193,8 @@ int runDoctor(const fs::path& folder, Session& session) {
     return status;
   }
   for (const Finding& finding : findings)
-    std::printf("%-8s %s: %s.\n", name(finding.state), finding.subject.c_str(),
-                finding.words.c_str());
+    show(stdout, "%-8s %s: %s.\n", name(finding.state), finding.subject.c_str(),
+         finding.words.c_str());
   return status;
 }
 

@@ -10,6 +10,7 @@
 #include "drawing/drawing.h"
 #include "drawing/drawing_files.h"
 #include "files/output_place.h"
+#include "shown.h"
 
 namespace ostraka::app {
 namespace {
@@ -57,12 +58,12 @@ ordered_json asJson(const SherdDrawing& drawing) {
 
 void print(const SherdDrawing& drawing) {
   if (drawing.drawn_as_rim && drawing.mouth)
-    std::printf("%s: rim diameter %.1f mm (95 %%: %.1f to %.1f), %.0f %% of the rim preserved.\n",
-                drawing.id.c_str(), drawing.rim->diameter_mm, drawing.rim->low_mm,
-                drawing.rim->high_mm, 100 * drawing.rim->kept);
+    show(stdout, "%s: rim diameter %.1f mm (95 %%: %.1f to %.1f), %.0f %% of the rim preserved.\n",
+         drawing.id.c_str(), drawing.rim->diameter_mm, drawing.rim->low_mm, drawing.rim->high_mm,
+         100 * drawing.rim->kept);
   for (const auto* sentences : {&drawing.remarks, &drawing.hints})
     for (const std::string& sentence : *sentences)
-      std::printf("%s: %s\n", drawing.id.c_str(), sentence.c_str());
+      show(stdout, "%s: %s\n", drawing.id.c_str(), sentence.c_str());
 }
 
 int runDraw(const DrawArguments& arguments, Session& session) {
@@ -98,7 +99,7 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     return Whole;
   }
   for (const SherdDrawing& drawing : drawings) print(drawing);
-  for (const fs::path& file : *files) std::printf("Drawn: %s\n", file.c_str());
+  for (const fs::path& file : *files) show(stdout, "Drawn: %s\n", file.c_str());
   return Whole;
 }
 

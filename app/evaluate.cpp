@@ -16,6 +16,7 @@
 #include "evaluate/truth.h"
 #include "evaluate_tables.h"
 #include "files/files.h"
+#include "shown.h"
 
 namespace ostraka::app {
 namespace {
@@ -255,8 +256,8 @@ int runEvaluate(const EvaluateArguments& arguments, Session& session) {
     sheet.json["exit_status"] = status;
     printJson(sheet.json);
   } else {
-    std::fputs(sheet.text.c_str(), stdout);
-    std::printf("Goals: %s\n", sheet.goals_met ? "all met" : "not all met");
+    show(stdout, "%s", sheet.text.c_str());
+    show(stdout, "Goals: %s\n", sheet.goals_met ? "all met" : "not all met");
   }
   return status;
 }

@@ -11,6 +11,7 @@
 #include "command.h"
 #include "help.h"
 #include "interrupt.h"
+#include "shown.h"
 #include "terminal_progress.h"
 #include "window.h"
 
@@ -24,7 +25,7 @@ constexpr const char* kDescription =
 // What cannot be a command line gets one sentence, and with --json an object as any other error.
 int refuse(const CLI::ParseError& error, const CLI::App& root, int argc, char** argv) {
   const std::string sentence = app::sentenceOf(error, root);
-  std::fprintf(stderr, "ostraka: %s\n", sentence.c_str());
+  app::show(stderr, "ostraka: %s\n", sentence.c_str());
   for (int i = 1; i < argc; ++i)
     if (std::strcmp(argv[i], "--json") == 0)
       app::printJson({{"error", sentence},

@@ -10,6 +10,7 @@
 #include "command.h"
 #include "files/files.h"
 #include "help.h"
+#include "shown.h"
 
 namespace ostraka::app {
 namespace {
@@ -135,7 +136,7 @@ void addManPages(CLI::App& root, Command& chosen) {
         printJson(
             {{"output", *folder}, {"pages", *pages}, {"exit_status", static_cast<int>(Whole)}});
       else
-        std::printf("%d manual pages: %s\n", *pages, folder->c_str());
+        show(stdout, "%d manual pages: %s\n", *pages, folder->c_str());
       return Whole;
     };
   });

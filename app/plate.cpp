@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "command.h"
 #include "rig/plate_print.h"
+#include "shown.h"
 
 namespace ostraka::app {
 namespace {
@@ -35,19 +36,20 @@ int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem
                {"exit_status", static_cast<int>(Whole)}});
     return Whole;
   }
-  std::printf("%s: the plate on %zu sheet%s, the board on the last page.\n", output.c_str(),
-              print->centres.size(), print->centres.size() == 1 ? "" : "s");
-  std::printf("plate.json and board.json beside it describe them%s.\n",
-              options.ruler_measured_mm == 0 ? " as drawn" : " as measured");
+  show(stdout, "%s: the plate on %zu sheet%s, the board on the last page.\n", output.c_str(),
+       print->centres.size(), print->centres.size() == 1 ? "" : "s");
+  show(stdout, "plate.json and board.json beside it describe them%s.\n",
+       options.ruler_measured_mm == 0 ? " as drawn" : " as measured");
   if (print->markers_cut > 0)
-    std::printf(print->markers_cut == 1 ? "%d marker lies on a seam; glue it with care.\n"
-                                        : "%d markers lie on a seam; glue those with care.\n",
-                print->markers_cut);
+    show(stdout,
+         print->markers_cut == 1 ? "%d marker lies on a seam; glue it with care.\n"
+                                 : "%d markers lie on a seam; glue those with care.\n",
+         print->markers_cut);
   if (options.ruler_measured_mm == 0)
-    std::printf(
-        "Print at 100 %% (not 'fit to page'), glue the sheets, and measure both rulers: %.0f mm.\n"
-        "If they measure otherwise, run this again with --ruler-measured and the length.\n",
-        print->ruler_mm);
+    show(stdout,
+         "Print at 100 %% (not 'fit to page'), glue the sheets, and measure both rulers: %.0f mm.\n"
+         "If they measure otherwise, run this again with --ruler-measured and the length.\n",
+         print->ruler_mm);
   return Whole;
 }
 

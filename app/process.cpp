@@ -8,6 +8,7 @@
 #include "command.h"
 #include "pipeline/process_batch.h"
 #include "registration/within.h"
+#include "shown.h"
 
 namespace ostraka::app {
 namespace {
@@ -50,41 +51,42 @@ ordered_json asJson(const ProcessSummary& summary, int status) {
 }
 
 void printTable(const ProcessSummary& summary) {
-  std::printf("%-6s %-8s %-8s %7s %15s %12s  %s\n", "sherd", "front", "back", "score",
-              "fracture RMS mm", "within mm", "");
+  show(stdout, "%-6s %-8s %-8s %7s %15s %12s  %s\n", "sherd", "front", "back", "score",
+       "fracture RMS mm", "within mm", "");
   for (const SherdSummary& s : summary.sherds) {
     const std::string state = std::string(s.ambiguous ? "AMBIGUOUS " : "") +
                               (s.decided_by.empty() ? "" : "decided by " + s.decided_by + " ") +
                               (s.has_model ? "" : "no model ") + s.remark;
-    std::printf("%-6s %-8s %-8s %7.4f %15s %12.2f  %s\n", s.number.c_str(), s.front.c_str(),
-                s.back.c_str(), s.score,
-                s.fracturesCompared() ? fixed(s.fracture_rms_mm, 3).c_str() : "-",
-                registration::within95_mm(s.uncertainty_mm), state.c_str());
+    show(stdout, "%-6s %-8s %-8s %7.4f %15s %12.2f  %s\n", s.number.c_str(), s.front.c_str(),
+         s.back.c_str(), s.score, s.fracturesCompared() ? fixed(s.fracture_rms_mm, 3).c_str() : "-",
+         registration::within95_mm(s.uncertainty_mm), state.c_str());
   }
   printNames("Fronts without a back", summary.unpaired_front);
   printNames("Backs without a front", summary.unpaired_back);
   printNames("To be reshot", summary.reshoot);
   printNames("Pushed while photographed", summary.moved);
   printNames("Set aside", summary.set_aside);
-  for (const std::string& sentence : summary.left_out) std::printf("%s\n", sentence.c_str());
-  std::printf("%zu %s, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
-              summary.sherds.size() == 1 ? "sherd" : "sherds", summary.reprojection_rms_px,
-              summary.seconds, summary.report.c_str());
+  for (const std::string& sentence : summary.left_out) show(stdout, "%s\n", sentence.c_str());
+  show(stdout, "%zu %s, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
+       summary.sherds.size() == 1 ? "sherd" : "sherds", summary.reprojection_rms_px,
+       summary.seconds, summary.report.c_str());
   if (summary.draft)
-    std::printf(
-        "This is a draft: its measurements are coarse; process it without --draft for final "
-        "ones.\n");
+    show(stdout,
+         "This is a draft: its measurements are coarse; process it without --draft for final "
+         "ones.\n");
   if (!summary.warnings.empty())
-    std::printf(summary.warnings.size() == 1 ? "%zu warning; the report names it.\n"
-                                             : "%zu warnings; the report names them.\n",
-                summary.warnings.size());
+    show(stdout,
+         summary.warnings.size() == 1 ? "%zu warning; the report names it.\n"
+                                      : "%zu warnings; the report names them.\n",
+         summary.warnings.size());
   if (summary.ambiguous() > 0)
-    std::printf(summary.ambiguous() == 1
-                    ? "%d pair needs review: the report says why; decide it in the window.\n"
-                    : "%d pairs need review: the report says why; decide them in the window.\n",
-                summary.ambiguous());
+    show(stdout,
+         summary.ambiguous() == 1
+             ? "%d pair needs review: the report says why; decide it in the window.\n"
+             : "%d pairs need review: the report says why; decide them in the window.\n",
+         summary.ambiguous());
   for (const std::string& doubt : summary.scale_doubts)
-    std::printf("Decide this before measuring anything: %s\n", doubt.c_str());
+    show(stdout, "Decide this before measuring anything: %s\n", doubt.c_str());
 }
 
 int runProcess(const ProcessOptions& options, Session& session) {

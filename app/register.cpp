@@ -9,6 +9,7 @@
 #include "registration/within.h"
 #include "scansets/register_report.h"
 #include "scansets/register_scans.h"
+#include "shown.h"
 
 namespace ostraka::app {
 namespace {
@@ -32,26 +33,25 @@ ordered_json asJson(const RegisterSummary& summary, int status) {
 }
 
 void printTable(const RegisterSummary& summary) {
-  std::printf("%-6s %-8s %-8s %7s %7s %15s %8s %12s\n", "sherd", "front", "back", "score", "margin",
-              "fracture RMS mm", "overlap", "within mm");
+  show(stdout, "%-6s %-8s %-8s %7s %7s %15s %8s %12s\n", "sherd", "front", "back", "score",
+       "margin", "fracture RMS mm", "overlap", "within mm");
   for (const RegisterSummary::Pair& p : summary.pairs)
-    std::printf("%-6s %-8s %-8s %7.4f %7.4f %15s %8s %12.2f  %s%s\n", p.number.c_str(),
-                p.front.c_str(), p.back.c_str(), p.score, p.margin,
-                p.fracturesCompared() ? fixed(p.fracture_rms_mm, 3).c_str() : "-",
-                p.fracturesCompared() ? fixed(p.fracture_overlap, 2).c_str() : "-",
-                registration::within95_mm(p.uncertainty_mm), p.ambiguous ? "AMBIGUOUS " : "",
-                p.reason.c_str());
+    show(stdout, "%-6s %-8s %-8s %7.4f %7.4f %15s %8s %12.2f  %s%s\n", p.number.c_str(),
+         p.front.c_str(), p.back.c_str(), p.score, p.margin,
+         p.fracturesCompared() ? fixed(p.fracture_rms_mm, 3).c_str() : "-",
+         p.fracturesCompared() ? fixed(p.fracture_overlap, 2).c_str() : "-",
+         registration::within95_mm(p.uncertainty_mm), p.ambiguous ? "AMBIGUOUS " : "",
+         p.reason.c_str());
   printNames("Fronts without a back", summary.unpaired_front);
   printNames("Backs without a front", summary.unpaired_back);
-  std::printf("%zu %s in %.1f s: %s\n", summary.pairs.size(),
-              summary.pairs.size() == 1 ? "pair" : "pairs", summary.seconds,
-              summary.pairs_file.c_str());
+  show(stdout, "%zu %s in %.1f s: %s\n", summary.pairs.size(),
+       summary.pairs.size() == 1 ? "pair" : "pairs", summary.seconds, summary.pairs_file.c_str());
   if (summary.unusable > 0)
-    std::printf("%d %s could not be used.\n", summary.unusable,
-                summary.unusable == 1 ? "file" : "files");
+    show(stdout, "%d %s could not be used.\n", summary.unusable,
+         summary.unusable == 1 ? "file" : "files");
   if (summary.ambiguous() > 0)
-    std::printf(summary.ambiguous() == 1 ? "%d pair needs review.\n" : "%d pairs need review.\n",
-                summary.ambiguous());
+    show(stdout, summary.ambiguous() == 1 ? "%d pair needs review.\n" : "%d pairs need review.\n",
+         summary.ambiguous());
 }
 
 int runRegister(const RegisterOptions& options, Session& session) {

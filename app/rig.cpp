@@ -7,6 +7,7 @@
 
 #include "command.h"
 #include "rig_commands.h"
+#include "shown.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::app {
@@ -42,10 +43,10 @@ int runSimulate(const SimulateOptions& options, Session& session) {
                {"seed", options.seed},
                {"exit_status", static_cast<int>(Whole)}});
   else
-    std::printf(
-        "A batch of %d virtual sherds, with its truth: %s\n"
-        "Next: %s\n",
-        options.sherds, options.output.c_str(), nextStep(options).c_str());
+    show(stdout,
+         "A batch of %d virtual sherds, with its truth: %s\n"
+         "Next: %s\n",
+         options.sherds, options.output.c_str(), nextStep(options).c_str());
   return Whole;
 }
 

@@ -6,6 +6,7 @@
 #include "calibration/calibration_report.h"
 #include "files/output_place.h"
 #include "rig_commands.h"
+#include "shown.h"
 
 namespace ostraka::app {
 namespace {
@@ -73,12 +74,12 @@ int runCalibrate(const std::filesystem::path& folder, const std::filesystem::pat
     printJson(asJson(*report, output.string(), status));
     return status;
   }
-  for (const std::string& line : calibration::inWords(*report)) std::printf("%s\n", line.c_str());
+  for (const std::string& line : calibration::inWords(*report)) show(stdout, "%s\n", line.c_str());
   if (report->rig)
-    std::printf("Saved: %s\n", output.c_str());
+    show(stdout, "Saved: %s\n", output.c_str());
   else
-    std::printf("Nothing was saved%s\n",
-                status == PersonMustDecide ? ": the scale has to be put right first." : ".");
+    show(stdout, "Nothing was saved%s\n",
+         status == PersonMustDecide ? ": the scale has to be put right first." : ".");
   return status;
 }
 

@@ -8,6 +8,7 @@
 #include "files/output_place.h"
 #include "files/scratch_folder.h"
 #include "rig_commands.h"
+#include "shown.h"
 #include "virtualrig/predict.h"
 
 namespace ostraka::app {
@@ -63,35 +64,35 @@ ordered_json asJson(const Prediction& p) {
 
 void print(const Prediction& p) {
   for (std::size_t c = 0; c < p.elevations_rad.size(); ++c)
-    std::printf("Camera %s: %.0f degrees above the plate, %.3f mm a pixel.\n",
-                batch::cameraLetter(p.cameras[c]).c_str(), p.elevations_rad[c] * 180 / M_PI,
-                p.pixels_mm[c]);
-  std::printf("%-8s %9s %13s %15s %10s %14s %14s\n", "sherds", "width mm", "accuracy mm",
-              "completeness %", "seen %", "breaks seen %", "seconds each");
+    show(stdout, "Camera %s: %.0f degrees above the plate, %.3f mm a pixel.\n",
+         batch::cameraLetter(p.cameras[c]).c_str(), p.elevations_rad[c] * 180 / M_PI,
+         p.pixels_mm[c]);
+  show(stdout, "%-8s %9s %13s %15s %10s %14s %14s\n", "sherds", "width mm", "accuracy mm",
+       "completeness %", "seen %", "breaks seen %", "seconds each");
   int sherds = 0;
   for (const SizePrediction& s : p.sizes) {
-    std::printf("%-8s %9.0f %13.3f %15.1f %10.1f %14.1f %14.0f\n", s.name.c_str(), s.width_mm,
-                p.expectedAccuracy(s), s.completeness_percent, 100 * s.seen, 100 * s.break_seen,
-                p.expectedSeconds(s.seconds));
+    show(stdout, "%-8s %9.0f %13.3f %15.1f %10.1f %14.1f %14.0f\n", s.name.c_str(), s.width_mm,
+         p.expectedAccuracy(s), s.completeness_percent, 100 * s.seen, 100 * s.break_seen,
+         p.expectedSeconds(s.seconds));
     if (s.without_model > 0)
-      std::printf("         %d of %d got no model.\n", s.without_model, s.sherds);
+      show(stdout, "         %d of %d got no model.\n", s.without_model, s.sherds);
     sherds += s.sherds;
   }
-  std::printf("A batch of %d photographs takes %.0f s on this computer, and each sherd its own.\n",
-              p.photographs, p.expectedSeconds(p.fixed_seconds));
+  show(stdout, "A batch of %d photographs takes %.0f s on this computer, and each sherd its own.\n",
+       p.photographs, p.expectedSeconds(p.fixed_seconds));
   // A computer to itself keeps nine tenths of its processors at work.
   if (const double idle = p.processors / (0.9 * p.threads); idle < 0.8)
-    std::printf(
-        "Other programs kept it busy: %.1f of %d processors worked at this; with all of them it "
-        "takes about %.0f %% of these seconds.\n",
-        p.processors, p.threads, 100 * idle);
+    show(stdout,
+         "Other programs kept it busy: %.1f of %d processors worked at this; with all of them it "
+         "takes about %.0f %% of these seconds.\n",
+         p.processors, p.threads, 100 * idle);
   if (p.width_share < 1)
-    std::printf(
-        "Extrapolated from pictures of %.0f %% of the width, which took %.0f s for %d sherds: the "
-        "accuracy and the completeness will be better than this, and the seconds fewer. Leave out "
-        "--width for the exact way.\n",
-        100 * p.width_share, p.seconds, sherds);
-  for (const std::string& remark : p.remarks) std::printf("%s\n", remark.c_str());
+    show(stdout,
+         "Extrapolated from pictures of %.0f %% of the width, which took %.0f s for %d sherds: the "
+         "accuracy and the completeness will be better than this, and the seconds fewer. Leave out "
+         "--width for the exact way.\n",
+         100 * p.width_share, p.seconds, sherds);
+  for (const std::string& remark : p.remarks) show(stdout, "%s\n", remark.c_str());
 }
 
 int runPredict(const fs::path& rig_file, PredictOptions options, Session& session) {

@@ -1,4 +1,5 @@
 #include "terminal_progress.h"
+#include "shown.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,8 +65,7 @@ void TerminalProgress::note(NoteLevel level, std::string_view text) {
   const bool warning = level == NoteLevel::Warning;
   if (loudness_ == Loudness::Quiet || (!warning && loudness_ != Loudness::Everything)) return;
   clearLine();
-  std::fprintf(out_, "%s%.*s\n", warning ? "Warning: " : "", static_cast<int>(text.size()),
-               text.data());
+  show(out_, "%s%.*s\n", warning ? "Warning: " : "", static_cast<int>(text.size()), text.data());
   if (terminal_) draw(true);
 }
 

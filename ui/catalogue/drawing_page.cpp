@@ -22,7 +22,7 @@
 #include "store/values.h"
 #include "ui/catalogue/sheet_view.h"
 #include "ui/frame/project_session.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/page_acts.h"

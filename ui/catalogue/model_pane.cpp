@@ -11,7 +11,7 @@
 
 #include "cloud/ply.h"
 #include "model/model.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/viewport/sherd_view.h"
 #include "ui/widgets/thumbnails.h"

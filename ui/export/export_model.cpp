@@ -5,6 +5,7 @@
 
 #include "ui/export/export_choices.h"
 #include "ui/frame/project_session.h"
+#include "ui/jobs/when_done.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 

@@ -7,6 +7,7 @@
 #include "intake/enter_results.h"
 #include "records/records.h"
 #include "ui/frame/project_session.h"
+#include "ui/jobs/when_done.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 

@@ -10,7 +10,7 @@
 #include "ui/frame/project_session.h"
 #include "ui/import/import_ask.h"
 #include "ui/import/sides_view.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "files/files.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 #include "ui/main/project_lock.h"
 #include "ui/words/sentence.h"
 #include "upkeep/repair.h"

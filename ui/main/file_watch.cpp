@@ -1,6 +1,6 @@
 #include "ui/main/file_watch.h"
 
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 #include "upkeep/file_check.h"
 #include "upkeep/project.h"
 

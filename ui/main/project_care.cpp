@@ -1,7 +1,7 @@
 #include "ui/main/project_care.h"
 
 #include "intake/compute_batch.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 #include "ui/main/main_window.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"

@@ -18,6 +18,7 @@
 #include "catalogue/batches.h"
 #include "files/output_place.h"
 #include "ui/frame/project_session.h"
+#include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"

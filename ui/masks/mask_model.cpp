@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "intake/settle_batch.h"
 #include "ui/frame/project_session.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
 

@@ -3,6 +3,7 @@
 #include <QUndoStack>
 #include <algorithm>
 
+#include "ui/jobs/when_done.h"
 #include "ui/pairs/free_words.h"
 #include "ui/pairs/review_commands.h"
 #include "ui/words/sentence.h"

@@ -13,6 +13,7 @@
 #include "ui/frame/batch_place.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
+#include "ui/jobs/when_done.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_failure.h"
 #include "ui/queue/queue_switches.h"

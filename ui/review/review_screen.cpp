@@ -20,6 +20,7 @@
 #include "intake/plate_sherds.h"
 #include "intake/settle_batch.h"
 #include "ui/frame/project_session.h"
+#include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/look/state_colours.h"
 #include "ui/pairs/free_words.h"

@@ -13,7 +13,7 @@
 #include "sherds/numbers.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/saved_command.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 

@@ -19,7 +19,7 @@
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
 #include "ui/frame/project_session.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 #include "ui/widgets/page_acts.h"

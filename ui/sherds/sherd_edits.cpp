@@ -11,6 +11,7 @@
 #include "sherds/sherds.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/saved_command.h"
+#include "ui/jobs/when_done.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 

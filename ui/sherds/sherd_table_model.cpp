@@ -6,7 +6,7 @@
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 #include "ui/words/sentence.h"

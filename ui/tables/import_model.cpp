@@ -13,6 +13,7 @@
 #include "records/records.h"
 #include "tables/csv.h"
 #include "ui/frame/project_session.h"
+#include "ui/jobs/when_done.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 

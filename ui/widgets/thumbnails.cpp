@@ -6,7 +6,7 @@
 
 #include "batch/photograph.h"
 #include "batch/raw_image.h"
-#include "ui/jobs/job.h"
+#include "ui/jobs/when_done.h"
 
 namespace ostraka::ui {
 namespace {

@@ -8,6 +8,7 @@
 #include "capture/label_code.h"
 #include "files/files.h"
 #include "ui/frame/project_session.h"
+#include "ui/jobs/when_done.h"
 #include "ui/wizard/batch_in_hand.h"
 #include "ui/wizard/capture_wizard.h"
 #include "ui/wizard/rig_connection.h"

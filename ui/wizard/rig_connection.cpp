@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "ui/frame/project_session.h"
+#include "ui/jobs/when_done.h"
 #include "ui/wizard/capture_wizard.h"
 
 namespace ostraka::ui {

@@ -2,6 +2,7 @@
 
 #include "checks/moved_cameras.h"
 #include "ui/frame/project_session.h"
+#include "ui/jobs/when_done.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {

@@ -11,6 +11,7 @@
 #include <QUrl>
 #include <QtTest>
 
+#include "capture_bench.h"
 #include "catalogue/batches.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/frame/project_session.h"
@@ -25,36 +26,15 @@
 using namespace ostraka;
 using namespace ostraka::ui;
 
-class CaptureImportTest : public QObject {
+class CaptureImportTest : public CaptureBench {
   Q_OBJECT
 
  private slots:
   void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
+    open();
     disk_ = std::make_unique<QTemporaryDir>();
-    records::ProjectRecord record;
-    record.code = "TEST";
-    record.title = "Test";
-    const std::filesystem::path folder = folder_->filePath("p").toStdString();
-    auto project = upkeep::Project::create(folder, record);
-    QVERIFY(project.has_value());
-    session_ = std::make_unique<ProjectSession>(
-        std::make_shared<upkeep::Project>(std::move(*project)), folder, jobs_);
-    wizard_ = std::make_unique<CaptureWizard>();
-    screen_ = std::make_unique<CaptureScreen>(wizard_.get());
-    screen_->resize(1200, 640);
-    screen_->openProject(*session_);
-    screen_->show();
-    screen_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
-    screen_->setInFront(true);
   }
-  void cleanup() {
-    screen_->closeProject();
-    screen_.reset();
-    wizard_.reset();
-    session_.reset();
-  }
+  void cleanup() { close(); }
 
   // The two drops and the button: nothing else is needed.
   void twoDroppedFoldersAreImportedWithOneButton() {
@@ -188,22 +168,7 @@ class CaptureImportTest : public QObject {
     QCoreApplication::sendEvent(screen_.get(), &event);
   }
 
-  MessagePanel* shownMessage() {
-    for (auto* panel : screen_->findChildren<MessagePanel*>())
-      if (panel->isVisible()) return panel;
-    return nullptr;
-  }
-
-  template <class T>
-  T* child(const char* name) {
-    return screen_->findChild<T*>(QString::fromLatin1(name));
-  }
-
-  InlineJobRunner jobs_;
-  std::unique_ptr<QTemporaryDir> folder_, disk_;
-  std::unique_ptr<ProjectSession> session_;
-  std::unique_ptr<CaptureWizard> wizard_;
-  std::unique_ptr<CaptureScreen> screen_;
+  std::unique_ptr<QTemporaryDir> disk_;
 };
 
 QTEST_MAIN(CaptureImportTest)

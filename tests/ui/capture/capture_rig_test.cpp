@@ -6,8 +6,8 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include "capture_bench.h"
 #include "catalogue/settings.h"
-#include "fake_rig.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/rig_page.h"
 #include "ui/frame/project_session.h"
@@ -20,48 +20,15 @@
 using namespace ostraka;
 using namespace ostraka::ui;
 
-class CaptureRigTest : public QObject {
+class CaptureRigTest : public CaptureBench {
   Q_OBJECT
 
- private:
-  template <class T>
-  T* child(const char* name) {
-    T* found = screen_->findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return found;
-  }
-
  private slots:
-  void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    records::ProjectRecord record;
-    record.code = "TEST";
-    record.title = "Test";
-    const std::filesystem::path folder = folder_->filePath("p").toStdString();
-    auto project = upkeep::Project::create(folder, record);
-    QVERIFY(project.has_value());
-    session_ = std::make_unique<ProjectSession>(
-        std::make_shared<upkeep::Project>(std::move(*project)), folder, jobs_);
-    rig_ = std::make_unique<FakeRig>();
-    wizard_ = std::make_unique<CaptureWizard>();
-    screen_ = std::make_unique<CaptureScreen>(wizard_.get());
-    screen_->resize(1200, 640);
-    screen_->openProject(*session_);
-    screen_->show();
-    screen_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
-    screen_->setInFront(true);
-  }
-  void cleanup() {
-    screen_->closeProject();
-    screen_.reset();
-    wizard_.reset();
-    session_.reset();
-  }
+  void init() { open(); }
+  void cleanup() { close(); }
 
   void aBadRigFileLeavesTheWorkingRigItsPlaceAndSaysWhy() {
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     const QString file = folder_->filePath("RIG.json");
     QFile bad(file);
     QVERIFY(bad.open(QIODevice::WriteOnly) && bad.write("{\"cameras\": 3}") > 0);
@@ -91,8 +58,7 @@ class CaptureRigTest : public QObject {
   // Whatever screen the person is on.
   void theStatusBarSaysThatThePlateIsPhotographed() {
     const QSignalSpy working(screen_.get(), &Screen::working);
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     QCOMPARE(working.count(), 0);
     QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
@@ -101,14 +67,6 @@ class CaptureRigTest : public QObject {
              qPrintable(working.front().front().toString()));
     QCOMPARE(working.back().front().toString(), QString());
   }
-
- private:
-  std::unique_ptr<QTemporaryDir> folder_;
-  InlineJobRunner jobs_;
-  std::unique_ptr<ProjectSession> session_;
-  std::unique_ptr<FakeRig> rig_;
-  std::unique_ptr<CaptureWizard> wizard_;
-  std::unique_ptr<CaptureScreen> screen_;
 };
 
 QTEST_MAIN(CaptureRigTest)

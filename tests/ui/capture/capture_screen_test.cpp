@@ -11,11 +11,11 @@
 #include <QSpinBox>
 #include <QtTest>
 
+#include "capture_bench.h"
 #include "catalogue/batches.h"
 #include "catalogue/label_codes.h"
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
-#include "fake_rig.h"
 #include "files/files.h"
 #include "records/records.h"
 #include "records/sherd.h"
@@ -40,36 +40,12 @@
 using namespace ostraka;
 using namespace ostraka::ui;
 
-class CaptureScreenTest : public QObject {
+class CaptureScreenTest : public CaptureBench {
   Q_OBJECT
 
  private slots:
-  void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    records::ProjectRecord record;
-    record.code = "TEST";
-    record.title = "Test";
-    const std::filesystem::path folder = folder_->filePath("p").toStdString();
-    auto project = upkeep::Project::create(folder, record);
-    QVERIFY(project.has_value());
-    session_ = std::make_unique<ProjectSession>(
-        std::make_shared<upkeep::Project>(std::move(*project)), folder, jobs_);
-    rig_ = std::make_unique<FakeRig>();
-    wizard_ = std::make_unique<CaptureWizard>();
-    screen_ = std::make_unique<CaptureScreen>(wizard_.get());
-    screen_->resize(1200, 640);
-    screen_->openProject(*session_);
-    screen_->show();
-    screen_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
-    screen_->setInFront(true);
-  }
-  void cleanup() {
-    screen_->closeProject();
-    screen_.reset();
-    wizard_.reset();
-    session_.reset();
-  }
+  void init() { open(); }
+  void cleanup() { close(); }
 
   void withoutARigItSaysWhatToDoFirst() {
     QVERIFY(child<QWidget>("useVirtualRig")->isVisible());
@@ -91,8 +67,7 @@ class CaptureScreenTest : public QObject {
   }
 
   void spaceIsTheNextThingUntilTheBatchIsQueued() {
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     QTest::keyClick(screen_.get(), Qt::Key_Space);
     QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
     QCOMPARE(child<QLabel>("captureHeadline")->text(), CaptureText(*wizard_).headline());
@@ -108,8 +83,7 @@ class CaptureScreenTest : public QObject {
   }
 
   void aSpaceTypedIntoTheBagIsNoShot() {
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     auto* bag = child<QLineEdit>("capturePlace");
     bag->setFocus();
     QTest::keyClicks(bag, "ARM1 T3 0012 4");
@@ -122,8 +96,7 @@ class CaptureScreenTest : public QObject {
   }
 
   void whatNamesNoBagIsNotPhotographedUnderIt() {
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     auto* bag = child<QLineEdit>("capturePlace");
     bag->setFocus();
     QTest::keyClicks(bag, "hello world");
@@ -144,8 +117,7 @@ class CaptureScreenTest : public QObject {
     QVERIFY(bagRowOf(session_->project().catalogue(), {"ARM1", "T3", "0012", "4"}, {}).has_value());
     screen_->closeProject();
     screen_->openProject(*session_);
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     auto* place = child<QLineEdit>("capturePlace");
     auto* note = child<QLabel>("capturePlaceNote");
     place->setFocus();
@@ -164,8 +136,7 @@ class CaptureScreenTest : public QObject {
 
   void theSherdsAreCountedByKeysAndSpaceIsStillTheNextThing() {
     rig_->front = 11;
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     QTest::keyClick(screen_.get(), Qt::Key_S);
     QWidget* count = child<QSpinBox>("captureCounted");
     QTRY_VERIFY(count->hasFocus());
@@ -183,8 +154,7 @@ class CaptureScreenTest : public QObject {
   }
 
   void aFaultTakesThePlaceOfTheButtonAndSpaceTriesAgain() {
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     rig_->refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer at stop 5.", "rig"};
     QTest::keyClick(screen_.get(), Qt::Key_Space);
     auto* fault = child<MessagePanel>("captureFault");
@@ -198,8 +168,7 @@ class CaptureScreenTest : public QObject {
   }
 
   void aCameraThatTheDesktopHoldsIsReleasedByTheOneButton() {
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     rig_->refuse_shoot = Error{ErrorCode::Missing, "Camera B is held by another program.", "7"};
     rig_->holders = {"gvfsd-gphoto2 (77)"};
     QTest::keyClick(screen_.get(), Qt::Key_Space);
@@ -258,8 +227,7 @@ class CaptureScreenTest : public QObject {
   }
   void whoReadThatAnImportFailedShootsNothing() {
     QFETCH(bool, at_flip);
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     if (at_flip) QTest::keyClick(screen_.get(), Qt::Key_Space);
     const CapturePhase phase = at_flip ? CapturePhase::Flip : CapturePhase::Place;
     QTRY_COMPARE(wizard_->phase(), phase);
@@ -354,8 +322,7 @@ class CaptureScreenTest : public QObject {
 
   void anotherRigIsNotToBeHadWhileThePlateIsPhotographed() {
     auto* another = child<QAction>("changeRig");
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     QVERIFY(another->isEnabled());
     wizard_->next();
     QVERIFY(wizard_->rig()->isBusy());
@@ -366,8 +333,7 @@ class CaptureScreenTest : public QObject {
 
   void aDoubtIsShownAndRTakesItAgain() {
     rig_->flagged = {{0, 1}};
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     QTest::keyClick(screen_.get(), Qt::Key_Space);
     auto* doubts = child<MessagePanel>("captureDoubts");
     QTRY_VERIFY(doubts->isVisible());
@@ -377,8 +343,7 @@ class CaptureScreenTest : public QObject {
   }
 
   void theKeysOfTheCamerasChooseTheLivePicture() {
-    wizard_->rig()->choose(sourceOf(*rig_));
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    toPlace();
     QCOMPARE(wizard_->pictures()->camera(), 2);
     QTest::keyClick(screen_.get(), Qt::Key_A);
     QCOMPARE(wizard_->pictures()->camera(), 0);
@@ -403,7 +368,7 @@ class CaptureScreenTest : public QObject {
     NumberEdit edit(&numbers);
     edit.show();
     auto* line = edit.findChild<QLineEdit*>("sherdNumber");
-    numbers.follow(session_.get(), "B0001", &inspection);
+    numbers.follow(session_, "B0001", &inspection);
     QCOMPARE(numbers.count(), 3);
     QSignalSpy finished(&edit, &NumberEdit::finished);
     edit.choose(0);
@@ -446,7 +411,7 @@ class CaptureScreenTest : public QObject {
     // The fronts are photographed again: the numbers stay where the sherds lie.
     std::swap(inspection.sherds[0], inspection.sherds[2]);
     inspection.sherds[0].centre_mm.x() += 3;
-    numbers.follow(session_.get(), "B0001", &inspection);
+    numbers.follow(session_, "B0001", &inspection);
     QCOMPARE(numbers.all(), (QStringList{"OLD-9", {}, "ARM1-T3-0012-0007"}));
     QCOMPARE(numbers.give(0, {}), QString());
     QCOMPARE(numbers.of(0), QString());
@@ -475,25 +440,6 @@ class CaptureScreenTest : public QObject {
     QVERIFY(numbers.give(0, QString(60, QLatin1Char('7'))).contains("at most"));
     QCOMPARE(numbers.give(0, "AR/12:7b"), QString());
   }
-
- private:
-  template <class T>
-  T* child(const char* name) {
-    T* found = screen_->findChild<T*>(QString::fromLatin1(name));
-    if (found == nullptr) qFatal("there is no %s", name);
-    return found;
-  }
-  MessagePanel* shownMessage() {
-    for (auto* panel : screen_->findChildren<MessagePanel*>())
-      if (panel->isVisible()) return panel;
-    return nullptr;
-  }
-  InlineJobRunner jobs_;
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<ProjectSession> session_;
-  std::unique_ptr<FakeRig> rig_;
-  std::unique_ptr<CaptureWizard> wizard_;
-  std::unique_ptr<CaptureScreen> screen_;
 };
 
 QTEST_MAIN(CaptureScreenTest)

@@ -3,7 +3,7 @@
 #include <QLineEdit>
 #include <QtTest>
 
-#include "bench.h"
+#include "capture_bench.h"
 #include "catalogue/label_codes.h"
 #include "files/files.h"
 #include "flat_rig.h"
@@ -16,27 +16,15 @@ using namespace ostraka;
 using namespace ostraka::ui;
 using records::BatchState;
 
-class CaptureTypingTest : public QObject {
+class CaptureTypingTest : public CaptureBench {
   Q_OBJECT
 
  private slots:
   void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    bench_ = std::make_unique<Bench>(folder_->filePath("p").toStdString(), jobs_);
-    screen_ = std::make_unique<CaptureScreen>(&bench_->wizard);
-    screen_->resize(1200, 640);
-    screen_->openProject(bench_->session);
-    screen_->show();
-    screen_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
-    screen_->setInFront(true);
+    open();
     QVERIFY(bagRowOf(rows(), {"ARM1", "T3", "0012", "4"}, {}).has_value());
   }
-  void cleanup() {
-    screen_->closeProject();
-    screen_.reset();
-    bench_.reset();
-  }
+  void cleanup() { close(); }
 
   void aHalfTypedBagIsNotDroppedByTryingAgain() {
     RigSource source = sourceOf(bench_->rig);
@@ -176,16 +164,6 @@ class CaptureTypingTest : public QObject {
     const auto place = catalogue::placeOf(rows(), bags.front());
     return place && *place ? QString::fromStdString((*place)->bag) : QString();
   }
-  template <class T>
-  T* child(const char* name) {
-    T* found = screen_->findChild<T*>(QString::fromLatin1(name));
-    if (found == nullptr) qFatal("there is no %s", name);
-    return found;
-  }
-  InlineJobRunner jobs_;
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<Bench> bench_;
-  std::unique_ptr<CaptureScreen> screen_;
 };
 
 QTEST_MAIN(CaptureTypingTest)

@@ -3,6 +3,7 @@
 #include <QTableView>
 #include <QtTest>
 
+#include "../named.h"
 #include "sample_project.h"
 #include "ui/catalogue/catalogue_screen.h"
 #include "ui/viewport/sherd_view.h"
@@ -14,9 +15,7 @@ class CatalogueWindow : public QObject {
  protected:
   template <class T>
   T* child(const char* name) {
-    T* found = screen_->findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return found;
+    return named<T>(*screen_, name);
   }
   QTableView* table() { return child<QTableView>("sherds"); }
   void filter(const QString& line) {
@@ -36,9 +35,7 @@ class CatalogueWindow : public QObject {
     reserveOpenGl(*screen_);
     screen_->resize(1280, 720);
     screen_->openProject(sample_->session());
-    screen_->show();
-    screen_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
+    activate(*screen_);
   }
   void close() {
     screen_.reset();

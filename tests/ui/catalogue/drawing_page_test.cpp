@@ -15,6 +15,7 @@
 #include <QTranslator>
 #include <cmath>
 
+#include "../named.h"
 #include "paper/sheet.h"
 #include "sample_project.h"
 #include "sherds/sherds.h"
@@ -33,9 +34,7 @@ class DrawingPageTest : public QObject {
 
   template <class T>
   T* child(const char* name) {
-    T* found = page_->findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return found;
+    return named<T>(*page_, name);
   }
   void show(std::vector<int> sherds) {
     std::vector<store::SherdRow> rows;
@@ -56,9 +55,7 @@ class DrawingPageTest : public QObject {
     sample_->giveModel(2);
     page_ = std::make_unique<DrawingPage>();
     page_->resize(420, 680);
-    page_->show();
-    page_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(page_.get()));
+    activate(*page_);
   }
   void cleanup() {
     page_.reset();

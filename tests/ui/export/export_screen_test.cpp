@@ -12,6 +12,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "../named.h"
 #include "sample_project.h"
 #include "ui/look/look.h"
 
@@ -27,9 +28,7 @@ class ExportScreenTest : public QObject {
 
   template <class T>
   T* child(const char* name) {
-    T* found = screen_->findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return found;
+    return named<T>(*screen_, name);
   }
   void toFolder(const QString& name) {
     auto* target = child<QLineEdit>("target");
@@ -44,9 +43,7 @@ class ExportScreenTest : public QObject {
     screen_ = std::make_unique<ExportScreen>();
     screen_->resize(1280, 720);
     screen_->openProject(sample_->session());
-    screen_->show();
-    screen_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
+    activate(*screen_);
   }
   void cleanup() {
     screen_.reset();

@@ -5,9 +5,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "../project_in.h"
 #include "catalogue/places.h"
 #include "ui/jobs/job.h"
-#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -19,12 +19,7 @@ class ProjectSessionTest : public QObject {
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
     const std::filesystem::path path = folder_->filePath("p").toStdString();
-    records::ProjectRecord record;
-    record.code = "TEST";
-    auto project = upkeep::Project::create(path, record);
-    QVERIFY(project.has_value());
-    session_ = std::make_unique<ProjectSession>(
-        std::make_shared<upkeep::Project>(std::move(*project)), path, jobs_);
+    session_ = std::make_unique<ProjectSession>(projectIn(path), path, jobs_);
   }
 
   void whoTypesSmallLettersIsTheSamePerson() {

@@ -5,6 +5,7 @@
 #include <QTranslator>
 #include <QtTest>
 
+#include "../project_in.h"
 #include "batch/batch.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
@@ -13,7 +14,6 @@
 #include "files/hold.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/batch_importer.h"
-#include "upkeep/project.h"
 #include "virtualrig/batch_files.h"
 
 using namespace ostraka;
@@ -25,13 +25,7 @@ class ImportTest : public QObject {
  private slots:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    records::ProjectRecord record;
-    record.code = "TEST";
-    record.title = "Test";
-    auto project = upkeep::Project::create(path("project"), record);
-    QVERIFY(project.has_value());
-    session_ = std::make_unique<ProjectSession>(
-        std::make_shared<upkeep::Project>(std::move(*project)), path("project"), jobs_);
+    session_ = std::make_unique<ProjectSession>(projectIn(path("project")), path("project"), jobs_);
   }
 
   void scansBecomeABatchInTheQueueAndTheOriginalsStay() {

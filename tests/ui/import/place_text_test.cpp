@@ -2,8 +2,8 @@
 
 #include <QtTest>
 
+#include "../project_in.h"
 #include "catalogue/places.h"
-#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -46,10 +46,7 @@ class PlaceTextTest : public QObject {
 
   void aNewBagOfASiteWithAMarkInItsCode() {
     QTemporaryDir folder;
-    records::ProjectRecord record;
-    record.code = "TEST";
-    auto project = upkeep::Project::create(folder.filePath("p").toStdString(), record);
-    QVERIFY(project.has_value());
+    const auto project = projectIn(folder.filePath("p").toStdString());
     records::SiteRecord site;
     site.code = "AR-TS";
     QVERIFY(catalogue::Places(project->catalogue()).save(site, {}).has_value());
@@ -70,10 +67,7 @@ class PlaceTextTest : public QObject {
 
   void whatIsNewIsSaidBeforeItIsMade() {
     QTemporaryDir folder;
-    records::ProjectRecord record;
-    record.code = "TEST";
-    auto project = upkeep::Project::create(folder.filePath("p").toStdString(), record);
-    QVERIFY(project.has_value());
+    const auto project = projectIn(folder.filePath("p").toStdString());
     catalogue::Catalogue& rows = project->catalogue();
     QVERIFY(bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {}).has_value());
     QCOMPARE(newOf(rows, {"arm1", "T3", "0012", "4"}), QString());
@@ -88,11 +82,7 @@ class PlaceTextTest : public QObject {
 
   void theSamePlaceIsMadeOnce() {
     QTemporaryDir folder;
-    records::ProjectRecord record;
-    record.code = "TEST";
-    record.title = "Test";
-    auto project = upkeep::Project::create(folder.filePath("p").toStdString(), record);
-    QVERIFY(project.has_value());
+    const auto project = projectIn(folder.filePath("p").toStdString());
     catalogue::Catalogue& rows = project->catalogue();
     const PlaceText place{"ARM1", "T3", "0012", "4"};
     const auto first = bagRowOf(rows, place, {});

@@ -5,7 +5,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-/// What the tests of the window share: a person's home of its own, and looking for things by name.
+#include "../named.h"
+
 namespace ostraka::ui {
 
 /// Settings and projects of a test go into a folder of their own. Make it before the window.
@@ -21,18 +22,5 @@ class Home {
  private:
   QTemporaryDir folder_;
 };
-
-template <class T>
-T* named(QWidget& window, const char* name) {
-  T* found = window.findChild<T*>(QString::fromLatin1(name));
-  if (found == nullptr) qFatal("there is no %s", name);
-  return found;
-}
-
-inline void activate(QWidget& window) {
-  window.show();
-  window.activateWindow();
-  QVERIFY(QTest::qWaitForWindowActive(&window));
-}
 
 }  // namespace ostraka::ui

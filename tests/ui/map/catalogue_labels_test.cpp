@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "../project_in.h"
 #include "capture/label_code.h"
 #include "catalogue/batches.h"
 #include "catalogue/places.h"
@@ -17,7 +18,6 @@
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
 #include "ui/import/place_text.h"
-#include "upkeep/project.h"
 
 namespace ostraka::ui {
 
@@ -115,10 +115,7 @@ void CatalogueLabelsTest::theMapShowsTheEndsOfNumbersThatTellThemApart() {
 
 void CatalogueLabelsTest::aBagsLabelIsReadBackAsItsPlace() {
   QTemporaryDir folder;
-  records::ProjectRecord record;
-  record.code = "ARM";
-  auto project = upkeep::Project::create(folder.path().toStdString() + "/project", record);
-  QVERIFY(project.has_value());
+  const auto project = projectIn(folder.filePath("project").toStdString(), "ARM");
   catalogue::Catalogue& rows = project->catalogue();
   QVERIFY(bagLabels(rows, {}).isEmpty());
   const PlaceText second{"ARM1", "T3", "0012", "4"}, first{"ARM1", {}, "0007", "12"};
@@ -149,10 +146,7 @@ void CatalogueLabelsTest::aBagsLabelIsReadBackWhateverItsCodesLookLike() {
   QFETCH(QStringList, codes);
   const PlaceText place{codes[0], codes[1], codes[2], codes[3]};
   QTemporaryDir folder;
-  records::ProjectRecord record;
-  record.code = "ARM";
-  auto project = upkeep::Project::create(folder.path().toStdString() + "/project", record);
-  QVERIFY(project.has_value());
+  const auto project = projectIn(folder.filePath("project").toStdString(), "ARM");
   catalogue::Catalogue& rows = project->catalogue();
   const auto row = bagRowOf(rows, place, {});
   QVERIFY(row.has_value());
@@ -173,10 +167,7 @@ void CatalogueLabelsTest::aBagsLabelIsReadBackWhateverItsCodesLookLike() {
 
 void CatalogueLabelsTest::aBagsLabelSaysHowManySherdsAndWhoBaggedThem() {
   QTemporaryDir folder;
-  records::ProjectRecord record;
-  record.code = "ARM";
-  auto project = upkeep::Project::create(folder.path().toStdString() + "/project", record);
-  QVERIFY(project.has_value());
+  const auto project = projectIn(folder.filePath("project").toStdString(), "ARM");
   catalogue::Catalogue& rows = project->catalogue();
   const auto anna =
       catalogue::People(rows).save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {});
@@ -208,11 +199,7 @@ void CatalogueLabelsTest::aBagsLabelSaysHowManySherdsAndWhoBaggedThem() {
 
 void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   QTemporaryDir folder;
-  records::ProjectRecord record;
-  record.code = "ARM";
-  record.title = "Trial";
-  auto project = upkeep::Project::create(folder.path().toStdString() + "/project", record);
-  QVERIFY2(project.has_value(), project ? "" : project.error().sentence().c_str());
+  const auto project = projectIn(folder.filePath("project").toStdString(), "ARM");
   catalogue::Catalogue& rows = project->catalogue();
   records::BatchRecord batch;
   batch.number = "B0001";

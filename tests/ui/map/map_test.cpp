@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "../project_in.h"
 #include "catalogue/batches.h"
 #include "files/files.h"
 #include "synthetic_out.h"
@@ -15,7 +16,6 @@
 #include "ui/map/map_view.h"
 #include "ui/map/qr_code.h"
 #include "ui/widgets/message_panel.h"
-#include "upkeep/project.h"
 
 namespace ostraka::ui {
 
@@ -168,13 +168,7 @@ void MapTest::whatNobodyLooksAtIsNotRead() {
 }
 
 void MapTest::theLabelSaysTheDayOfTheShooting() {
-  records::ProjectRecord record;
-  record.code = "ARM";
-  record.title = "Trial";
-  auto made =
-      upkeep::Project::create(std::filesystem::path(folder_.path().toStdString()) / "p", record);
-  QVERIFY(made.has_value());
-  const auto project = std::make_shared<upkeep::Project>(std::move(*made));
+  const auto project = projectIn(folder_.filePath("p").toStdString(), "ARM");
   records::BatchRecord batch;
   batch.number = "B0007";
   batch.state = records::BatchState::Review;

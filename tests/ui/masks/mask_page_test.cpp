@@ -17,6 +17,7 @@
 #include <filesystem>
 
 #include "../names.h"
+#include "../project_in.h"
 #include "catalogue/batches.h"
 #include "decisions/mask_strokes.h"
 #include "files/files.h"
@@ -26,7 +27,6 @@
 #include "ui/jobs/job.h"
 #include "ui/masks/mask_model.h"
 #include "ui/masks/mask_view.h"
-#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -108,12 +108,8 @@ class MaskPageTest : public QObject {
   }
 
   void aBatchThatWasDoneWantsComputingUntilTheStrokeIsTakenBack() {
-    records::ProjectRecord record;
-    record.code = "TEST";
-    record.title = "Test";
     const fs::path project = fs::path(folder_->path().toStdString()) / "project";
-    auto made = upkeep::Project::create(project, record);
-    QVERIFY(made.has_value());
+    const auto made = projectIn(project);
     fs::create_directories(project / "results");
     fs::copy(out_, project / "results" / "B0001", fs::copy_options::recursive);
     // A run that has followed what was painted and decided so far: nothing.
@@ -124,7 +120,7 @@ class MaskPageTest : public QObject {
     batch.number = "B0001";
     batch.state = records::BatchState::Done;
     QVERIFY(catalogue::Batches(made->catalogue()).add(batch, {}).has_value());
-    ProjectSession session(std::make_shared<upkeep::Project>(std::move(*made)), project, jobs_);
+    ProjectSession session(made, project, jobs_);
     session.setInitials("AP");
     const auto state = [&] {
       return catalogue::Batches(session.project().catalogue()).byNumber("B0001")->state;

@@ -2,27 +2,16 @@
 #pragma once
 #include <QStringList>
 
+#include "../project_in.h"
 #include "catalogue/batches.h"
-#include "records/records.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/queue/queue_switches.h"
-#include "upkeep/project.h"
 
 namespace ostraka::ui {
 
 using records::BatchState;
-
-inline std::shared_ptr<upkeep::Project> projectIn(const std::filesystem::path& folder) {
-  records::ProjectRecord record;
-  record.code = "TEST";
-  record.title = "Test";
-  auto made = upkeep::Project::isProject(folder) ? upkeep::Project::open(folder)
-                                                 : upkeep::Project::create(folder, record);
-  if (!made) qFatal("%s", made.error().sentence().c_str());
-  return std::make_shared<upkeep::Project>(std::move(*made));
-}
 
 inline QString addBatch(ProjectSession& session, BatchState state) {
   records::BatchRecord record;

@@ -9,12 +9,13 @@
 #include <atomic>
 #include <thread>
 
+#include "../named.h"
+#include "../project_in.h"
 #include "catalogue/batches.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/widgets/message_panel.h"
-#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -26,14 +27,8 @@ class QueueScreenTest : public QObject {
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
     jobs_ = std::make_unique<ThreadedJobRunner>();
-    records::ProjectRecord record;
-    record.code = "TEST";
-    record.title = "Test";
     const std::filesystem::path folder = folder_->filePath("p").toStdString();
-    auto project = upkeep::Project::create(folder, record);
-    QVERIFY(project.has_value());
-    session_ = std::make_unique<ProjectSession>(
-        std::make_shared<upkeep::Project>(std::move(*project)), folder, *jobs_);
+    session_ = std::make_unique<ProjectSession>(projectIn(folder), folder, *jobs_);
     queue_ = std::make_unique<BatchQueue>();
     queue_->computation()->setClock(
         [this] { return QDateTime::currentDateTime().addSecs(3600 * hours_); });
@@ -52,9 +47,7 @@ class QueueScreenTest : public QObject {
     });
     screen_ = std::make_unique<QueueScreen>(queue_.get());
     screen_->resize(1000, 600);
-    screen_->show();
-    screen_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
+    activate(*screen_);
     screen_->setInFront(true);
   }
   void cleanup() {
@@ -165,9 +158,7 @@ class QueueScreenTest : public QObject {
  private:
   template <class T>
   T* child(const char* name) {
-    T* found = screen_->findChild<T*>(QString::fromLatin1(name));
-    if (found == nullptr) qFatal("there is no %s", name);
-    return found;
+    return named<T>(*screen_, name);
   }
   void addBatch() {
     records::BatchRecord record;

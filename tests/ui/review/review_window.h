@@ -7,6 +7,7 @@
 #include <QTest>
 #include <memory>
 
+#include "../project_in.h"
 #include "catalogue/batches.h"
 #include "records/records.h"
 #include "synthetic_out.h"
@@ -30,12 +31,7 @@ class ReviewWindow : public QObject {
     runner_ = std::make_unique<ThreadedJobRunner>();
     std::shared_ptr<upkeep::Project> catalogue;
     if (with_project) {
-      records::ProjectRecord record;
-      record.code = "ARM";
-      record.title = "Trial";
-      auto made = upkeep::Project::create(project / "rows", record);
-      QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
-      catalogue = std::make_shared<upkeep::Project>(std::move(*made));
+      catalogue = projectIn(project / "rows", "ARM");
       enterBatch(*catalogue, sherds);
     }
     session_ = std::make_unique<ProjectSession>(catalogue, project, *runner_);

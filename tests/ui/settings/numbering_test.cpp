@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "../names.h"
+#include "../project_in.h"
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
 #include "records/records.h"
@@ -32,11 +33,7 @@ class NumberingTest : public QObject {
  private slots:
   void init() {
     folder_ = std::make_unique<QTemporaryDir>();
-    records::ProjectRecord record;
-    record.code = "ARM";
-    auto made = upkeep::Project::create(folder_->path().toStdString() + "/project", record);
-    QVERIFY(made.has_value());
-    project_ = std::make_shared<upkeep::Project>(std::move(*made));
+    project_ = projectIn(folder_->filePath("project").toStdString(), "ARM");
     session_ = std::make_unique<ProjectSession>(project_, project_->folder(), jobs_);
     session_->setInitials("AP");
     records::SiteRecord site;

@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <QTest>
 
+#include "../named.h"
 #include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
@@ -35,9 +36,7 @@ class ImportTest : public QObject {
 
   template <class T>
   T* child(const char* name) {
-    T* found = screen_->findChild<T*>(name);
-    if (!found) qFatal("no %s", name);
-    return found;
+    return named<T>(*screen_, name);
   }
   QString table(const QByteArray& text) {
     const QString path = sample_->folder() + "/table.csv";
@@ -67,9 +66,7 @@ class ImportTest : public QObject {
     screen_ = std::make_unique<CatalogueScreen>();
     screen_->resize(1280, 720);
     screen_->openProject(sample_->session());
-    screen_->show();
-    screen_->activateWindow();
-    QVERIFY(QTest::qWaitForWindowActive(screen_.get()));
+    activate(*screen_);
   }
   void cleanup() {
     screen_.reset();

@@ -1,7 +1,9 @@
 #pragma once
+#include <QtTest>
+
+#include "../project_in.h"
 #include "catalogue/batches.h"
 #include "fake_rig.h"
-#include "records/records.h"
 #include "ui/frame/project_session.h"
 #include "ui/wizard/batch_description.h"
 #include "ui/wizard/capture_text.h"
@@ -9,7 +11,6 @@
 #include "ui/wizard/plate_pictures.h"
 #include "ui/wizard/rig_connection.h"
 #include "ui/wizard/side_progress.h"
-#include "upkeep/project.h"
 
 /// A project, new or found in its folder, with a wizard and a rig that answers as a test says.
 namespace ostraka::ui {
@@ -19,17 +20,24 @@ struct Bench {
       : session(projectIn(folder), folder, jobs) {
     wizard.setSession(&session);
   }
-  static std::shared_ptr<upkeep::Project> projectIn(const std::filesystem::path& folder) {
-    records::ProjectRecord record;
-    record.code = "TEST";
-    record.title = "Test";
-    auto made = upkeep::Project::isProject(folder) ? upkeep::Project::open(folder)
-                                                   : upkeep::Project::create(folder, record);
-    if (!made) qFatal("%s", made.error().sentence().c_str());
-    return std::make_shared<upkeep::Project>(std::move(*made));
-  }
   records::BatchRecord batch() {
     return catalogue::Batches(session.project().catalogue()).all()->front();
+  }
+  void goOn(CapturePhase to) {
+    wizard.next();
+    QTRY_COMPARE(wizard.phase(), to);
+  }
+  void toPlace() {
+    wizard.rig()->choose(sourceOf(rig));
+    QTRY_COMPARE(wizard.phase(), CapturePhase::Place);
+  }
+  void toFlip() {
+    toPlace();
+    goOn(CapturePhase::Flip);
+  }
+  void toDone() {
+    toFlip();
+    goOn(CapturePhase::Done);
   }
 
   FakeRig rig;

@@ -94,12 +94,10 @@ class CaptureLabelsTest : public QObject {
     bench.wizard.pictures()->setLive(true);
     bench.wizard.rig()->choose(sourceOf(bench.rig));
     const auto photographAPlate = [&] {
-      bench.wizard.next();
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      bench.goOn(CapturePhase::Flip);
       bench.wizard.next();
       QTRY_COMPARE(bench.batch().state, BatchState::Queued);
-      bench.wizard.next();
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.goOn(CapturePhase::Place);
     };
     const auto look = [&](int times) {
       const QSignalSpy looked(bench.wizard.pictures(), &PlatePictures::changed);

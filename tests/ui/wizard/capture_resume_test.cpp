@@ -26,10 +26,7 @@ class CaptureResumeTest : public QObject {
     QString number;
     {
       Bench bench(folder(), jobs);
-      bench.wizard.rig()->choose(sourceOf(bench.rig));
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-      bench.wizard.next();
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      bench.toFlip();
       number = bench.wizard.batch().number();
     }
     Bench again(folder(), jobs);
@@ -46,11 +43,9 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     {
       Bench bench(folder(), jobs);
-      bench.wizard.rig()->choose(sourceOf(bench.rig));
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.toPlace();
       bench.wizard.description()->setCounted(8);
-      bench.wizard.next();
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      bench.goOn(CapturePhase::Flip);
       QCOMPARE(bench.wizard.doubts().size(), 1);
     }
     for (const char* camera : {"cam0", "cam1", "cam2"})
@@ -92,11 +87,9 @@ class CaptureResumeTest : public QObject {
     QCOMPARE(bench.rig.opened_for, 2);
     // And when nobody told of it.
     QVERIFY(catalogue::Batches(bench.session.project().catalogue()).add(imported, {}).has_value());
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.goOn(CapturePhase::Place);
     QCOMPARE(bench.rig.opened_for, 3);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     QCOMPARE(bench.wizard.batch().number(), QStringLiteral("B0003"));
     QCOMPARE(bench.rig.opened_for, 3);
   }
@@ -105,10 +98,7 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     const std::filesystem::path place = folder() / "open", moved = folder() / "moved";
     Bench bench(place, jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.toFlip();
     std::filesystem::rename(place, moved);
     bench.wizard.next();
     QTRY_VERIFY(bench.wizard.fault().has_value());
@@ -116,18 +106,14 @@ class CaptureResumeTest : public QObject {
     QVERIFY(!std::filesystem::exists(place));
     QCOMPARE(bench.rig.shot, std::vector<batch::Side>{batch::Side::Front});
     std::filesystem::rename(moved, place);  // and back: it goes on
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    bench.goOn(CapturePhase::Done);
   }
 
   void aWrongBagIsMendedAfterTheFronts() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.wizard.description()->setPlace({"ARM1", "T3", "0012", "4"});
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.toFlip();
     QVERIFY(bench.wizard.canDescribe());
     bench.wizard.description()->setPlace({"ARM1", "T3", "0012", "5"});
     bench.wizard.next();
@@ -145,10 +131,7 @@ class CaptureResumeTest : public QObject {
     {
       Bench bench(folder(), jobs);
       bench.wizard.description()->setPlace({"ARM1", "T3", "0012", "4"});
-      bench.wizard.rig()->choose(sourceOf(bench.rig));
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-      bench.wizard.next();
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      bench.toFlip();
     }
     Bench again(folder(), jobs);
     again.wizard.description()->setPlace({"ARM1", "T3", "0099", "1"});  // as the window kept it
@@ -162,11 +145,9 @@ class CaptureResumeTest : public QObject {
   void aBatchThatNobodyWantsGivesWayAndCanComeBack() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     QVERIFY(!bench.wizard.canSetAside());
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     QVERIFY(bench.wizard.canSetAside());
     BatchQueue queue;
     queue.setSession(&bench.session);
@@ -207,10 +188,7 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.wizard.description()->setPlace({"ARM1", "T3", "0012", "4"});
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.toFlip();
     bench.wizard.description()->setPlace({"ARM1", "T3", "0013", "1"});
     bench.wizard.keepDescribed();
     const auto number =
@@ -223,8 +201,7 @@ class CaptureResumeTest : public QObject {
     {
       Bench bench(folder(), jobs);
       bench.rig.refuse_shoot = Error::cancelled();
-      bench.wizard.rig()->choose(sourceOf(bench.rig));
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.toPlace();
       bench.wizard.next();
       QTRY_VERIFY(bench.wizard.fault().has_value());
       QVERIFY(!bench.text.instruction().contains("Hands off"));
@@ -250,18 +227,14 @@ class CaptureResumeTest : public QObject {
     QCOMPARE(again.wizard.side()->stopsDone(), 2);
     QCOMPARE(again.wizard.side()->shots().size(), static_cast<std::size_t>(2 * cameras));
     QCOMPARE(again.text.button(), QStringLiteral("Resume at position 3"));
-    again.wizard.next();
-    QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
+    again.goOn(CapturePhase::Flip);
     QCOMPARE(again.wizard.batch().number(), QStringLiteral("B0001"));
   }
 
   void aBatchThatTheCatalogueDoesNotTakeIsNotSaidToBeQueued() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.toFlip();
     store::Database& database = bench.session.project().catalogue().database();
     database
         .sql(
@@ -285,8 +258,7 @@ class CaptureResumeTest : public QObject {
   void aRigThatChangesInMidShootWaitsForTheSideToEnd() {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.rig.wait_for_stop = true;
     bench.wizard.next();
     RigSource renewed = sourceOf(bench.rig);
@@ -306,8 +278,7 @@ class CaptureResumeTest : public QObject {
   void aRigThatIsTakenAwayInMidShootLeavesNoPhaseWithoutABatch() {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.rig.wait_for_stop = true;
     bench.wizard.next();
     bench.wizard.rig()->clear();
@@ -336,8 +307,7 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer.", "rig"};
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.wizard.next();
     QTRY_VERIFY(bench.wizard.fault().has_value());
     QCOMPARE(bench.rig.prepared, 1);
@@ -363,12 +333,7 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.back = 8;
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    bench.toDone();
     QVERIFY(!bench.wizard.doubts().isEmpty());
     bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
@@ -381,12 +346,7 @@ class CaptureResumeTest : public QObject {
     {
       Bench bench(folder(), jobs);
       bench.rig.back = 8;
-      bench.wizard.rig()->choose(sourceOf(bench.rig));
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-      bench.wizard.next();
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-      bench.wizard.next();
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+      bench.toDone();
     }
     Bench again(folder(), jobs);
     again.wizard.rig()->choose(sourceOf(again.rig));
@@ -402,10 +362,7 @@ class CaptureResumeTest : public QObject {
     InlineJobRunner jobs;
     {
       Bench bench(folder(), jobs);
-      bench.wizard.rig()->choose(sourceOf(bench.rig));
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-      bench.wizard.next();
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      bench.toFlip();
       records::BatchRecord imported;
       imported.state = BatchState::Queued;
       QVERIFY(
@@ -421,8 +378,7 @@ class CaptureResumeTest : public QObject {
   void aJobThatEndsAsTheProjectClosesSaysNothingMore() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.wizard.next();
     // Behind the job itself, before its end is told.
     QMetaObject::invokeMethod(

@@ -31,25 +31,20 @@ class CaptureWizardTest : public QObject {
       jobs = std::make_unique<InlineJobRunner>();
     Bench bench(folder(), *jobs);
     bench.wizard.description()->setPlace(*readPlaceText("ARM1-T3-0012-4"));
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     QSignalSpy queued(&bench.wizard, &CaptureWizard::batchQueued);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     QCOMPARE(bench.batch().state, BatchState::Front);
     QCOMPARE(bench.batch().bags.size(), std::size_t{1});
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    bench.goOn(CapturePhase::Done);
     QTRY_COMPARE(queued.count(), 1);
     QCOMPARE(bench.batch().state, BatchState::Queued);
     QCOMPARE(bench.batch().counted, 9);
     QCOMPARE(bench.rig.placed, (std::vector<batch::Side>{batch::Side::Front, batch::Side::Back}));
     QCOMPARE(bench.text.headline(), QStringLiteral("You may clear the plate."));
     const QString first = bench.wizard.batch().number();
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Place);
+    bench.goOn(CapturePhase::Flip);
     QVERIFY(bench.wizard.batch().number() != first);
     QCOMPARE(bench.rig.opened, 1);  // a real rig stays open
   }
@@ -63,8 +58,7 @@ class CaptureWizardTest : public QObject {
     QTRY_COMPARE(bench.wizard.rig()->holders(), QStringList{QStringLiteral("gvfsd-gphoto2 (77)")});
     QVERIFY(bench.wizard.fault().has_value());
     QCOMPARE(bench.text.button(), QStringLiteral("Release camera"));
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.goOn(CapturePhase::Place);
     QCOMPARE(bench.rig.released, 1);
     QCOMPARE(bench.rig.opened, 2);
     QVERIFY(bench.wizard.rig()->holders().isEmpty());
@@ -90,13 +84,11 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.holders = {"gvfsd-gphoto2 (77)"};  // of a telephone, say
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.rig.refuse_shoot = Error{ErrorCode::CannotWrite, "The disk is full.", "batch"};
     bench.wizard.next();
     QTRY_VERIFY(bench.wizard.fault().has_value());
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     QCOMPARE(bench.rig.released, 0);
   }
 
@@ -108,16 +100,14 @@ class CaptureWizardTest : public QObject {
     QTRY_VERIFY(bench.wizard.fault().has_value());
     QVERIFY(bench.wizard.canGoOn());
     bench.rig.refuse_open.reset();
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.goOn(CapturePhase::Place);
     QVERIFY(!bench.wizard.fault());
   }
 
   void aRigThatDoesNotOpenLeavesItsPlaceToTheOneThatWorked() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     std::optional<Error> why_not;
     connect(bench.wizard.rig(), &RigConnection::tried, this, [&](const std::optional<Error>& why) {
       if (why) why_not = why;
@@ -159,8 +149,7 @@ class CaptureWizardTest : public QObject {
     source.turns_sherds = true;
     bench.wizard.rig()->choose(source);
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     QVERIFY2(bench.text.headline().contains("virtual rig"), qPrintable(bench.text.headline()));
     QCOMPARE(bench.text.button(), QStringLiteral("Shoot the backs"));
   }
@@ -181,8 +170,7 @@ class CaptureWizardTest : public QObject {
     });
     bench.wizard.rig()->choose(source);
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     QVERIFY(buttons.contains(QStringLiteral("Calibration photograph 4 of 36")));
     const qsizetype calibration = headlines.indexOf("Taking calibration photographs");
     QVERIFY(calibration >= 0);
@@ -193,16 +181,14 @@ class CaptureWizardTest : public QObject {
   void aFaultSaysWhatIsSafeAndTheSameKeyGoesOn() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.rig.refuse_shoot =
         Error{ErrorCode::Missing, "Camera B did not answer at stop 5. Check its cable.", ""};
     bench.wizard.next();
     QTRY_VERIFY(bench.wizard.fault().has_value());
     QVERIFY(bench.wizard.fault()->what.find("1 photograph") != std::string::npos);
     QCOMPARE(bench.batch().state, BatchState::Placed);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     QCOMPARE(bench.rig.asked.size(), std::size_t{2});
     QCOMPARE(bench.rig.asked[0].batch, bench.rig.asked[1].batch);  // the same batch goes on
   }
@@ -210,8 +196,7 @@ class CaptureWizardTest : public QObject {
   void escapeStopsTheTableAtOnce() {
     ThreadedJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.rig.wait_for_stop = true;
     bench.wizard.next();
     QVERIFY(bench.wizard.rig()->isBusy());
@@ -220,20 +205,14 @@ class CaptureWizardTest : public QObject {
     QTRY_VERIFY(bench.wizard.fault().has_value());
     QCOMPARE(bench.wizard.fault()->code, ErrorCode::Cancelled);
     bench.rig.wait_for_stop = false;
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
   }
 
   void aLostSherdKeepsTheBatchOutOfTheQueueUntilThePersonSaysSo() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.back = 8;
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    bench.toDone();
     QVERIFY(!bench.wizard.doubts().isEmpty());
     QVERIFY(bench.text.headline() != QStringLiteral("You may clear the plate."));
     QCOMPARE(bench.batch().state, BatchState::Back);
@@ -248,10 +227,7 @@ class CaptureWizardTest : public QObject {
   void aSideThatIsPhotographedAgainAfterItWasQueuedIsQueuedOnceMore() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.toFlip();
     bench.wizard.next();
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
     const QString number = bench.wizard.batch().number();
@@ -273,10 +249,7 @@ class CaptureWizardTest : public QObject {
   void whoStillHasTheSherdsInHandIsToldThatTheyAreComputed() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.toFlip();
     bench.wizard.next();
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
     const auto told = [&] {
@@ -298,11 +271,9 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.front = 8;
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.wizard.description()->setCounted(9);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     QCOMPARE(bench.wizard.doubts().size(), 1);
     QVERIFY(bench.wizard.doubts()[0].contains("9") && bench.wizard.doubts()[0].contains("8"));
     bench.rig.front = 9;  // it lay under another
@@ -312,19 +283,16 @@ class CaptureWizardTest : public QObject {
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
     QCOMPARE(bench.batch().counted, 9);
     // The next plate is counted anew.
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.goOn(CapturePhase::Place);
     QCOMPARE(bench.wizard.batch().counted(), 0);
   }
 
   void aSlipInTheCountIsMendedAfterTheFronts() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.wizard.description()->setCounted(8);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     QCOMPARE(bench.wizard.doubts().size(), 1);
     bench.wizard.description()->setCounted(10);
     QVERIFY(bench.wizard.doubts()[0].contains("look for one that hides"));
@@ -342,13 +310,10 @@ class CaptureWizardTest : public QObject {
   void aCountThatIsStillOtherOnTheBackKeepsThePlate() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.wizard.description()->setCounted(10);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    bench.goOn(CapturePhase::Flip);
+    bench.goOn(CapturePhase::Done);
     QCOMPARE(bench.wizard.doubts().size(), 1);
     QVERIFY(bench.text.headline() != QStringLiteral("You may clear the plate."));
     bench.wizard.next();  // the person says that it is right
@@ -360,12 +325,10 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     {
       Bench bench(folder(), jobs);
-      bench.wizard.rig()->choose(sourceOf(bench.rig));
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+      bench.toPlace();
       bench.wizard.description()->setCounted(10);
       bench.wizard.description()->setPlace(*readPlaceText("ARM1-T3-0012-4"));
-      bench.wizard.next();
-      QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+      bench.goOn(CapturePhase::Flip);
       bench.wizard.description()->setPlace({});  // another bag is half typed
       bench.wizard.description()->setCounted(11);
     }
@@ -380,10 +343,7 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.flagged = {{0, 1}};
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.toFlip();
     QCOMPARE(bench.wizard.doubts().size(), 1);
     QVERIFY(bench.wizard.doubts()[0].contains("B"));
     QVERIFY(bench.wizard.doubts()[0].contains("1"));
@@ -398,18 +358,14 @@ class CaptureWizardTest : public QObject {
     Bench bench(folder(), jobs);
     bench.rig.flagged = {{0, 1}};
     bench.rig.lies_wrongly = true;
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.toFlip();
     bench.wizard.again();
     QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.rig()->isBusy());
     QCOMPARE(bench.rig.asked.back().retake.size(), std::size_t{24});
     // A blurred photograph beside a sherd that is missing: somebody will lay it down.
     bench.rig.flagged = {{0, 1}};
     bench.rig.back = 8;
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
+    bench.goOn(CapturePhase::Done);
     QCOMPARE(bench.wizard.doubts().size(), 2);
     bench.rig.back = 9;
     bench.wizard.again();
@@ -421,18 +377,15 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.front = 8;
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.wizard.description()->setCounted(9);
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     bench.rig.front = 9;
     bench.rig.refuse_shoot = Error{ErrorCode::CannotWrite, "The disk is full.", {}};
     bench.wizard.again();
     QTRY_VERIFY(bench.wizard.fault().has_value());
     QCOMPARE(bench.batch().state, BatchState::Placed);  // its fronts are not whole
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Flip);
+    bench.goOn(CapturePhase::Flip);
     // One was kept before the disk was full.
     QCOMPARE(bench.rig.asked.back().retake.size(), std::size_t{23});
   }
@@ -441,8 +394,7 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.wizard.description()->setPlace({"ARM1", "", "", "4"});
-    bench.wizard.rig()->choose(sourceOf(bench.rig));
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.toPlace();
     bench.wizard.next();
     QVERIFY(bench.wizard.fault().has_value());
     QVERIFY(catalogue::Batches(bench.session.project().catalogue()).all()->empty());
@@ -455,8 +407,7 @@ class CaptureWizardTest : public QObject {
     bench.wizard.rig()->choose(sourceOf(bench.rig));
     QTRY_COMPARE(bench.text.headline(), QStringLiteral("Switch the table on."));
     QVERIFY(bench.wizard.canGoOn());
-    bench.wizard.next();
-    QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Place);
+    bench.goOn(CapturePhase::Place);
     QVERIFY(bench.wizard.rig()->question().isEmpty());
   }
 

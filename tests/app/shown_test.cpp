@@ -1,5 +1,5 @@
 // What strangers named is shown; the terminal does not act on it.
-#include "shown.h"
+#include "app/shown.h"
 
 #include <gtest/gtest.h>
 

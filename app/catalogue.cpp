@@ -136,9 +136,12 @@ int runArchive(const Options& options, Session& session) {
   if (!done) return fail(session, done.error());
   session.finishProgress();
   printDamage(done->damage);
-  const std::string damaged = "damaged files: " + std::to_string(done->damage.size());
+  for (const std::string& link : done->links)
+    std::fprintf(stderr, "%s is a link; move what it leads to into the project.\n", link.c_str());
+  const std::string damaged = "damaged files: " + std::to_string(done->damage.size()) +
+                              ", links: " + std::to_string(done->links.size());
   std::string words = "The whole project: " + options.output.string();
-  if (!done->damage.empty())
+  if (!done->whole())
     words = done->sealed
                 ? "The project, " + damaged + ", which damage.txt lists: " + options.output.string()
                 : "Nothing was archived; " + damaged +
@@ -148,7 +151,8 @@ int runArchive(const Options& options, Session& session) {
                {"sealed", done->sealed},
                {"bytes", done->bytes},
                {"damaged", damageJson(done->damage)},
-               {"exit_status", done->damage.empty() ? Whole : NotWhole}},
+               {"links", done->links},
+               {"exit_status", done->whole() ? Whole : NotWhole}},
               words);
 }
 

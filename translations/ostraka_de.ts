@@ -9004,6 +9004,11 @@
       <translation>Ein Link hat den Platz der Sperrdatei dieses Ordners eingenommen; den Link löschen.</translation>
     </message>
     <message>
+        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ein Link steht an der Stelle eines Ordners, in den Ostraka schreibt und den es leert; worauf er zeigt, blieb unberührt. Löschen Sie den Link, oder verschieben Sie den Ordner selbst hierher.</translation>
+    </message>
+    <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hier lässt sich kein temporärer Ordner anlegen (%1); Platz schaffen oder TMPDIR auf einen anderen Ordner setzen.</translation>
@@ -9224,9 +9229,9 @@
         <translation>Die Tabelle braucht eine Spalte mit den Nummern der Scherben oder Spalten für Fundort und Befund (Befunde); diese auswählen.</translation>
     </message>
     <message>
-        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
+        <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 Zeilen insgesamt, %2 importiert; für die übrigen denselben Import noch einmal ausführen.</translation>
+        <translation>%1 Zeilen insgesamt, %2 gelesen; für die übrigen denselben Import noch einmal ausführen.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>

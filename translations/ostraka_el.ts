@@ -8999,6 +8999,11 @@
       <translation>Ένας σύνδεσμος βρίσκεται στη θέση του κλειδώματος αυτού του φακέλου· διαγράψτε τον.</translation>
     </message>
     <message>
+        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ένας σύνδεσμος πήρε τη θέση ενός φακέλου στον οποίο γράφει και τον οποίο αδειάζει το Ostraka· αυτό στο οποίο οδηγεί δεν αγγίχτηκε. Διαγράψτε τον σύνδεσμο ή μετακινήστε τον ίδιο τον φάκελο εδώ.</translation>
+    </message>
+    <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν μπορεί να δημιουργηθεί προσωρινός φάκελος εδώ (%1)· ελευθερώστε χώρο ή ορίστε άλλον φάκελο στο TMPDIR.</translation>
@@ -9219,9 +9224,9 @@
         <translation>Ο πίνακας χρειάζεται στήλη με τους αριθμούς των οστράκων, ή στήλες θέσης και ανασκαφικής ενότητας (ενότητες)· δηλώστε ποιες είναι.</translation>
     </message>
     <message>
-        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
+        <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Από %1 γραμμές καταχωρίστηκαν %2· η ίδια εισαγωγή καταχωρίζει τις υπόλοιπες.</translation>
+        <translation>Από %1 γραμμές διαβάστηκαν %2· η ίδια εισαγωγή καταχωρίζει τις υπόλοιπες.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>

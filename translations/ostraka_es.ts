@@ -8999,6 +8999,11 @@
       <translation>Un enlace ha ocupado el lugar del archivo de bloqueo de esta carpeta; borre el enlace.</translation>
     </message>
     <message>
+        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Un enlace ha ocupado el lugar de una carpeta en la que Ostraka escribe y que vacía; aquello a lo que conduce no se ha tocado. Elimine el enlace, o mueva aquí la propia carpeta.</translation>
+    </message>
+    <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aquí no se puede crear una carpeta temporal (%1); libere espacio o asigne otra carpeta a TMPDIR.</translation>
@@ -9219,9 +9224,9 @@
         <translation>La tabla necesita una columna con los números de los fragmentos, o columnas de yacimiento y contexto (contextos); selecciónelas.</translation>
     </message>
     <message>
-        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
+        <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 filas en total, %2 importadas; ejecute la misma importación otra vez para las demás.</translation>
+        <translation>%1 filas en total, %2 leídas; ejecute la misma importación otra vez para las demás.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>

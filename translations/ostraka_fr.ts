@@ -8999,6 +8999,11 @@
       <translation>Un lien se trouve à la place du verrou de ce dossier ; supprimez-le.</translation>
     </message>
     <message>
+        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Un lien a pris la place d’un dossier dans lequel Ostraka écrit et qu’il vide ; ce vers quoi il mène n’a pas été touché. Supprimez le lien, ou déplacez le dossier lui-même ici.</translation>
+    </message>
+    <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun dossier temporaire ne peut être créé ici (%1) ; libérez de la place ou donnez un autre dossier à TMPDIR.</translation>
@@ -9219,9 +9224,9 @@
         <translation>Le tableau doit avoir une colonne des numéros de tessons, ou des colonnes de site et de contexte (contextes) ; sélectionnez-les.</translation>
     </message>
     <message>
-        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
+        <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 lignes au total, %2 importées ; relancez la même importation pour les autres.</translation>
+        <translation>%1 lignes au total, %2 lues ; relancez la même importation pour les autres.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>

@@ -8999,6 +8999,11 @@
       <translation>Այս պանակի կողպեքի տեղում հղում է. ջնջեք այն։</translation>
     </message>
     <message>
+        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Հղումը գրավել է այն պանակի տեղը, որտեղ Ostraka-ն գրում է և որը դատարկում է. այն, ուր այն տանում է, անձեռնմխելի է մնացել։ Ջնջեք հղումը կամ տեղափոխեք պանակն այստեղ։</translation>
+    </message>
+    <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այստեղ ժամանակավոր պանակ չի ստեղծվում (%1). տեղ ազատեք կամ TMPDIR-ում այլ պանակ նշեք։</translation>
@@ -9219,9 +9224,9 @@
         <translation>Աղյուսակին պետք է բեկորների համարների սյունակ կամ հուշարձանի ու համատեքստի սյունակներ (համատեքստեր). նշեք, թե որոնք են։</translation>
     </message>
     <message>
-        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
+        <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 տողից մուտքագրված է %2-ը. նույն ներմուծումը կմուտքագրի մնացածը։</translation>
+        <translation>%1 տողից կարդացված է %2-ը. նույն ներմուծումը կմուտքագրի մնացածը։</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>

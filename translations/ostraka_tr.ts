@@ -8952,6 +8952,11 @@
       <translation>Bu klasörün kilidinin yerinde bir bağlantı duruyor; onu silin.</translation>
     </message>
     <message>
+        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bir bağlantı, Ostraka'nın yazdığı ve boşalttığı bir klasörün yerini almış; gösterdiği yere dokunulmadı. Bağlantıyı silin ya da klasörün kendisini buraya taşıyın.</translation>
+    </message>
+    <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Burada geçici klasör oluşturulamıyor (%1); yer açın veya TMPDIR'i başka bir klasöre ayarlayın.</translation>
@@ -9172,9 +9177,9 @@
         <translation>Tabloda parça numaraları için bir sütun ya da alan ve kontekst sütunları (kontekstler) olmalı; hangileri olduğunu belirtin.</translation>
     </message>
     <message>
-        <source>%1 rows in total, %2 imported; run the same import again for the others.</source>
+        <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 satırdan %2 tanesi girildi; aynı içe aktarma ötekileri girer.</translation>
+        <translation>%1 satırdan %2 tanesi okundu; aynı içe aktarma ötekileri girer.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>

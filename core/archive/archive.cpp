@@ -22,16 +22,21 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kCatalogue = "catalogue.sqlite";
+constexpr const char* kChecks = "file-checks.txt";
 
 // What belongs to the programs that have the project open, not to the project: the catalogue's
 // journals, whose copy SQLite makes, the window's lock, what is half written, and what was checked.
 bool isOfAProgram(const fs::path& name) {
   const std::string text = name.string();
-  return text.starts_with(kCatalogue) || text == ".ostraka.lock" || text == "file-checks.txt";
+  return text.starts_with(kCatalogue) || text == ".ostraka.lock" || text == kChecks;
 }
 
-Result<std::vector<fs::path>> filesOf(const fs::path& project) {
-  std::vector<fs::path> files;
+struct ProjectFiles {
+  std::vector<fs::path> regular, links;
+};
+
+Result<ProjectFiles> filesOf(const fs::path& project) {
+  ProjectFiles files;
   std::error_code code;
   for (auto it = fs::recursive_directory_iterator(project, code);
        it != fs::recursive_directory_iterator(); it.increment(code)) {
@@ -39,13 +44,16 @@ Result<std::vector<fs::path>> filesOf(const fs::path& project) {
     if (name.extension() == ".partial") it.disable_recursion_pending();
     if ((it.depth() == 0 && isOfAProgram(name)) || name.extension() == ".partial") continue;
     std::error_code gone;
-    if (it->symlink_status(gone).type() == fs::file_type::regular) files.push_back(it->path());
+    const fs::file_type type = it->symlink_status(gone).type();
+    if (type == fs::file_type::regular) files.regular.push_back(it->path());
+    if (type == fs::file_type::symlink) files.links.push_back(it->path());
   }
   if (code)
     return Error::unusable("A folder of the project cannot be read (" + code.message() +
                                "); check its permissions, and archive it again.",
                            project.string());
-  std::sort(files.begin(), files.end());
+  for (std::vector<fs::path>* list : {&files.regular, &files.links})
+    std::sort(list->begin(), list->end());
   return files;
 }
 
@@ -69,12 +77,17 @@ class Archiving {
   }
 
   Result<void> addFiles() {
-    const Result<std::vector<fs::path>> files = filesOf(project_.folder());
+    const Result<ProjectFiles> files = filesOf(project_.folder());
     if (!files) return files.error();
-    for (std::size_t i = 0; i < files->size(); ++i) {
-      progress_.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(files->size()));
-      const std::string name = (*files)[i].lexically_relative(project_.folder()).generic_string();
-      const Result<BagFile> added = bag_.addFile(name, (*files)[i], stop_);
+    const auto nameOf = [this](const fs::path& file) {
+      return file.lexically_relative(project_.folder()).generic_string();
+    };
+    for (const fs::path& link : files->links) links_.push_back(nameOf(link));
+    const auto count = static_cast<std::int64_t>(files->regular.size());
+    for (const fs::path& file : files->regular) {
+      progress_.report(static_cast<std::int64_t>(copied_.size()), count);
+      const std::string name = nameOf(file);
+      const Result<BagFile> added = bag_.addFile(name, file, stop_);
       if (!added) return added.error();
       copied_[name] = {added->sha256, added->bytes};
     }
@@ -91,6 +104,8 @@ class Archiving {
     }
     return damaged;
   }
+
+  const std::vector<std::string>& links() const { return links_; }
 
  private:
   // Of the copy: the project goes on changing while its files are copied.
@@ -112,6 +127,7 @@ class Archiving {
   std::stop_token stop_;
   std::vector<upkeep::KnownFile> known_;  ///< by the catalogue that is archived
   std::map<std::string, Checksum> copied_;
+  std::vector<std::string> links_;
 };
 
 // All of the bag into the folder, which is new.
@@ -124,6 +140,7 @@ Result<void> unpack(const BagReader& bag, const fs::path& folder, Progress& prog
     progress.report(done++, static_cast<std::int64_t>(bag.files().size()));
     const Result<ContainedPath> path = ContainedPath::parse(file.path);
     if (!path) return path.error();
+    if (path->below().text() == kChecks) continue;  // what was looked at there says nothing here
     if (Result<void> copied = bag.copy(file, *to, path->below(), stop); !copied) return copied;
   }
   return {};
@@ -154,8 +171,11 @@ Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOpt
   if (Result<void> added = archiving.addFiles(); !added) return added.error();
   Archived archived;
   archived.damage = archiving.damage();
-  if (!archived.damage.empty() && options.damaged == DamagedFiles::Refuse) return archived;
+  archived.links = archiving.links();
+  if (!archived.whole() && options.damaged == DamagedFiles::Refuse) return archived;
   std::string list;
+  for (const std::string& link : archived.links)
+    list += link + " is a link; what it leads to is not in this archive.\n";
   for (const upkeep::DamagedFile& file : archived.damage) list += sentenceOf(file) + "\n";
   if (!list.empty()) bag->tag("damage.txt", list);
   const auto record = catalogue::Settings(project.catalogue()).project();

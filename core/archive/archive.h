@@ -24,12 +24,14 @@ struct Archived {
   bool sealed = false;  ///< else nothing was left at the target
   std::int64_t bytes = 0;
   std::vector<upkeep::DamagedFile> damage;
+  std::vector<std::string> links;  ///< in the project; what they lead to is not archived
+  bool whole() const { return damage.empty() && links.empty(); }
 };
 /// The whole project, catalogue and all files, as a bag: what a laptop that is lost leaves behind.
 /// Each file of the catalogue that is archived is held against its hash while it is copied; an
-/// archive that is sealed with damage lists it in damage.txt. Links are not followed: what lies
-/// behind one counts as missing. Errors: the target is there or lies in the project, a folder that
-/// cannot be read, a full disk, Cancelled.
+/// archive that is sealed with damage lists it in damage.txt. Links are not followed: each counts
+/// as damage, and the catalogue's files behind it as missing. Errors: the target is there or lies
+/// in the project, a folder that cannot be read, a full disk, Cancelled.
 Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOptions& options,
                                 Progress& progress, std::stop_token stop);
 

@@ -78,4 +78,29 @@ Result<void> checkOutputPlace(const fs::path& target, std::string_view filled) {
                          target.string());
 }
 
+Result<void> checkNoLinkedFolder(const fs::path& folder, std::span<const std::string_view> names,
+                                 LinkedFolders which) {
+  const auto leadsAway = [](const fs::directory_entry& entry) {
+    std::error_code failed;
+    return entry.is_symlink(failed) && entry.is_directory(failed);
+  };
+  const auto refused = [](const fs::path& link) {
+    return Error::unusable(
+        "A link has taken the place of a folder that Ostraka writes to and empties; what it leads "
+        "to was not touched. Delete the link, or move the folder itself here.",
+        link.string());
+  };
+  for (const std::string_view name : names) {
+    std::error_code failed;
+    const fs::directory_entry own(folder / name, failed);
+    if (leadsAway(own)) return refused(own.path());
+    if (which == LinkedFolders::OfTheseNames) continue;
+    // Links are not entered.
+    for (fs::recursive_directory_iterator at(own.path(), failed), end; !failed && at != end;
+         at.increment(failed))
+      if (leadsAway(*at)) return refused(at->path());
+  }
+  return {};
+}
+
 }  // namespace ostraka

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 #include "base/result.h"
@@ -12,5 +13,13 @@ namespace ostraka {
 /// filled: the folder of a project, as "results", in which a command makes one folder, and that
 /// alone is no harm: PROJECT/results/NAME. Error: UnusableInput.
 Result<void> checkOutputPlace(const std::filesystem::path& target, std::string_view filled = {});
+
+enum class LinkedFolders { OfTheseNames, AndBelow };
+/// Refuses links that have taken the place of folders that the program fills and empties: what lies
+/// behind them is not its own. names: relative paths of those folders, or of what is not there
+/// yet. Links to files are left to the writers, which replace them. Error: UnusableInput, which
+/// names the link.
+Result<void> checkNoLinkedFolder(const std::filesystem::path& folder,
+                                 std::span<const std::string_view> names, LinkedFolders which);
 
 }  // namespace ostraka

@@ -7,6 +7,7 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "files/json_text.h"
+#include "files/output_place.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -16,6 +17,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kBatchFile = "batch.json";  // in OUT/work, of process
 constexpr const char* kScansFile = "scans.json";  // in OUT/work, of register
+constexpr std::string_view kFolders[] = {"work", "sherds", "unpaired"};
 
 std::string nameOf(const fs::path& file, const batch::Batch& batch) {
   return file.lexically_proximate(batch.folder).generic_string();
@@ -105,6 +107,8 @@ Result<FolderLock> claimOutput(const fs::path& output, const batch::Batch& batch
                                const ordered_json& hashes) {
   const fs::path file = output / "work" / kBatchFile;
   if (const Result<void> may = mayUseOutput(output, file, batch, hashes); !may) return may.error();
+  if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
+    return own.error();
   Result<FolderLock> held = FolderLock::take(output / "work");
   if (!held) return held;
   if (const Result<void> written = writeJson(file, hashes); !written) return written.error();
@@ -117,6 +121,8 @@ Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_
       !names(output / "report.json", scans_hash))
     return Error::unusable("The output folder contains other files; choose a new or empty folder.",
                            output.string());
+  if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
+    return own.error();
   Result<FolderLock> held = FolderLock::take(output / "work");
   if (!held) return held;
   const Result<void> written =

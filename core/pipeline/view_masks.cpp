@@ -20,6 +20,9 @@ constexpr double kCoarseMegapixels = 0.5;  // enough to tell a sherd of 5 mm hei
 // it is blurred, or too plain, and stereo finds heights there that are none.
 constexpr double kSoughtBelow = 0.2, kSoughtAbove = 2, kGroundThickness = 0.05;
 
+// Heights need no more: masks stay as they are with them, at half the time.
+constexpr int kSources = 5, kSourcesPerPixel = 3;
+
 constexpr std::size_t kMostViews = 12;  // of a printed sheet: they see all that is to be confirmed
 
 rig::PosedImage coarsely(rig::PosedImage image) {
@@ -72,6 +75,8 @@ Result<std::vector<cv::Mat1b>> shownOn(const Ground& ground,
   stereo::DenseOptions options;
   options.threads = threads;
   options.bounds = bounds;
+  options.max_sources = kSources;
+  options.max_sources_per_pixel = kSourcesPerPixel;
   const Result<stereo::Reconstruction> coarse = stereo::reconstruct(views, options, progress, stop);
   if (!coarse) return coarse.error();
   const std::vector<float> heights = mask::heightsAbove(coarse->cloud, ground.bend);

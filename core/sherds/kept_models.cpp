@@ -6,6 +6,7 @@
 #include "catalogue/catalogue.h"
 #include "files/cannot_write.h"
 #include "files/files.h"
+#include "files/output_place.h"
 #include "files/scratch_folder.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
@@ -65,6 +66,11 @@ Result<FolderLock> holdModels(const fs::path& project, const std::string& batch,
   if (!store::isFolderName(batch))
     return Error::unusable(
         "The number of a batch is also the name of its folder; use letters and digits.", batch);
+  const std::string folder = folderOf(batch).generic_string();
+  const std::string_view names[] = {"models", folder};
+  if (const Result<void> own = checkNoLinkedFolder(project, names, LinkedFolders::OfTheseNames);
+      !own)
+    return own.error();
   return FolderLock::waitFor(project / folderOf(batch), stop);
 }
 

@@ -131,8 +131,7 @@ void Matching::matchView(std::size_t i, int level) {
     planes[i] = std::move(finer);
     sweep.rounds = level == 0 ? 2 : 3;
     sweep.first_perturbation = 0.5F;
-    // At full size each pixel keeps the sources that its plane from the level above fits best.
-    if (level == 0) sweep.max_active_sources = 5;
+    if (level == 0) sweep.max_active_sources = options.max_sources_per_pixel;
   }
   propagate(framesAt(level), static_cast<int>(i), links[i], list, sweep, planes[i], stop);
 }

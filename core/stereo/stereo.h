@@ -34,6 +34,8 @@ struct DenseOptions {
   double max_source_angle_rad = 0.87;
   double last_source_angle_rad = 1.05;
   int max_sources = 8;  ///< per view: both other cameras of a stop and three at each stop beside it
+  /// At full size each pixel keeps those that its plane from the level above fits best.
+  int max_sources_per_pixel = 5;
   /// A point needs this many views that agree on it, its own included.
   int min_agreeing_views = 2;
   std::uint64_t seed = 1;

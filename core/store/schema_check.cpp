@@ -72,13 +72,14 @@ int eachRow(sqlite3* database, const char* sql, Use use) {
   return code == SQLITE_DONE ? SQLITE_OK : code;
 }
 
+constexpr const char* kSchema = "SELECT type, name, tbl_name, sql FROM sqlite_schema";
+
 int readSchema(sqlite3* database, Schema& schema) {
-  return eachRow(database, "SELECT type, name, tbl_name, sql FROM sqlite_schema",
-                 [&](sqlite3_stmt* row) {
-                   // Two of one name: none of ours.
-                   schema[{columnText(row, 0) + " " + columnText(row, 1), columnText(row, 2)}] +=
-                       plainSql(columnText(row, 3)) + ";";
-                 });
+  return eachRow(database, kSchema, [&](sqlite3_stmt* row) {
+    // Two of one name: none of ours.
+    schema[{columnText(row, 0) + " " + columnText(row, 1), columnText(row, 2)}] +=
+        plainSql(columnText(row, 3)) + ";";
+  });
 }
 
 // As the migrations make it in an empty catalogue.
@@ -136,22 +137,41 @@ Result<Found> foreignSchema(const fs::path& file) {
   return damagedCatalogue("its pages are inconsistent", file);
 }
 
-}  // namespace
-
-Result<void> checkSchema(const fs::path& file) {
-  const Result<Found> found = foreignSchema(file);
-  if (!found) return found.error();
-  if (found->version > migrations().back().number) return {};
-  if (found->version < 1) return notOurs(file.string());
-  const Result<Schema> ours = ourSchema(found->version);
+Result<void> compared(const Found& found, const fs::path& file) {
+  if (found.version > migrations().back().number) return {};
+  if (found.version < 1) return notOurs(file.string());
+  const Result<Schema> ours = ourSchema(found.version);
   if (!ours) return ours.error();
-  for (const auto& [part, sql] : found->schema) {
+  for (const auto& [part, sql] : found.schema) {
     const auto same = ours->find(part);
     if (same == ours->end() || same->second != sql) return notOurs(part.first);
   }
   for (const auto& [part, sql] : *ours)
-    if (!found->schema.contains(part)) return notOurs(part.first);
+    if (!found.schema.contains(part)) return notOurs(part.first);
   return {};
+}
+
+}  // namespace
+
+Result<void> checkSchema(const fs::path& file) {
+  const Result<Found> found = foreignSchema(file);
+  return found ? compared(*found, file) : found.error();
+}
+
+Result<void> checkSchema(Database& database) {
+  const Result<Found> found = database.asResult([&] {
+    Found there;
+    Statement version = database.sql("PRAGMA user_version");
+    if (version.next()) version >> there.version;
+    Statement parts = database.sql(kSchema);
+    while (parts.next()) {
+      std::string type, name, table, sql;
+      parts >> type >> name >> table >> sql;
+      there.schema[{type + " " + name, table}] += plainSql(sql) + ";";
+    }
+    return there;
+  });
+  return found ? compared(*found, database.file()) : found.error();
 }
 
 }  // namespace ostraka::store

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "base/result.h"
+#include "store/database.h"
 
 namespace ostraka::store {
 
@@ -11,5 +12,7 @@ namespace ostraka::store {
 /// One of a newer version is left to migrate(), which refuses it. Nothing may be using the file.
 /// Errors: UnusableInput, which names the part; Damaged where the file cannot be read.
 Result<void> checkSchema(const std::filesystem::path& file);
+/// The same of one that is open, before it is asked anything else.
+Result<void> checkSchema(Database& database);
 
 }  // namespace ostraka::store

@@ -68,7 +68,7 @@ Result<std::size_t> enterInPortions(Catalogue& catalogue, std::size_t count,
       Error error = done.error();
       if (error.code != ErrorCode::Cancelled)
         error.what += " " + std::to_string(count) + " rows in total, " + std::to_string(entered) +
-                      " imported; run the same import again for the others.";
+                      " read; run the same import again for the others.";
       return error;
     }
     if (next < count) std::this_thread::sleep_for(kForOthers);

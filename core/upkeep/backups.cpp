@@ -19,6 +19,11 @@ namespace fs = std::filesystem;
 const std::string kBackup = "catalogue-";  // and the time: 20261121-181557-123
 const std::size_t kDayLetters = kBackup.size() + 8;
 
+// Made while the clock was ahead, or by no program of ours: it says nothing of how new it is.
+bool isOfLater(const fs::path& file, std::int64_t now_ms) {
+  return file.filename().string() > kBackup + timeStamp(now_ms) + "~";
+}
+
 }  // namespace
 
 // 20261121-181557-123: sorts as time does.
@@ -58,7 +63,7 @@ Result<fs::path> Project::backUp(int keep, int days) const {
   std::set<std::string> seen_days;
   for (const fs::path& old : backups()) {
     const std::string name = old.filename().string();
-    if (name.find("-before-") != std::string::npos) continue;
+    if (name.find("-before-") != std::string::npos || isOfLater(old, catalogue_.now())) continue;
     const bool last_of_its_day = seen_days.insert(name.substr(0, kDayLetters)).second;
     const bool kept_for_its_day = last_of_its_day && static_cast<int>(seen_days.size()) <= days;
     const bool much_larger = fs::file_size(old, ignored) > bytes + bytes / 4;
@@ -80,9 +85,8 @@ Result<bool> Project::backUpIfChanged(std::chrono::milliseconds after) const {
   // The names sort as their times do.
   const auto nameAt = [](std::int64_t ms) { return kBackup + timeStamp(ms); };
   std::string newest;
-  for (const fs::path& copy : backups())  // one of a later time is not the program's
-    if (std::string name = copy.filename().string(); name <= nameAt(catalogue_.now()) + "~")
-      newest = std::max(newest, std::move(name));
+  for (const fs::path& copy : backups())
+    if (!isOfLater(copy, catalogue_.now())) newest = std::max(newest, copy.filename().string());
   if (*changed == 0 || nameAt(*changed) < newest) return false;
   if (nameAt(catalogue_.now() - after.count()) < newest) return false;
   const Result<fs::path> made = backUp();
@@ -90,17 +94,19 @@ Result<bool> Project::backUpIfChanged(std::chrono::milliseconds after) const {
   return true;
 }
 
-std::vector<fs::path> backupsOf(const fs::path& folder) {
+std::vector<fs::path> backupsOf(const fs::path& folder, std::int64_t now_ms) {
   std::vector<fs::path> files;
   std::error_code code;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "backups", code))
     if (entry.path().extension() == ".sqlite") files.push_back(entry.path());
   std::sort(files.rbegin(), files.rend());
+  std::stable_partition(files.begin(), files.end(),
+                        [&](const fs::path& file) { return !isOfLater(file, now_ms); });
   return files;
 }
 
 std::vector<fs::path> Project::backups() const {
-  return backupsOf(folder_);
+  return backupsOf(folder_, catalogue_.now());
 }
 
 }  // namespace ostraka::upkeep

@@ -11,7 +11,8 @@ namespace ostraka::upkeep {
 /// 20261121-181557-123, UTC: sorts as time does.
 std::string timeStamp(std::int64_t now_ms);
 /// Of a project's folder, the newest first.
-std::vector<std::filesystem::path> backupsOf(const std::filesystem::path& folder);
+std::vector<std::filesystem::path> backupsOf(const std::filesystem::path& folder,
+                                             std::int64_t now_ms);
 /// A copy of the project's catalogue in backups/, read back; kind stands behind its time. Copies of
 /// the kinds -before-update and -before-repair are never removed.
 Result<std::filesystem::path> backUpInto(const std::filesystem::path& folder,

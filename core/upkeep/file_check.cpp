@@ -83,13 +83,15 @@ Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue, const fs:
   for (const KnownFile& file : *known) total += file.bytes;
   std::optional<FileCheckLog> log;
   if (depth == CheckDepth::Hashes) log.emplace(folder);
-  if (log && log->begun_ms() < catalogue.now() - kLongestRound_ms) log->begin(catalogue.now());
+  // A clock that ran ahead, then or now, must not keep a file from being looked at.
+  const std::int64_t now = catalogue.now();
+  if (log && (log->begun_ms() < now - kLongestRound_ms || log->begun_ms() > now)) log->begin(now);
   for (const KnownFile& file : *known) {
     if (stop.stop_requested()) return Error::cancelled();
     progress.report(done, total);
     done += file.bytes;
     const FileCheckLog::Seen* seen = log ? log->seen(file) : nullptr;
-    if (seen && !seen->damage && seen->at_ms >= log->begun_ms()) continue;
+    if (seen && !seen->damage && seen->at_ms >= log->begun_ms() && seen->at_ms <= now) continue;
     const Result<std::optional<Damage>> damage = lookAt(file, folder, depth, stop);
     if (!damage) return damage.error();
     ++result.checked;

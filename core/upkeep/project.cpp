@@ -16,6 +16,7 @@
 #include "store/names.h"
 #include "store/network_share.h"
 #include "store/partial_file.h"
+#include "store/schema_check.h"
 #include "store/values.h"
 #include "upkeep/backups.h"
 
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFile = "catalogue.sqlite";
 constexpr std::array<const char*, 3> kFolders = {"batches", "results", "backups"};
+constexpr std::string_view kOwnFolders[] = {"batches", "results", "backups", "models"};
 
 catalogue::Catalogue::Clock orSystemClock(const catalogue::Catalogue::Clock& clock) {
   if (clock) return clock;
@@ -72,10 +74,16 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
   std::error_code code;
   if (!fs::is_regular_file(file, code))
     return refused("Not an Ostraka project: this folder has no catalogue.sqlite.", folder);
+  if (const Result<void> own =
+          checkNoLinkedFolder(folder, kOwnFolders, LinkedFolders::OfTheseNames);
+      !own)
+    return own.error();
   const bool writable = mayBeWritten(folder) && mayBeWritten(file);
   Result<std::unique_ptr<store::Database>> database =
       store::Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly);
   if (!database) return database.error();
+  // Anybody may have written it: what it says is read before any of it is run.
+  if (const Result<void> ours = store::checkSchema(**database); !ours) return ours.error();
   catalogue::Catalogue catalogue(std::move(*database), orSystemClock(clock));
   if (!writable && catalogue.schemaVersion() < store::migrations().back().number)
     return refused(

@@ -109,12 +109,14 @@ class Repair {
 
   Result<void> checked(const fs::path& file) const {
     const Result<catalogue::Catalogue> catalogue = opened(file, store::Database::Mode::ReadWrite);
-    return catalogue ? catalogue->checkIntegrity() : catalogue.error();
+    if (!catalogue) return catalogue.error();
+    if (Result<void> ours = store::checkSchema(catalogue->database()); !ours) return ours;
+    return catalogue->checkIntegrity();
   }
 
   // The newest first; the first whole one is what rows are taken from.
   Result<void> findBackups() {
-    backups_ = backupsOf(project_);
+    backups_ = backupsOf(project_, clock_());
     for (const fs::path& backup : backups_) {
       if (stop_.stop_requested()) return Error::cancelled();
       if (!store::checkSchema(backup)) continue;  // it may have come with a stranger's archive

@@ -52,8 +52,8 @@ void checkTable(store::Database& database, const CheckedColumns& table) {
     for (const std::string& column : table.texts) {
       std::string text;
       rows >> text;
-      if (!store::isUtf8(text))
-        store::refuse("The text is not valid UTF-8 or contains a zero byte.", where(column));
+      if (const Result<std::string> good = store::checkedText(text); !good)
+        store::refuse(good.error().what, where(column));
     }
     for (const std::string& column : table.numbers) {
       std::optional<double> number;

@@ -22,7 +22,6 @@ capture aperture
 catalogue library
 check check
 clock clock
-delete trash-2
 disk hard-drive
 distance spline
 down chevron-down
@@ -31,12 +30,9 @@ edit pencil
 error octagon-x
 export upload
 filter funnel
-flip flip-vertical-2
 folder folder
 help circle-question-mark
-history history
 import download
-info info
 join combine
 keys keyboard
 label tag
@@ -54,11 +50,9 @@ person user
 picture image
 place map-pin
 play play
-plug plug
 plus plus
 previous arrow-left
 print printer
-qr qr-code
 question message-circle-question-mark
 queue list-ordered
 redo redo-2

@@ -1,5 +1,7 @@
 // Commands of a project, killed at any moment: what stood there still stands, and the same command,
 // given again, ends as if nobody had killed it. kills.h says how to kill them more often.
+#include <ctime>
+
 #include "project_commands.h"
 #include "small_disk.h"
 #include "undisturbed.h"
@@ -150,7 +152,7 @@ TEST_F(KilledCommands, ACheckLeavesWholeBackupsOnly) {
   project_.reset();
   const std::string content = *catalogue::contentOf(at("project"));
   const auto backups_are_whole = [&] {
-    for (const fs::path& backup : upkeep::backupsOf(at("work"))) {
+    for (const fs::path& backup : upkeep::backupsOf(at("work"), 1000LL * std::time(nullptr))) {
       fs::remove_all(at("back"));
       fs::create_directories(at("back"));
       fs::copy(backup, at("back/catalogue.sqlite"));
@@ -164,7 +166,7 @@ TEST_F(KilledCommands, ACheckLeavesWholeBackupsOnly) {
       [&](const Ended& again) {
         expectDone(again);
         expectWhole("work", 3);
-        EXPECT_FALSE(upkeep::backupsOf(at("work")).empty());
+        EXPECT_FALSE(upkeep::backupsOf(at("work"), 1000LL * std::time(nullptr)).empty());
         backups_are_whole();
       });
 }

@@ -26,6 +26,7 @@
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/wizard/batch_description.h"
@@ -123,43 +124,25 @@ void CaptureScreen::buildImport(QVBoxLayout* all) {
   all->addWidget(new ImportLine(importer_, this));
 }
 
-QAction* CaptureScreen::addAct(const QString& name, const QString& icon_name, const QString& text,
-                               const QKeySequence& key) {
-  auto* action = new QAction(icon(icon_name), text, this);
-  action->setObjectName(name);
-  action->setShortcut(key);
-  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  addAction(action);
-  return action;
-}
-
 void CaptureScreen::buildActions() {
-  next_ = addAct(QStringLiteral("captureNext"), QStringLiteral("next"), tr("Next step"),
-                 QKeySequence(Qt::Key_Space));
+  next_ = addPageAct(this, "captureNext", "next", tr("Next step"), Qt::Key_Space);
   next_->setAutoRepeat(false);  // a key that is held does one thing
-  stop_ = addAct(QStringLiteral("captureStop"), QStringLiteral("stop"), tr("Stop turntable"),
-                 QKeySequence(Qt::Key_Escape));
+  stop_ = addPageAct(this, "captureStop", "stop", tr("Stop turntable"), Qt::Key_Escape);
   stop_->setIconText(tr("Stop"));  // in sight in every language
-  again_ = addAct(QStringLiteral("captureAgain"), QStringLiteral("again"), tr("Photograph again"),
-                  QKeySequence(Qt::Key_R));
+  again_ = addPageAct(this, "captureAgain", "again", tr("Photograph again"), Qt::Key_R);
   again_->setAutoRepeat(false);
-  number_ = addAct(QStringLiteral("numberSherds"), QStringLiteral("label"),
-                   tr("Type the sherds' numbers"), QKeySequence(Qt::Key_N));
-  count_sherds_ = addAct(QStringLiteral("countSherds"), QStringLiteral("sherd"),
-                         tr("Type how many sherds lie there"), QKeySequence(Qt::Key_S));
-  import_photographs_ = addAct(QStringLiteral("importPhotographs"), QStringLiteral("import"),
-                               tr("Import photographs…"), {});
-  import_scans_ =
-      addAct(QStringLiteral("importScans"), QStringLiteral("import"), tr("Import scans…"), {});
-  change_rig_ =
-      addAct(QStringLiteral("changeRig"), QStringLiteral("turntable"), tr("Change rig…"), {});
-  set_aside_ = addAct(QStringLiteral("setBatchAside"), QStringLiteral("aside"),
-                      tr("Set this batch aside"), {});
+  number_ = addPageAct(this, "numberSherds", "label", tr("Type the sherds' numbers"), Qt::Key_N);
+  count_sherds_ =
+      addPageAct(this, "countSherds", "sherd", tr("Type how many sherds lie there"), Qt::Key_S);
+  import_photographs_ =
+      addPageAct(this, "importPhotographs", "import", tr("Import photographs…"), {});
+  import_scans_ = addPageAct(this, "importScans", "import", tr("Import scans…"), {});
+  change_rig_ = addPageAct(this, "changeRig", "turntable", tr("Change rig…"), {});
+  set_aside_ = addPageAct(this, "setBatchAside", "aside", tr("Set this batch aside"), {});
   for (int camera = 0; camera < kMostCameras; ++camera) {
     const QString letter = QString::fromStdString(batch::cameraLetter(camera));
-    QAction* action =
-        addAct(QStringLiteral("camera") + letter, QStringLiteral("camera"),
-               tr("Camera %1").arg(letter), QKeySequence(static_cast<Qt::Key>(Qt::Key_A + camera)));
+    QAction* action = addPageAct(this, "camera" + letter, "camera", tr("Camera %1").arg(letter),
+                                 QKeySequence(static_cast<Qt::Key>(Qt::Key_A + camera)));
     action->setIconText(letter);
     action->setCheckable(true);
     connect(action, &QAction::triggered, this,

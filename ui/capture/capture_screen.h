@@ -67,8 +67,6 @@ class CaptureScreen final : public Screen {
   QWidget* buildMiddle(QWidget* page);
   double headlineSize() const;
   void buildTwice();
-  QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
-                  const QKeySequence& key);
   void goOn();
   bool namesABag();  ///< what is typed; else it says so, and the cursor is there
   void follow();

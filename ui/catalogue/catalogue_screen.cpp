@@ -35,6 +35,7 @@
 #include "ui/tables/import_model.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -235,13 +236,9 @@ QWidget* CatalogueScreen::buildRight() {
 void CatalogueScreen::addActions() {
   const auto add = [this](const QString& text, const QString& picture, const QKeySequence& keys,
                           const char* name, auto act) {
-    auto* action = new QAction(icon(picture), text, this);
-    action->setObjectName(name);
-    action->setShortcut(keys);
-    action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    QAction* action = addPageAct(this, name, picture, text, keys);
     action->setAutoRepeat(false);
     connect(action, &QAction::triggered, this, act);
-    addAction(action);
   };
   add(tr("Search"), "search", QKeySequence::Find, "search", [this] { filter_->takeKeys(); });
   add(tr("Edit"), "edit", Qt::Key_F2, "edit", [this] { openDetails(); });

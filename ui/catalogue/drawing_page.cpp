@@ -25,6 +25,7 @@
 #include "ui/jobs/job.h"
 #include "ui/look/look.h"
 #include "ui/widgets/form_rows.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/words/print_wording.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -89,24 +90,15 @@ QLayout* DrawingPage::buildChoices() {
 }
 
 QLayout* DrawingPage::buildActs() {
-  const auto button = [this](const char* name, const char* picture, const QString& text) {
-    auto* made = new QPushButton(icon(picture), text, this);
-    made->setObjectName(name);
-    made->setMinimumHeight(controlHeight(*this));
-    return made;
-  };
-  enter_ = button("enterRim", "check", tr("Enter the diameter"));
-  save_ = button("saveDrawing", "export", tr("Save…"));
-  print_ = button("printDrawing", "print", tr("Print…"));
+  enter_ = iconButton(this, "enterRim", "check", tr("Enter the diameter"));
+  save_ = iconButton(this, "saveDrawing", "export", tr("Save…"));
+  print_ = iconButton(this, "printDrawing", "print", tr("Print…"));
   connect(enter_, &QPushButton::clicked, this, &DrawingPage::enterRim);
   connect(save_, &QPushButton::clicked, this, &DrawingPage::save);
   connect(print_, &QPushButton::clicked, this, &DrawingPage::print);
-  auto* action = new QAction(tr("Print the drawing"), this);
-  action->setShortcut(QKeySequence::Print);
-  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  QAction* action = addPageAct(this, {}, {}, tr("Print the drawing"), QKeySequence::Print);
   action->setAutoRepeat(false);
   connect(action, &QAction::triggered, this, &DrawingPage::print);
-  addAction(action);
   auto* row = new QHBoxLayout;
   row->addWidget(save_, 1);
   row->addWidget(print_, 1);
@@ -117,9 +109,7 @@ QLayout* DrawingPage::buildActs() {
 }
 
 void DrawingPage::buildLayout() {
-  draw_ = new QPushButton(icon("edit"), {}, this);
-  draw_->setObjectName("drawMany");
-  draw_->setMinimumHeight(controlHeight(*this));
+  draw_ = iconButton(this, "drawMany", "edit", {});
   connect(draw_, &QPushButton::clicked, this, &DrawingPage::draw);
   bar_ = new QProgressBar(this);
   bar_->setObjectName("drawingProgress");
@@ -239,10 +229,7 @@ void DrawingPage::draw() {
   connect(drawing_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
     bar_->setValue(qRound(1000 * progress.fraction));
   });
-  connect(drawing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    drawing_->deleteLater();
-    drawing_.clear();
-    const auto drawn = outcomeAs<std::shared_ptr<const Drawn>>(outcome);
+  whenDone<std::shared_ptr<const Drawn>>(drawing_, this, [this](const auto& drawn) {
     if (drawn) return arrived(*drawn);
     problem_ = drawn.error().code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was drawn.")
                                                           : sentenceOf(drawn.error());
@@ -270,9 +257,8 @@ void DrawingPage::showPage(int page) {
     return paintedSheet(drawn->pages[static_cast<std::size_t>(page)], kShownDpi);
   };
   painting_ = session_->jobs().start(makeJob(tr("A sheet"), work), this);
-  connect(painting_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    painting_->deleteLater();
-    if (const Result<QImage> sheet = outcomeAs<QImage>(outcome)) view_->showSheet(*sheet);
+  whenDone<QImage>(painting_, this, [this](const auto& sheet) {
+    if (sheet) view_->showSheet(*sheet);
   });
 }
 
@@ -385,12 +371,10 @@ void DrawingPage::write(const std::shared_ptr<const Drawn>& drawn, const QString
     return work(drawn->pages);
   };
   writing_ = session_->jobs().start(makeJob(title, job), this);
-  connect(writing_, &JobHandle::finished, this, [this, done](const JobOutcome& outcome) {
-    writing_->deleteLater();
-    writing_.clear();
+  whenDone<void>(writing_, this, [this, done](const auto& written) {
     refresh();
-    if (outcome) return emit said(done);
-    words_->setText(sentenceOf(outcome.error()));
+    if (written) return emit said(done);
+    words_->setText(sentenceOf(written.error()));
     words_->show();
   });
   refresh();

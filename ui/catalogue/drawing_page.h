@@ -33,7 +33,6 @@ class DrawingPage final : public QWidget {
 
   /// session: nullptr when no project is open.
   void setSherds(ProjectSession* session, std::vector<store::SherdRow> sherds);
-  bool isDrawing() const { return drawing_ != nullptr; }
   /// What is drawn now; empty before and while something is drawn.
   const std::vector<Page>& pages() const;
 

@@ -132,13 +132,11 @@ void ModelPane::fetch() {
       return readScaled(file, {kPicture, kPicture});
     };
     reading_ = jobs_->start(makeJob(tr("Picture of a sherd"), read), this);
-    connect(reading_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-      if (const Result<QImage> image = outcomeAs<QImage>(outcome); image && !image->isNull())
+    whenDone<QImage>(reading_, this, [this](const auto& image) {
+      if (image && !image->isNull())
         picture_ = QPixmap::fromImage(*image);
       else
         picture_file_.clear();
-      reading_->deleteLater();
-      reading_.clear();
       showPicture();
       fetch();
     });
@@ -149,10 +147,7 @@ void ModelPane::fetch() {
     return readForView(file);
   };
   reading_ = jobs_->start(makeJob(tr("Model of a sherd"), read), this);
-  connect(reading_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    reading_->deleteLater();
-    reading_.clear();
-    const auto mesh = outcomeAs<MeshPtr>(outcome);
+  whenDone<MeshPtr>(reading_, this, [this](const auto& mesh) {
     if (!mesh || !view()->hasOpenGl()) return;  // the picture stays
     view()->showModel(**mesh);
     pages_->setCurrentWidget(view_);

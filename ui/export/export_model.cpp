@@ -78,8 +78,7 @@ void ExportModel::measureSize() {
       return exchange::sizeOfExport(*catalogue, folder, *rows, options, stop);
     };
     sizing_ = session_->jobs().start(makeJob(tr("Size of the export"), work), this);
-    connect(sizing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-      const Result<exchange::ExportSize> size = outcomeAs<exchange::ExportSize>(outcome);
+    whenDone<exchange::ExportSize>(sizing_, this, [this](const auto& size) {
       if (size)
         size_ = *size;
       else if (size.error().code != ErrorCode::Cancelled)
@@ -162,8 +161,7 @@ void ExportModel::start() {
     seconds_left_ = progress.seconds_left;
     emit changed();
   });
-  connect(running_, &JobHandle::finished, this,
-          [this](const JobOutcome& outcome) { ended(outcomeAs<exchange::Exported>(outcome)); });
+  whenDone<exchange::Exported>(running_, this, [this](const auto& done) { ended(done); });
   emit changed();
 }
 

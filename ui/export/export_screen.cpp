@@ -20,6 +20,7 @@
 #include "ui/export/export_choices.h"
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/side_by_side.h"
 
@@ -141,9 +142,7 @@ QWidget* ExportScreen::buildWhere() {
   target_ = new QLineEdit(box);
   target_->setObjectName("target");
   target_->setAccessibleName(tr("New folder for the export"));
-  auto* choose = new QPushButton(icon("folder"), tr("Choose…"), box);
-  choose->setObjectName("browse");
-  choose->setMinimumHeight(controlHeight(*this));
+  QPushButton* choose = iconButton(box, "browse", "folder", tr("Choose…"));
   target_->setMinimumHeight(controlHeight(*this));
   auto* row = new QHBoxLayout(box);
   row->addWidget(target_, 1);
@@ -180,12 +179,8 @@ void ExportScreen::buildLayout() {
   start_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
   connect(start_, &QPushButton::clicked, &model_, &ExportModel::start);
   connect(cancel_, &QPushButton::clicked, &model_, &ExportModel::cancel);
-  stop_ = new QAction(icon("cancel"), tr("Stop the export"), this);
-  stop_->setObjectName("exportStop");
-  stop_->setShortcut(Qt::Key_Escape);
-  stop_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  stop_ = addPageAct(this, "exportStop", "cancel", tr("Stop the export"), Qt::Key_Escape);
   connect(stop_, &QAction::triggered, &model_, &ExportModel::cancel);
-  addAction(stop_);
   connect(open_, &QPushButton::clicked, this,
           [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(choices_->target())); });
   auto* choices = new QWidget(this);

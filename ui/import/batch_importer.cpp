@@ -57,11 +57,8 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
   connect(job_, &JobHandle::noted, this, [this](NoteLevel level, const QString& text) {
     if (level == NoteLevel::Warning) doubts_ << wordsOf(text.toStdString());
   });
-  connect(job_, &JobHandle::finished, this, [this, options, place](const JobOutcome& outcome) {
-    job_->deleteLater();
-    job_ = nullptr;
+  whenDone<Imported>(job_, this, [this, options, place](const auto& copied) {
     emit ended();
-    const Result<Imported> copied = outcomeAs<Imported>(outcome);
     if (copied && !copied->same_as.empty()) {
       asked_ = options;
       asked_place_ = place;
@@ -98,12 +95,9 @@ void BatchImporter::recordPhotographs(const QString& number) {
       JobPriority::Background);
   job.is_promised = true;
   JobHandle* handle = session_->jobs().start(std::move(job), this);
-  connect(handle, &JobHandle::finished, this,
-          [this, handle, number, session = session_](const JobOutcome& outcome) {
-            handle->deleteLater();
-            if (outcome.has_value() && session != nullptr && session == session_)
-              session->tellBatchChanged(number);
-          });
+  whenDone<int>(handle, this, [this, number, session = session_](const auto& entered) {
+    if (entered && session != nullptr && session == session_) session->tellBatchChanged(number);
+  });
 }
 
 void BatchImporter::cancel() {

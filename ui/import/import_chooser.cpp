@@ -86,10 +86,7 @@ void ImportChooser::take(const QStringList& paths) {
                                           return planSides(paths, last);
                                         }),
                                 this);
-  connect(job_, &JobHandle::finished, this, [this, paths](const JobOutcome& outcome) {
-    job_->deleteLater();
-    job_ = nullptr;
-    auto plan = outcomeAs<std::optional<SidesPlan>>(outcome);
+  whenDone<std::optional<SidesPlan>>(job_, this, [this, paths](auto plan) {
     if (!plan) return emit failed(plan.error());
     if (*plan) {
       (*plan)->marker_mm = lastMarker();

@@ -137,16 +137,6 @@ QString JobHandle::title() const {
   return title_;
 }
 
-bool JobHandle::isRunning() const {
-  const std::lock_guard guard(shared_->lock);
-  return shared_->running;
-}
-
-bool JobHandle::isPaused() const {
-  const std::lock_guard guard(shared_->lock);
-  return shared_->paused;
-}
-
 const JobProgress& JobHandle::progress() const {
   return progress_;
 }

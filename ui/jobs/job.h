@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <any>
 #include <functional>
@@ -45,8 +46,6 @@ class JobHandle : public QObject {
  public:
   ~JobHandle() override;
   QString title() const;
-  bool isRunning() const;
-  bool isPaused() const;
   const JobProgress& progress() const;
 
  public slots:
@@ -141,6 +140,25 @@ Result<T> outcomeAs(const JobOutcome& outcome) {
     return {};
   else
     return std::any_cast<const T&>(*outcome);
+}
+
+/// When the job ends its handle goes, and then(Result<T>) is called, unless context went before.
+template <class T, class Then>
+void whenDone(JobHandle* job, QObject* context, Then then) {
+  QObject::connect(job, &JobHandle::finished, context,
+                   [job, then = std::move(then)](const JobOutcome& outcome) {
+                     job->deleteLater();
+                     then(outcomeAs<T>(outcome));
+                   });
+}
+
+/// The same for a job that context names: its name is empty before then is called.
+template <class T, class Then>
+void whenDone(QPointer<JobHandle>& job, QObject* context, Then then) {
+  whenDone<T>(job.data(), context, [&job, then = std::move(then)](const Result<T>& result) {
+    job.clear();
+    then(result);
+  });
 }
 
 }  // namespace ostraka::ui

@@ -83,10 +83,8 @@ void CatalogueRepair::repair(const QString& folder) {
                 return upkeep::repairCatalogue(project, progress, stop);
               }),
       this);
-  connect(job_, &JobHandle::finished, this, [this, folder](const JobOutcome& outcome) {
-    std::exchange(job_, nullptr)->deleteLater();
+  whenDone<RepairReport>(job_, this, [this, folder](const auto& report) {
     lock_.reset();
-    const auto report = outcomeAs<RepairReport>(outcome);
     if (!report)
       return emit told(tr("The catalogue could not be repaired."), sentenceOf(report.error()), {});
     emit told(tr("The catalogue is repaired."), wordsOf(*report), folder);

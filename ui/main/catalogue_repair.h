@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <memory>
 
@@ -25,7 +26,7 @@ class CatalogueRepair final : public QObject {
 
  private:
   JobRunner& runner_;
-  JobHandle* job_ = nullptr;
+  QPointer<JobHandle> job_;
   std::unique_ptr<ProjectLock> lock_;
 };
 

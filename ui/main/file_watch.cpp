@@ -1,7 +1,5 @@
 #include "ui/main/file_watch.h"
 
-#include <utility>
-
 #include "ui/jobs/job.h"
 #include "upkeep/file_check.h"
 #include "upkeep/project.h"
@@ -27,9 +25,7 @@ void FileWatch::look(const std::filesystem::path& project) {
           },
           JobPriority::Background),
       this);
-  connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    std::exchange(job_, nullptr)->deleteLater();
-    const auto checked = outcomeAs<upkeep::CheckedFiles>(outcome);
+  whenDone<upkeep::CheckedFiles>(job_, this, [this](const auto& checked) {
     if (!checked && checked.error().code == ErrorCode::Damaged)
       return emit catalogueDamaged(checked.error());
     if (!checked || checked->damaged.empty()) return;
@@ -41,7 +37,8 @@ void FileWatch::look(const std::filesystem::path& project) {
 }
 
 void FileWatch::stop() {
-  if (job_ != nullptr) std::exchange(job_, nullptr)->drop();
+  if (job_) job_->drop();
+  job_.clear();
 }
 
 }  // namespace ostraka::ui

@@ -1,5 +1,6 @@
 #pragma once
 #include <QObject>
+#include <QPointer>
 #include <QString>
 #include <filesystem>
 
@@ -26,7 +27,7 @@ class FileWatch final : public QObject {
 
  private:
   JobRunner& runner_;
-  JobHandle* job_ = nullptr;
+  QPointer<JobHandle> job_;
 };
 
 }  // namespace ostraka::ui

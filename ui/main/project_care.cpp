@@ -35,9 +35,8 @@ void ProjectCare::measureRoom() {
                               return intake::roomForBatches(folder);
                             }),
                     this);
-  connect(job, &JobHandle::finished, this, [this, job](const JobOutcome& outcome) {
-    job->deleteLater();
-    if (const Result<int> room = outcomeAs<int>(outcome)) emit roomMeasured(*room);
+  whenDone<int>(job, this, [this](const auto& room) {
+    if (room) emit roomMeasured(*room);
   });
 }
 
@@ -51,10 +50,8 @@ void ProjectCare::backUp() {
                               return project ? project->backUpIfChanged() : project.error();
                             }),
                     this);
-  connect(job, &JobHandle::finished, this, [this, job](const JobOutcome& outcome) {
-    job->deleteLater();
-    if (const Result<bool> done = outcomeAs<bool>(outcome);
-        !done && done.error().code != ErrorCode::Cancelled)
+  whenDone<bool>(job, this, [this](const auto& done) {
+    if (!done && done.error().code != ErrorCode::Cancelled)
       emit said(
           MainWindow::tr("The catalogue could not be copied: %1").arg(sentenceOf(done.error())));
   });

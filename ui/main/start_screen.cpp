@@ -21,6 +21,7 @@
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/thumbnails.h"
 
@@ -78,9 +79,7 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
   head->addWidget(title);
   head->addStretch();
   const auto addSide = [&](const char* name, const char* picture, const QString& text) {
-    auto* button = new QPushButton(icon(QLatin1String(picture)), text, this);
-    button->setObjectName(QLatin1String(name));
-    button->setMinimumHeight(controlHeight(*this));
+    QPushButton* button = iconButton(this, name, picture, text);
     head->addWidget(button);
     return button;
   };
@@ -115,12 +114,10 @@ QWidget* StartScreen::buildRecent() {
                  box);
   no_recent_->setWordWrap(true);
   no_recent_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  auto* open = new QPushButton(icon(QStringLiteral("open")), tr("&Open a project…"), box);
-  open->setObjectName(QStringLiteral("openProject"));
+  QPushButton* open = iconButton(box, "openProject", "open", tr("&Open a project…"));
   try_ = new BigButton(box);
   try_->setText(tr("Try with the virtual rig"));
   try_->setObjectName(QStringLiteral("tryVirtualRig"));
-  open->setMinimumHeight(controlHeight(*this));
   connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
     const QString folder = item->data(Qt::UserRole).toString();
     isThere(folder) ? emit opened(folder) : findLost(folder);

@@ -8,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPdfWriter>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QPushButton>
@@ -18,13 +17,13 @@
 
 #include "catalogue/batches.h"
 #include "files/output_place.h"
-#include "ui/frame/batch_place.h"
 #include "ui/frame/project_session.h"
 #include "ui/look/look.h"
 #include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -70,20 +69,9 @@ bool mayPrint(const QPrinter& printer, QString* why) {
 
 }  // namespace
 
-MapScreen::MapScreen(QWidget* parent) : Screen(parent) {
-  batches_ = new QComboBox(this);
-  batches_->setObjectName("batch");
-  batches_->setAccessibleName(tr("Batch"));
-  batches_->setFocusPolicy(Qt::TabFocus);
-  message_ = new QLabel(this);
-  message_->setObjectName("message");
-  message_->setWordWrap(true);
-  auto* print_action = new QAction(tr("Print map and labels"), this);
-  print_action->setObjectName("print");
-  print_action->setShortcut(QKeySequence::Print);
-  print_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  connect(print_action, &QAction::triggered, this, &MapScreen::print);
-  addAction(print_action);
+MapScreen::MapScreen(QWidget* parent) : PlateScreen(tr("Batch"), parent) {
+  connect(addPageAct(this, "print", {}, tr("Print map and labels"), QKeySequence::Print),
+          &QAction::triggered, this, &MapScreen::print);
   print_ = new BigButton(this);
   print_->setText(tr("Print map and labels"));
   print_->setKeyHint(QKeySequence(QKeySequence::Print).toString(QKeySequence::NativeText));
@@ -92,18 +80,14 @@ MapScreen::MapScreen(QWidget* parent) : Screen(parent) {
   print_->setFocusPolicy(Qt::TabFocus);
   print_->setEnabled(false);
   connect(print_, &QPushButton::clicked, this, &MapScreen::print);
-  auto* bags_action = new QAction(tr("Print bag labels"), this);
-  bags_action->setObjectName("printBags");
-  bags_action->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P));
-  bags_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  connect(bags_action, &QAction::triggered, this, &MapScreen::printBags);
-  addAction(bags_action);
-  bags_ = new QPushButton(icon(QStringLiteral("print")), tr("Print bag labels"), this);
+  connect(
+      addPageAct(this, "printBags", {}, tr("Print bag labels"), Qt::CTRL | Qt::SHIFT | Qt::Key_P),
+      &QAction::triggered, this, &MapScreen::printBags);
+  bags_ = iconButton(this, {}, "print", tr("Print bag labels"));
   bags_->setToolTip(
       tr("Print a label for each bag; its code gives a batch its context "
          "(Ctrl+Shift+P)"));
   bags_->setFocusPolicy(Qt::TabFocus);
-  bags_->setMinimumHeight(controlHeight(*this));
   bags_->setEnabled(false);
   connect(bags_, &QPushButton::clicked, this, &MapScreen::printBags);
   view_ = new MapView(this);
@@ -129,8 +113,6 @@ MapScreen::MapScreen(QWidget* parent) : Screen(parent) {
   all->addWidget(empty_, 1);
   all->addLayout(foot);
   setFocusProxy(view_);
-  connect(batches_, &QComboBox::activated, this,
-          [this](int index) { openBatch(batches_->itemText(index)); });
   connect(view_, &MapView::highlightedChanged, this, [this](const QString& number) {
     const MapNumbers& numbers = view_->picture().numbers;
     if (!number.isEmpty()) say(tr("Sherd %1").arg(numbers.whole(number)));
@@ -174,32 +156,9 @@ void MapScreen::setInFront(bool in_front) {
   if (in_front) view_->setFocus();
 }
 
-QString MapScreen::chosen() const {
-  return batch_.isEmpty() ? QString() : kPlate + batch_;
-}
-
-QString MapScreen::whereWords() const {
-  return session_ && session_->hasProject() && !batch_.isEmpty()
-             ? batchWords(session_->project().catalogue(), batch_)
-             : batch_;
-}
-
-// The batch that was reviewed is the one whose map is wanted.
-void MapScreen::takeChosen(const QString& what) {
-  if (what.startsWith(kPlate) && what != chosen() &&
-      batches_->findText(what.mid(kPlate.size())) >= 0)
-    showBatch(what.mid(kPlate.size()));
-}
-
 void MapScreen::listBatches() {
   if (!session_) return;
-  QStringList names;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(session_->folder() / "results", ignored))
-    if (fs::exists(entry.path() / "work" / "pairs" / "candidates.json", ignored))
-      names << QString::fromStdString(entry.path().filename().string());
-  std::sort(names.begin(), names.end(), std::greater<>());
+  const QStringList names = reviewable();
   batches_->clear();
   batches_->addItems(names);
   batches_->setCurrentText(batch_);
@@ -236,13 +195,13 @@ void MapScreen::openBatch(const QString& batch) {
   message_->clear();
   print_->setEnabled(false);  // what is shown is about to be another
   if (opening_) opening_->drop();
-  const fs::path output = session_->folder() / "results" / batch.toStdString();
-  opening_ = session_->jobs().start(
-      makeJob(tr("Map of %1").arg(batch),
-              [output](Progress&, std::stop_token stop) { return readMap(output, stop); }),
-      this);
-  connect(opening_, &JobHandle::finished, this, [this, lit](const JobOutcome& outcome) {
-    const auto picture = outcomeAs<MapPicture>(outcome);
+  opening_ =
+      session_->jobs().start(makeJob(tr("Map of %1").arg(batch),
+                                     [output = outputOf(batch)](Progress&, std::stop_token stop) {
+                                       return readMap(output, stop);
+                                     }),
+                             this);
+  whenDone<MapPicture>(opening_, this, [this, lit](const auto& picture) {
     print_->setEnabled(picture.has_value());
     if (!picture) {
       view_->setPicture({});
@@ -296,17 +255,6 @@ QString MapScreen::pageTitle() const {
   return date_.isEmpty() ? tr("Batch %1").arg(batch) : tr("Batch %1, %2").arg(batch, date_);
 }
 
-bool MapScreen::writePdf(const QString& file) {
-  QPdfWriter pdf(file);
-  pdf.setResolution(300);
-  pdf.setPageSize(QPageSize(QPageSize::A4));
-  pdf.setTitle(pageTitle());
-  QString why;
-  if (printMap(pdf, view_->picture(), labels(), pageTitle(), &why)) return true;
-  say(why);
-  return false;
-}
-
 // Such labels are for the table, not for the bag: in the store nobody knows their batch.
 QString MapScreen::unnumberedWords() const {
   const QVector<PlateSherd> all = sherds();
@@ -333,19 +281,6 @@ void MapScreen::print() {
   dialog->open();
 }
 
-bool MapScreen::writeBagLabels(const QString& file) {
-  if (!session_ || !session_->hasProject()) return false;
-  QPdfWriter pdf(file);
-  pdf.setResolution(300);
-  pdf.setPageSize(QPageSize(QPageSize::A4));
-  pdf.setTitle(tr("Bag labels"));
-  QString why;
-  if (printLabels(pdf, bagLabels(session_->project().catalogue(), session_->initials()), &why))
-    return true;
-  say(why);
-  return false;
-}
-
 void MapScreen::printBags() {
   if (!bags_->isEnabled()) return;
   const QVector<SherdLabel> labels =
@@ -363,11 +298,6 @@ void MapScreen::printBags() {
             say(printLabels(*printer, labels, &why) ? printedWords(*printer, sent) : why);
           });
   dialog->open();
-}
-
-void MapScreen::say(const QString& sentence) {
-  message_->setText(sentence);
-  emit said(sentence);
 }
 
 }  // namespace ostraka::ui

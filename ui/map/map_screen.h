@@ -2,12 +2,10 @@
 #include <QPointer>
 #include <QVector>
 
-#include "ui/frame/screen.h"
+#include "ui/frame/plate_screen.h"
 #include "ui/jobs/job.h"
 #include "ui/map/map_pages.h"
 
-class QComboBox;
-class QLabel;
 class QPushButton;
 
 namespace ostraka::ui {
@@ -18,7 +16,7 @@ class MapView;
 struct PlateSherd;
 
 /// The screen Map: which sherd is which on the plate, on screen and on paper.
-class MapScreen final : public Screen {
+class MapScreen final : public PlateScreen {
   Q_OBJECT
 
  public:
@@ -31,16 +29,10 @@ class MapScreen final : public Screen {
   void closeProject() override;
   void setInFront(bool in_front) override;
   QAbstractButton* primary() const override;
-  QString chosen() const override;
-  QString whereWords() const override;
-  void takeChosen(const QString& what) override;
 
   /// As the catalogue has them; before it has, with the batch's and the sherd's number. None for
   /// what is void.
   QVector<SherdLabel> labels() const;
-  /// Map and labels as PDF. False: said why.
-  bool writePdf(const QString& file);
-  bool writeBagLabels(const QString& file);
 
  public slots:
   void showItem(const QString& batch) override;
@@ -52,21 +44,17 @@ class MapScreen final : public Screen {
 
  private:
   void listBatches();
-  void showBatch(const QString& batch);
+  void showBatch(const QString& batch) override;
   void openBatch(const QString& batch);
   void nameMarks();
   QVector<PlateSherd> sherds() const;
   bool isOfScans() const;
   QString unnumberedWords() const;
   QString dayOf(const MapPicture& picture) const;
-  void say(const QString& sentence);
   QString pageTitle() const;
 
-  QPointer<ProjectSession> session_;
-  QString batch_, date_;
+  QString date_;
   QString stale_;  ///< the batch to be read when somebody looks
-  QComboBox* batches_ = nullptr;
-  QLabel* message_ = nullptr;
   MapView* view_ = nullptr;
   BigButton* print_ = nullptr;
   EmptyState* empty_ = nullptr;

@@ -144,10 +144,7 @@ void MaskModel::openBatch(ProjectSession& session, const QString& batch) {
       makeJob(tr("Masks of %1").arg(batch),
               [output = output_](Progress&, std::stop_token stop) { return opened(output, stop); }),
       this);
-  connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    job_->deleteLater();
-    job_.clear();
-    const auto masks = outcomeAs<OpenedMasks>(outcome);
+  whenDone<OpenedMasks>(job_, this, [this](const auto& masks) {
     if (!masks) return emit failed(sentenceOf(masks.error()));
     photographs_ = masks->photographs;
     hashes_ = masks->hashes;
@@ -205,10 +202,7 @@ void MaskModel::show(int index) {
       makeJob(tr("Mask"), [photograph = photographs_[static_cast<std::size_t>(index)]](
                               Progress&, std::stop_token) { return read(photograph); }),
       this);
-  connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    job_->deleteLater();
-    job_.clear();
-    const auto shown = outcomeAs<Shown>(outcome);
+  whenDone<Shown>(job_, this, [this](const auto& shown) {
     if (!shown) return emit failed(sentenceOf(shown.error()));
     photograph_ = shown->photograph;
     found_overlay_ = shown->overlay;

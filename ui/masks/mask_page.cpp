@@ -13,6 +13,7 @@
 #include "ui/masks/mask_model.h"
 #include "ui/masks/mask_view.h"
 #include "ui/widgets/big_button.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/tool_row.h"
 
 namespace ostraka::ui {
@@ -31,13 +32,12 @@ MaskPage::MaskPage(QWidget* parent)
       which_(new QComboBox(this)),
       width_(new QSlider(Qt::Horizontal, this)) {
   setObjectName(QStringLiteral("masks"));
-  back_ = addAct("masksBack", QStringLiteral("previous"), tr("Back"), Qt::Key_Escape);
-  sherd_ = addAct("masksSherd", QStringLiteral("sherd"), tr("Sherd"), Qt::Key_S);
-  plate_ = addAct("masksPlate", QStringLiteral("turntable"), tr("Plate"), Qt::Key_P);
-  previous_ =
-      addAct("masksPrevious", QStringLiteral("up"), tr("Previous photograph"), Qt::Key_PageUp);
-  next_ = addAct("masksNext", QStringLiteral("down"), tr("Next photograph"), Qt::Key_PageDown);
-  compute_ = addAct("masksCompute", QStringLiteral("retry"), tr("Reprocess"), Qt::Key_C);
+  back_ = addPageAct(this, "masksBack", "previous", tr("Back"), Qt::Key_Escape);
+  sherd_ = addPageAct(this, "masksSherd", "sherd", tr("Sherd"), Qt::Key_S);
+  plate_ = addPageAct(this, "masksPlate", "turntable", tr("Plate"), Qt::Key_P);
+  previous_ = addPageAct(this, "masksPrevious", "up", tr("Previous photograph"), Qt::Key_PageUp);
+  next_ = addPageAct(this, "masksNext", "down", tr("Next photograph"), Qt::Key_PageDown);
+  compute_ = addPageAct(this, "masksCompute", "retry", tr("Reprocess"), Qt::Key_C);
   previous_->setAutoRepeat(true);
   next_->setAutoRepeat(true);
   auto* brush = new QActionGroup(this);
@@ -66,17 +66,6 @@ MaskPage::MaskPage(QWidget* parent)
                   path, width_->value() / 2.0);
   });
   useBrush();
-}
-
-QAction* MaskPage::addAct(const char* name, const QString& icon_name, const QString& text,
-                          const QKeySequence& key) {
-  auto* action = new QAction(icon(icon_name), text, this);
-  action->setObjectName(QString::fromLatin1(name));
-  action->setShortcut(key);
-  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  action->setAutoRepeat(false);
-  addAction(action);
-  return action;
 }
 
 void MaskPage::buildLayout() {
@@ -127,9 +116,9 @@ void MaskPage::buildLayout() {
   // Plus and minus belong to the picture and need no button.
   for (const auto& [key, factor] :
        {std::pair(Qt::Key_Plus, 1.25), std::pair(Qt::Key_Minus, 1 / 1.25)}) {
-    QAction* action = addAct(key == Qt::Key_Plus ? "masksLarger" : "masksSmaller",
-                             key == Qt::Key_Plus ? QStringLiteral("plus") : QStringLiteral("minus"),
-                             key == Qt::Key_Plus ? tr("Larger") : tr("Smaller"), key);
+    QAction* action = addPageAct(this, key == Qt::Key_Plus ? "masksLarger" : "masksSmaller",
+                                 key == Qt::Key_Plus ? "plus" : "minus",
+                                 key == Qt::Key_Plus ? tr("Larger") : tr("Smaller"), key);
     action->setAutoRepeat(true);
     connect(action, &QAction::triggered, this, [this, by = factor] { view_->enlarge(by); });
   }

@@ -33,8 +33,6 @@ class MaskPage final : public QWidget {
 
  private:
   void buildLayout();
-  QAction* addAct(const char* name, const QString& icon_name, const QString& text,
-                  const QKeySequence& key);
   void showModel();
   void showTold();
   void useBrush();

@@ -120,10 +120,9 @@ void CardInHand::chooseBack(int back) {
                               return oneCandidate(live, front, back, stop);
                             }),
                     this);
-  connect(fit_job_, &JobHandle::finished, this, [this, front, back](const JobOutcome& outcome) {
+  whenDone<ReviewCandidate>(fit_job_, this, [this, front, back](const auto& candidate) {
     busy_ = false;
     emit busyChanged(false);
-    const auto candidate = outcomeAs<ReviewCandidate>(outcome);
     if (!candidate) return emit failed(sentenceOf(candidate.error()));
     batch_.addCandidate(front, *candidate);
     if (front != trial_.front) return;
@@ -223,18 +222,16 @@ void CardInHand::fitAt(std::function<Result<review::LiveFit>(Progress&, std::sto
     settling_rms_.push_back(fit.fracture_rms_mm);
     emit settlingAt(fit.front_from_back);
   });
-  connect(fit_job_, &JobHandle::finished, this,
-          [this, from, made, text](const JobOutcome& outcome) {
-            busy_ = false;
-            emit busyChanged(false);
-            const auto fit = outcomeAs<review::LiveFit>(outcome);
-            if (!fit) emit trialChanged();  // back to where it was
-            if (!fit && fit.error().code == ErrorCode::Cancelled)
-              return emit failed(tr("Cancelled. The back stays where it was."));
-            if (!fit) return emit failed(sentenceOf(fit.error()));
-            if (!isAbout(from.front, from.back)) return;
-            tryOut({from.front, from.back, fit->front_from_back, made, fit->shift}, text);
-          });
+  whenDone<review::LiveFit>(fit_job_, this, [this, from, made, text](const auto& fit) {
+    busy_ = false;
+    emit busyChanged(false);
+    if (!fit) emit trialChanged();  // back to where it was
+    if (!fit && fit.error().code == ErrorCode::Cancelled)
+      return emit failed(tr("Cancelled. The back stays where it was."));
+    if (!fit) return emit failed(sentenceOf(fit.error()));
+    if (!isAbout(from.front, from.back)) return;
+    tryOut({from.front, from.back, fit->front_from_back, made, fit->shift}, text);
+  });
 }
 
 void CardInHand::fetchModel() {
@@ -252,8 +249,7 @@ void CardInHand::fetchModel() {
                               return closedModel(live, front, back);
                             }),
                     this);
-  connect(model_job_, &JobHandle::finished, this, [this, front, back](const JobOutcome& outcome) {
-    const auto model = outcomeAs<MeshPtr>(outcome);
+  whenDone<MeshPtr>(model_job_, this, [this, front, back](const auto& model) {
     if (!isAbout(front, back)) return;
     emit modelFetched(model ? *model : nullptr);
     if (!model)
@@ -278,10 +274,7 @@ void CardInHand::fetchScene(Clouds clouds) {
                            : pairScene(live, trial.front, trial.back, trial.front_from_back, with);
               }),
       this);
-  connect(scene_job_, &JobHandle::finished, this, [this, trial](const JobOutcome& outcome) {
-    scene_job_->deleteLater();
-    scene_job_ = nullptr;
-    const auto scene = outcomeAs<ScenePtr>(outcome);
+  whenDone<ScenePtr>(scene_job_, this, [this, trial](const auto& scene) {
     const bool current = isAbout(trial.front, trial.back);
     if (scene && current) {
       fit_ = (*scene)->fit;

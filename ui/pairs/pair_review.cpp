@@ -44,9 +44,8 @@ void PairReview::fetchPictures() {
                                           return scanPictures(live, stop);
                                         }),
                                 this);
-  connect(pictures_job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    // Cards without pictures still have names.
-    if (const auto pictures = outcomeAs<ScanPictures>(outcome)) cards_.setPictures(*pictures);
+  whenDone<ScanPictures>(pictures_job_, this, [this](const auto& pictures) {
+    if (pictures) cards_.setPictures(*pictures);  // cards without pictures still have names
   });
 }
 
@@ -245,10 +244,7 @@ void PairReview::fetchMore() {
           },
           JobPriority::Background),
       this);
-  connect(more_job_, &JobHandle::finished, this, [this, front](const JobOutcome& outcome) {
-    more_job_->deleteLater();
-    more_job_ = nullptr;
-    const auto found = outcomeAs<std::optional<ReviewCandidate>>(outcome);
+  whenDone<std::optional<ReviewCandidate>>(more_job_, this, [this, front](const auto& found) {
     if (found && *found)
       batch_.addCandidate(front, **found);
     else

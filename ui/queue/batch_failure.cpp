@@ -13,7 +13,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr QLatin1String kCancelled("cancelled"), kAside("aside"), kWas("was"), kRemoved("removed"),
-    kWhat("what"), kWhere("where"), kSentence("sentence");
+    kWhat("what"), kWhere("where");
 
 std::string failureKey(const QString& number) {
   return "queue.failure." + number.toStdString();
@@ -31,7 +31,6 @@ BatchFailure keptFailure(const catalogue::Catalogue& rows, const QString& number
   failure.cancelled = kept[kCancelled].toBool();
   failure.removed = kept[kRemoved].toBool();
   failure.aside = kept[kAside].toBool();
-  failure.sentence = kept[kSentence].toString();
   if (const std::string was = kept[kWas].toString().toStdString(); !was.empty())
     failure.was = records::fromWord<records::BatchState>(was);
   return failure;
@@ -61,8 +60,7 @@ QString wordsOf(const BatchFailure& failure) {
   if (failure.removed) return BatchQueue::tr("You removed it from the queue.");
   if (failure.cancelled) return BatchQueue::tr("You cancelled it. Finished stages are saved.");
   if (!failure.error.what.empty()) return sentenceOf(failure.error);
-  return failure.sentence.isEmpty() ? BatchQueue::tr("It was interrupted. Reprocess it.")
-                                    : failure.sentence;
+  return BatchQueue::tr("It was interrupted. Reprocess it.");
 }
 
 }  // namespace ostraka::ui

@@ -19,7 +19,6 @@ struct BatchFailure {
   bool removed = false;                         ///< cancelled: it only waited
   bool aside = false;                           ///< cancelled: nobody wants it
   std::optional<records::BatchState> was = {};  ///< aside: what it is when it is taken up again
-  QString sentence = {};                        ///< all that earlier programs kept
 };
 
 BatchFailure keptFailure(const catalogue::Catalogue& rows, const QString& number);

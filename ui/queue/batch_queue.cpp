@@ -343,10 +343,8 @@ void BatchQueue::settle(const QString& number) {
                 return intake::settleByResults(project, number, person);
               }),
       session_);
-  connect(job, &JobHandle::finished, session_, [job, session = session_, number] {
-    job->deleteLater();
-    session->tellBatchChanged(number);
-  });
+  whenDone<bool>(job, session_,
+                 [session = session_, number](const auto&) { session->tellBatchChanged(number); });
   session_->tellBatchChanged(number);
 }
 

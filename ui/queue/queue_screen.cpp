@@ -21,6 +21,7 @@
 #include "ui/queue/queue_switches.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/widgets/tool_row.h"
@@ -45,32 +46,22 @@ QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
       masks_page_(new MaskPage(this)),
       masks_area_(new PageArea(masks_page_, this)) {
   setObjectName(QStringLiteral("queue"));
-  pause_ = addAct(QStringLiteral("queuePause"), QStringLiteral("pause"), tr("Pause"),
-                  QKeySequence(Qt::Key_Space));
-  again_ = addAct(QStringLiteral("queueAgain"), QStringLiteral("retry"), tr("Reprocess"),
-                  QKeySequence(Qt::Key_R));
-  cancel_ = addAct(QStringLiteral("queueCancel"), QStringLiteral("cancel"), tr("Cancel"),
-                   QKeySequence(Qt::Key_Delete));
-  report_ = addAct(QStringLiteral("queueReport"), QStringLiteral("report"), tr("Show report"),
-                   QKeySequence(Qt::Key_O));
-  review_ = addAct(QStringLiteral("queueReview"), QStringLiteral("review"), tr("Review"),
-                   QKeySequence(Qt::Key_V));
-  masks_ = addAct(QStringLiteral("queueMasks"), QStringLiteral("edit"), tr("Edit masks"),
-                  QKeySequence(Qt::Key_M));
-  log_action_ =
-      addAct(QStringLiteral("queueLog"), QStringLiteral("log"), tr("Log"), QKeySequence(Qt::Key_L));
+  pause_ = addPageAct(this, "queuePause", "pause", tr("Pause"), Qt::Key_Space);
+  again_ = addPageAct(this, "queueAgain", "retry", tr("Reprocess"), Qt::Key_R);
+  cancel_ = addPageAct(this, "queueCancel", "cancel", tr("Cancel"), Qt::Key_Delete);
+  report_ = addPageAct(this, "queueReport", "report", tr("Show report"), Qt::Key_O);
+  review_ = addPageAct(this, "queueReview", "review", tr("Review"), Qt::Key_V);
+  masks_ = addPageAct(this, "queueMasks", "edit", tr("Edit masks"), Qt::Key_M);
+  log_action_ = addPageAct(this, "queueLog", "log", tr("Log"), Qt::Key_L);
   log_action_->setCheckable(true);
-  open_ = addAct(QStringLiteral("queueOpen"), QStringLiteral("open"), tr("Open"),
-                 QKeySequence(Qt::Key_Return));
+  open_ = addPageAct(this, "queueOpen", "open", tr("Open"), Qt::Key_Return);
   open_->setShortcuts({Qt::Key_Return, Qt::Key_Enter});
-  drafts_ = addAct(QStringLiteral("queueDrafts"), QStringLiteral("picture"), tr("Drafts first"),
-                   QKeySequence(Qt::Key_D));
+  drafts_ = addPageAct(this, "queueDrafts", "picture", tr("Drafts first"), Qt::Key_D);
   drafts_->setCheckable(true);
   drafts_->setToolTip(
       tr("Processes each new batch quickly and coarsely, for a check while the sherds are still "
          "on the plate; reprocessing makes it final (D)"));
-  calibrate_ = addAct(QStringLiteral("queueCalibrate"), QStringLiteral("turntable"),
-                      tr("Recalibrate rig"), QKeySequence(Qt::Key_C));
+  calibrate_ = addPageAct(this, "queueCalibrate", "turntable", tr("Recalibrate rig"), Qt::Key_C);
   calibrate_->setToolTip(
       tr("A camera was bumped: this batch's photographs tell where the cameras stand now (C)"));
   buildLayout();
@@ -108,16 +99,6 @@ QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
   connect(list_, &QListView::activated, this, &QueueScreen::openSelected);
   connect(open_, &QAction::triggered, this, &QueueScreen::openSelected);
   follow();
-}
-
-QAction* QueueScreen::addAct(const QString& name, const QString& icon_name, const QString& text,
-                             const QKeySequence& key) {
-  auto* action = new QAction(icon(icon_name), text, this);
-  action->setObjectName(name);
-  action->setShortcut(key);
-  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  addAction(action);
-  return action;
 }
 
 void QueueScreen::buildLayout() {

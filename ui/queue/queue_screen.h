@@ -47,8 +47,6 @@ class QueueScreen final : public Screen {
 
  private:
   void buildLayout();
-  QAction* addAct(const QString& name, const QString& icon_name, const QString& text,
-                  const QKeySequence& key);
   QString selected() const;
   void follow();
   void followPause();

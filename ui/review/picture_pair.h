@@ -20,7 +20,6 @@ class PicturePair final : public QWidget {
   /// back: as seen through the front; a back without a front as one sees it.
   void setPictures(const QImage& front, const QImage& back, const review::PictureFrame& frame);
   void setNames(const QString& front, const QString& back);
-  bool isMirrored() const { return mirrored_; }
   bool isCutting() const { return cutting_; }
   QString cutWords() const;  ///< what to do to cut; the pictures themselves are left free
 

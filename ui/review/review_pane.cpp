@@ -21,6 +21,7 @@
 #include "ui/review/picture_pair.h"
 #include "ui/viewport/sherd_view.h"
 #include "ui/widgets/big_button.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/tool_row.h"
 
@@ -98,12 +99,9 @@ QAction* ReviewPane::act(const char* name, const QString& text, const QList<QKey
 }
 
 QAction* ReviewPane::keyed(const char* name, const QString& text, const QList<QKeySequence>& keys) {
-  auto* action = new QAction(text, this);
-  action->setObjectName(name);
+  QAction* action = addPageAct(this, name, {}, text, {});
   action->setShortcuts(keys);
-  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   action->setAutoRepeat(false);  // a key that is held down decides one pair, not all of them
-  addAction(action);
   return action;
 }
 

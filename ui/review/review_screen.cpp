@@ -19,7 +19,6 @@
 #include "intake/enter_results.h"
 #include "intake/plate_sherds.h"
 #include "intake/settle_batch.h"
-#include "ui/frame/batch_place.h"
 #include "ui/frame/project_session.h"
 #include "ui/look/look.h"
 #include "ui/look/state_colours.h"
@@ -36,24 +35,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Batches whose pairs are there, the newest first.
-QStringList reviewable(const fs::path& results) {
-  QStringList names;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(results, ignored))
-    if (fs::exists(entry.path() / "work" / "pairs" / "candidates.json", ignored))
-      names << QString::fromStdString(entry.path().filename().string());
-  std::sort(names.begin(), names.end(), std::greater<>());
-  return names;
-}
-
 }  // namespace
 
-ReviewScreen::ReviewScreen(QWidget* parent) : Screen(parent) {
-  batches_ = new QComboBox(this);
-  batches_->setObjectName("batch");
-  batches_->setAccessibleName(tr("Batch"));
-  batches_->setFocusPolicy(Qt::TabFocus);
+ReviewScreen::ReviewScreen(QWidget* parent) : PlateScreen(tr("Batch"), parent) {
   batches_->view()->installEventFilter(this);
   auto* person_label = new QLabel(tr("Your &initials"), this);
   person_ = new QLineEdit(this);
@@ -62,9 +46,6 @@ ReviewScreen::ReviewScreen(QWidget* parent) : Screen(parent) {
   person_->setMaxLength(8);
   person_->setMaximumWidth(fontMetrics().averageCharWidth() * 14);
   person_label->setBuddy(person_);
-  message_ = new QLabel(this);
-  message_->setObjectName("message");
-  message_->setWordWrap(true);
   compute_ = new QPushButton(tr("Update changed models"), this);
   compute_->setObjectName("compute");
   compute_->setFocusPolicy(Qt::TabFocus);
@@ -88,8 +69,6 @@ ReviewScreen::ReviewScreen(QWidget* parent) : Screen(parent) {
   all->addLayout(head);
   all->addWidget(buildScale());
   all->addWidget(empty_, 1);
-  connect(batches_, &QComboBox::activated, this,
-          [this](int index) { openOutput(batches_->itemText(index)); });
   connect(person_, &QLineEdit::editingFinished, this, [this] {
     if (session_) session_->setInitials(person_->text().trimmed());
     if (pane_) pane_->setFocus();
@@ -185,7 +164,7 @@ void ReviewScreen::openProject(ProjectSession& session) {
                                  output, std::move(decision));
   });
   listBatches();
-  if (batches_->count() > 0) openOutput(batches_->itemText(0));
+  if (batches_->count() > 0) showBatch(batches_->itemText(0));
 }
 
 void ReviewScreen::closeProject() {
@@ -207,13 +186,9 @@ void ReviewScreen::closeProject() {
   emit waitingChanged();
 }
 
-fs::path ReviewScreen::outputOf(const QString& batch) const {
-  return session_->folder() / "results" / batch.toStdString();
-}
-
 void ReviewScreen::listBatches() {
   if (!session_) return;
-  const QStringList names = reviewable(session_->folder() / "results");
+  const QStringList names = reviewable();
   QStringList shown;
   for (int i = 0; i < batches_->count(); ++i) shown << batches_->itemText(i);
   if (pane_) pane_->setVisible(!names.isEmpty());  // empty panes would say nothing
@@ -228,10 +203,10 @@ void ReviewScreen::listBatches() {
 void ReviewScreen::showItem(const QString& batch) {
   if (!session_) return;
   listBatches();
-  openOutput(batch);
+  showBatch(batch);
 }
 
-void ReviewScreen::openOutput(const QString& batch) {
+void ReviewScreen::showBatch(const QString& batch) {
   if (!session_ || batch.isEmpty()) return;
   review_->close();  // nothing is to be decided on what is no longer meant
   batch_ = batch;
@@ -250,8 +225,7 @@ void ReviewScreen::openOutput(const QString& batch) {
                                        return openBatch(output, rows);
                                      }),
                              this);
-  connect(opening_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    const auto opened = outcomeAs<OpenedBatch>(outcome);
+  whenDone<OpenedBatch>(opening_, this, [this](const auto& opened) {
     if (!opened) return say(sentenceOf(opened.error()));
     showOpened(*opened);
   });
@@ -292,7 +266,7 @@ void ReviewScreen::showApplied(const fs::path& output, const intake::AppliedDeci
   if (review_->batch().isIn(output))
     compute_->setVisible(review_->batch().wantsComputing());
   else
-    openOutput(batch);  // where the change is visible
+    showBatch(batch);  // where the change is visible
   say(appliedWords(applied));
   for (const Error& error : applied.errors) say(sentenceOf(error));
   for (const intake::AppliedDecision::Twice& twice : applied.twice)
@@ -358,14 +332,12 @@ void ReviewScreen::restoreModels(const QString& batch) {
                 return intake::enterLostModels(folder, number, progress, stop);
               }),
       this);
-  connect(job, &JobHandle::finished, this,
-          [this, batch, session = session_](const JobOutcome& outcome) {
-            const auto restored = outcomeAs<bool>(outcome);
-            if (!restored) return say(sentenceOf(restored.error()));
-            if (!*restored || !session || session != session_) return;
-            session_->tellBatchChanged(batch);
-            session_->tellSherdsChanged();
-          });
+  whenDone<bool>(job, this, [this, batch, session = session_](const auto& restored) {
+    if (!restored) return say(sentenceOf(restored.error()));
+    if (!*restored || !session || session != session_) return;
+    session_->tellBatchChanged(batch);
+    session_->tellSherdsChanged();
+  });
 }
 
 // What another screen did to this batch: new pairs are shown, a mere change of its state is not.
@@ -375,7 +347,7 @@ void ReviewScreen::follow(const QString& batch) {
   if (batches_->findText(batch) < 0) return;
   if (batch == batch_) showScale();
   // The first batch that is computed shows itself; one that was computed anew is read anew.
-  if (batch_.isEmpty() || (batch == batch_ && stampOf(batch) > stamp_)) openOutput(batch);
+  if (batch_.isEmpty() || (batch == batch_ && stampOf(batch) > stamp_)) showBatch(batch);
 }
 
 // The report is written last, and is gone while the batch is computed.
@@ -387,22 +359,6 @@ fs::file_time_type ReviewScreen::stampOf(const QString& batch) const {
 
 void ReviewScreen::setInFront(bool in_front) {
   if (in_front && pane_) pane_->setFocus();
-}
-
-QString ReviewScreen::chosen() const {
-  return batch_.isEmpty() ? QString() : kPlate + batch_;
-}
-
-QString ReviewScreen::whereWords() const {
-  return session_ && session_->hasProject() && !batch_.isEmpty()
-             ? batchWords(session_->project().catalogue(), batch_)
-             : batch_;
-}
-
-void ReviewScreen::takeChosen(const QString& what) {
-  if (what.startsWith(kPlate) && what != chosen() &&
-      batches_->findText(what.mid(kPlate.size())) >= 0)
-    openOutput(what.mid(kPlate.size()));
 }
 
 // Of all batches: what is not opened yet waits as well.
@@ -427,11 +383,6 @@ void ReviewScreen::countElsewhere() {
 
 QString ReviewScreen::waitingText() const {
   return waiting() == 0 ? tr("No pairs to review") : tr("%n pair(s) to review", nullptr, waiting());
-}
-
-void ReviewScreen::say(const QString& sentence) {
-  message_->setText(sentence);
-  emit said(sentence);
 }
 
 }  // namespace ostraka::ui

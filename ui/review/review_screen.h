@@ -5,11 +5,10 @@
 #include <memory>
 
 #include "intake/apply_decision.h"
-#include "ui/frame/screen.h"
+#include "ui/frame/plate_screen.h"
 #include "ui/jobs/job.h"
 #include "ui/pairs/review_work.h"
 
-class QComboBox;
 class QFrame;
 class QLabel;
 class QLineEdit;
@@ -22,7 +21,7 @@ class PairReview;
 class ReviewPane;
 
 /// The screen Review: which batch, who decides, and the pane.
-class ReviewScreen final : public Screen {
+class ReviewScreen final : public PlateScreen {
   Q_OBJECT
 
  public:
@@ -40,10 +39,6 @@ class ReviewScreen final : public Screen {
   QAbstractButton* primary() const override;
   void setCompact(bool compact) override;
 
-  QString chosen() const override;
-  QString whereWords() const override;
-  void takeChosen(const QString& what) override;
-
   PairReview* review() const { return review_; }
 
  public slots:
@@ -54,7 +49,7 @@ class ReviewScreen final : public Screen {
 
  private:
   void listBatches();
-  void openOutput(const QString& batch);
+  void showBatch(const QString& batch) override;
   void showOpened(const OpenedBatch& opened);
   void compute();
   void showApplied(const std::filesystem::path& output, const intake::AppliedDecision& applied);
@@ -63,17 +58,12 @@ class ReviewScreen final : public Screen {
   void follow(const QString& batch);
   void countElsewhere();
   std::filesystem::file_time_type stampOf(const QString& batch) const;
-  void say(const QString& sentence);
   void nameSherds();
   QWidget* buildScale();
   void showScale();
-  std::filesystem::path outputOf(const QString& batch) const;
 
-  QPointer<ProjectSession> session_;
-  QString batch_, asked_;  ///< asked_: the sentence that asks for initials
-  QComboBox* batches_ = nullptr;
+  QString asked_;  ///< the sentence that asks for initials
   QLineEdit* person_ = nullptr;
-  QLabel* message_ = nullptr;
   QPushButton* compute_ = nullptr;
   QFrame* scale_ = nullptr;  ///< what holds the batch, besides its pairs
   QLabel* scale_words_ = nullptr;

@@ -1,7 +1,6 @@
 #include "ui/settings/numbering_model.h"
 
 #include <QDate>
-#include <QUndoCommand>
 #include <QUndoStack>
 #include <algorithm>
 #include <map>
@@ -13,6 +12,7 @@
 #include "records/numbering.h"
 #include "sherds/numbers.h"
 #include "ui/frame/project_session.h"
+#include "ui/frame/saved_command.h"
 #include "ui/jobs/job.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -90,36 +90,6 @@ QString numberRanges(const std::vector<int>& numbers, int most) {
   }
   return ranges.join(QStringLiteral(", "));
 }
-
-/// Values only; the project's own rows are never touched by it.
-class NumberingCommand final : public QUndoCommand {
- public:
-  NumberingCommand(NumberingModel& model, NumberingModel::Numbering before,
-                   NumberingModel::Numbering after)
-      : QUndoCommand(NumberingModel::tr("change the numbering")),
-        model_(model),
-        before_(std::move(before)),
-        after_(std::move(after)) {}
-  void redo() override {
-    if (first_)
-      first_ = false;  // it was saved before the command was made
-    else
-      hold(after_);
-  }
-  void undo() override { hold(before_); }
-
- private:
-  void hold(const NumberingModel::Numbering& numbering) {
-    const Result<void> done = model_.hold(numbering);
-    if (done) return;
-    setObsolete(true);
-    emit model_.failed(sentenceOf(done.error()));
-  }
-
-  NumberingModel& model_;
-  NumberingModel::Numbering before_, after_;
-  bool first_ = true;
-};
 
 NumberingModel::NumberingModel(QObject* parent) : QObject(parent) {}
 NumberingModel::~NumberingModel() = default;
@@ -225,7 +195,11 @@ QString NumberingModel::apply() {
   if (!canApply()) return refusal_;
   const Numbering before = held_, after = wanted_;
   if (const Result<void> done = hold(after); !done) return sentenceOf(done.error());
-  session_->undo().push(new NumberingCommand(*this, before, after));
+  const auto saves = [this](const Numbering& numbering) {
+    return [this, numbering] { return hold(numbering); };
+  };
+  session_->undo().push(new SavedCommand(tr("change the numbering"), saves(after), saves(before),
+                                         [this](const QString& why) { emit failed(why); }));
   return {};
 }
 
@@ -242,11 +216,9 @@ void NumberingModel::lookForGaps() {
                 return gapsIn(folder, stop);
               }),
       this);
-  connect(looking_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    looking_->deleteLater();
-    looking_.clear();
+  whenDone<Gaps>(looking_, this, [this](const auto& gaps) {
     gaps_.clear();
-    if (const auto gaps = outcomeAs<Gaps>(outcome))
+    if (gaps)
       for (const auto& [place, numbers] : *gaps)
         gaps_ << tr("%1: %2").arg(place, numberRanges(numbers, kRangesInALine));
     emit gapsChanged();

@@ -56,7 +56,6 @@ class NumberingModel final : public QObject {
   void failed(const QString& sentence);
 
  private:
-  friend class NumberingCommand;
   Result<void> hold(const Numbering& numbering);
   void read();
   void follow();

@@ -3,49 +3,17 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QUndoCommand>
 #include <QVBoxLayout>
-#include <utility>
 
 #include "catalogue/settings.h"
 #include "ui/frame/project_session.h"
+#include "ui/frame/saved_command.h"
 #include "ui/look/look.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
-
-/// Texts only; the project's record is read anew each time.
-class RightsCommand final : public QUndoCommand {
- public:
-  struct Rights {
-    QString licence, holder;
-  };
-  RightsCommand(RightsEdit& edit, Rights before, Rights after)
-      : QUndoCommand(RightsEdit::tr("change the rights")),
-        edit_(&edit),
-        before_(std::move(before)),
-        after_(std::move(after)) {}
-  void redo() override {
-    if (std::exchange(first_, false)) return;  // it was saved before the command was made
-    hold(after_);
-  }
-  void undo() override { hold(before_); }
-
- private:
-  void hold(const Rights& rights) {
-    if (!edit_) return;
-    const Result<void> done = edit_->hold(rights.licence, rights.holder);
-    if (done) return;
-    setObsolete(true);
-    edit_->told_->setText(sentenceOf(done.error()));
-  }
-
-  QPointer<RightsEdit> edit_;
-  Rights before_, after_;
-  bool first_ = true;
-};
 
 RightsEdit::RightsEdit(QWidget* parent)
     : QWidget(parent),
@@ -93,13 +61,13 @@ void RightsEdit::showRights() {
   holder_->setText(QString::fromStdString(record->rights_holder));
 }
 
-Result<void> RightsEdit::hold(const QString& licence, const QString& holder) {
+Result<void> RightsEdit::hold(const Rights& rights) {
   if (!session_) return {};
   Result<records::ProjectRecord> record =
       catalogue::Settings(session_->project().catalogue()).project();
   if (!record) return record.error();
-  record->licence = licence.toStdString();
-  record->rights_holder = holder.toStdString();
+  record->licence = rights.licence.toStdString();
+  record->rights_holder = rights.holder.toStdString();
   if (Result<void> done = catalogue::Settings(session_->project().catalogue())
                               .setProject(*record, session_->provenance());
       !done)
@@ -113,13 +81,18 @@ void RightsEdit::save() {
   const Result<records::ProjectRecord> record =
       catalogue::Settings(session_->project().catalogue()).project();
   if (!record) return told_->setText(sentenceOf(record.error()));
-  const RightsCommand::Rights before{QString::fromStdString(record->licence),
-                                     QString::fromStdString(record->rights_holder)};
-  const RightsCommand::Rights after{licence_->text().trimmed(), holder_->text().trimmed()};
-  if (before.licence == after.licence && before.holder == after.holder) return;
-  if (const Result<void> done = hold(after.licence, after.holder); !done)
-    return told_->setText(sentenceOf(done.error()));
-  session_->undo().push(new RightsCommand(*this, before, after));
+  const Rights before{QString::fromStdString(record->licence),
+                      QString::fromStdString(record->rights_holder)};
+  const Rights after{licence_->text().trimmed(), holder_->text().trimmed()};
+  if (before == after) return;
+  if (const Result<void> done = hold(after); !done) return told_->setText(sentenceOf(done.error()));
+  const QPointer<RightsEdit> edit(this);
+  const auto saves = [edit](const Rights& rights) {
+    return [edit, rights] { return edit ? edit->hold(rights) : Result<void>(); };
+  };
+  session_->undo().push(
+      new SavedCommand(tr("change the rights"), saves(after), saves(before),
+                       [edit](const QString& why) { edit->told_->setText(why); }));
   told_->setText(tr("Saved."));
 }
 

@@ -22,10 +22,13 @@ class RightsEdit final : public QWidget {
   void setSession(ProjectSession* session);
 
  private:
-  friend class RightsCommand;
+  struct Rights {
+    QString licence, holder;
+    bool operator==(const Rights&) const = default;
+  };
   void save();
   void showRights();
-  Result<void> hold(const QString& licence, const QString& holder);
+  Result<void> hold(const Rights& rights);
 
   QPointer<ProjectSession> session_;
   QLineEdit* licence_;

@@ -15,6 +15,7 @@
 #include "ui/settings/rights_edit.h"
 #include "ui/settings/vocabulary_edit.h"
 #include "ui/widgets/form_rows.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 
 namespace ostraka::ui {
@@ -99,11 +100,8 @@ void SettingsPage::buildLayout() {
   parts->addWidget(rights_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(Look::kMargin, Look::kGroup, Look::kMargin, 0);
-  auto* close =
-      new QPushButton(icon(QStringLiteral("previous")), tr("Back to project (Esc)"), this);
-  close->setObjectName(QStringLiteral("settingsClose"));
+  auto* close = iconButton(this, "settingsClose", "previous", tr("Back to project (Esc)"));
   close->setShortcut(QKeySequence(Qt::Key_Escape));
-  close->setMinimumHeight(controlHeight(*this));
   connect(close, &QPushButton::clicked, this, &SettingsPage::closed);
   auto* head = new QHBoxLayout;
   head->addWidget(title, 1);

@@ -5,12 +5,12 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
-#include <QUndoCommand>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "catalogue/settings.h"
 #include "ui/frame/project_session.h"
+#include "ui/frame/saved_command.h"
 #include "ui/frame/term_words.h"
 #include "ui/look/look.h"
 #include "ui/widgets/form_rows.h"
@@ -29,38 +29,6 @@ QString linesOf(const std::vector<records::Term>& terms) {
 }
 
 }  // namespace
-
-/// Values only; the vocabulary is read anew each time.
-class VocabularyCommand final : public QUndoCommand {
- public:
-  VocabularyCommand(VocabularyEdit& edit, const QString& vocabulary,
-                    std::vector<records::Term> before, std::vector<records::Term> after)
-      : QUndoCommand(VocabularyEdit::tr("change the vocabulary")),
-        edit_(edit),
-        vocabulary_(vocabulary),
-        before_(std::move(before)),
-        after_(std::move(after)) {}
-  void redo() override {
-    if (first_)
-      first_ = false;  // it was saved before the command was made
-    else
-      hold(after_);
-  }
-  void undo() override { hold(before_); }
-
- private:
-  void hold(const std::vector<records::Term>& terms) {
-    const Result<void> done = edit_.hold(vocabulary_, terms);
-    if (done) return;
-    setObsolete(true);
-    edit_.told_->setText(sentenceOf(done.error()));
-  }
-
-  VocabularyEdit& edit_;
-  QString vocabulary_;
-  std::vector<records::Term> before_, after_;
-  bool first_ = true;
-};
 
 VocabularyEdit::VocabularyEdit(QWidget* parent)
     : QWidget(parent),
@@ -175,7 +143,11 @@ void VocabularyEdit::save() {
   if (same) return;
   if (const Result<void> done = hold(vocabulary, after); !done)
     return told_->setText(sentenceOf(done.error()));
-  session_->undo().push(new VocabularyCommand(*this, vocabulary, before, after));
+  const auto saves = [this, vocabulary](const std::vector<records::Term>& terms) {
+    return [this, vocabulary, terms] { return hold(vocabulary, terms); };
+  };
+  session_->undo().push(new SavedCommand(tr("change the vocabulary"), saves(after), saves(before),
+                                         [this](const QString& why) { told_->setText(why); }));
   told_->setText(tr("Saved."));
 }
 

@@ -26,7 +26,6 @@ class VocabularyEdit final : public QWidget {
   void setSession(ProjectSession* session);
 
  private:
-  friend class VocabularyCommand;
   void buildLayout();
   void showTerms();
   void keepDraft();

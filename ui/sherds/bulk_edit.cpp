@@ -22,6 +22,7 @@
 #include "ui/jobs/job.h"
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -99,12 +100,8 @@ void BulkEdit::buildLayout() {
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
   table_->setWordWrap(true);
-  apply_ = new QPushButton(icon("check"), tr("Change"), this);
-  apply_->setObjectName("bulkApply");
-  apply_->setMinimumHeight(controlHeight(*this));
-  numbers_ = new QPushButton(icon("label"), tr("Assign numbers"), this);
-  numbers_->setObjectName("bulkNumbers");
-  numbers_->setMinimumHeight(controlHeight(*this));
+  apply_ = iconButton(this, "bulkApply", "check", tr("Change"));
+  numbers_ = iconButton(this, "bulkNumbers", "label", tr("Assign numbers"));
   auto* field_label = new QLabel(tr("Field"), this);
   field_label->setBuddy(field_);
   auto* value_label = new QLabel(tr("Value"), this);
@@ -121,9 +118,7 @@ void BulkEdit::buildLayout() {
   bar_->setObjectName("bulkProgress");
   bar_->setRange(0, 1000);
   bar_->setAccessibleName(tr("Progress of the changes"));
-  stop_ = new QPushButton(icon("cancel"), tr("Cancel and undo"), this);
-  stop_->setObjectName("bulkStop");
-  stop_->setMinimumHeight(controlHeight(*this));
+  stop_ = iconButton(this, "bulkStop", "cancel", tr("Cancel and undo"));
   column->addWidget(bar_);
   column->addWidget(stop_);
   showProgress(-1);
@@ -218,8 +213,7 @@ void BulkEdit::preview() {
     return Preview{std::move(*move), std::move(*shown), std::move(*records)};
   };
   previewing_ = session_->jobs().start(makeJob(tr("Preview of a change"), work), this);
-  connect(previewing_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    const Result<Preview> preview = outcomeAs<Preview>(outcome);
+  whenDone<Preview>(previewing_, this, [this](const auto& preview) {
     if (preview)
       showPreview(*preview);
     else

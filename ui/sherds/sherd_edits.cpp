@@ -1,6 +1,5 @@
 #include "ui/sherds/sherd_edits.h"
 
-#include <QUndoCommand>
 #include <QUndoStack>
 #include <memory>
 
@@ -11,6 +10,7 @@
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
 #include "ui/frame/project_session.h"
+#include "ui/frame/saved_command.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -55,48 +55,6 @@ Result<Numbers> numbersFor(const catalogue::Catalogue& catalogue,
 
 }  // namespace
 
-/// Ids and values only; what undoes it comes from the catalogue each time.
-class SherdEditCommand final : public QUndoCommand {
- public:
-  SherdEditCommand(SherdEdits& edits, const QString& title, Changes done, Changes undo)
-      : QUndoCommand(title), edits_(edits), redo_(std::move(done)), undo_(std::move(undo)) {}
-
-  void redo() override {
-    if (first_)
-      first_ = false;  // it was saved before the command was made
-    else
-      apply(redo_);
-  }
-  void undo() override { apply(undo_); }
-
- private:
-  void apply(const Changes& changes) {
-    if (edits_.isBusy()) {
-      emit edits_.failed(edits_.busyWords());
-      return;
-    }
-    if (changes.size() > SherdEdits::kAtOnce) {
-      // Refused or stopped, the values stay as they are; undoing and redoing say the same again.
-      edits_.changeMany(
-          text(), [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
-          [](const SherdEdits::Made&) {});
-      return;
-    }
-    const auto done = sherds::SherdChanges(edits_.session_.project().catalogue())
-                          .apply(changes, edits_.provenance());
-    if (!done) {
-      setObsolete(true);
-      emit edits_.failed(sentenceOf(done.error()));
-      return;
-    }
-    edits_.tell(changes);
-  }
-
-  SherdEdits& edits_;
-  Changes redo_, undo_;
-  bool first_ = true;
-};
-
 SherdEdits::SherdEdits(ProjectSession& session, QObject* parent)
     : QObject(parent), session_(session) {}
 
@@ -106,6 +64,31 @@ records::Provenance SherdEdits::provenance() const {
 
 QString SherdEdits::busyWords() const {
   return tr("Other changes are still being saved; wait for them, or stop them.");
+}
+
+// Refused or stopped, the values of many stay as they are; undoing and redoing say the same again.
+Result<void> SherdEdits::save(const QString& title, const Changes& changes) {
+  if (isBusy()) {
+    emit failed(busyWords());
+  } else if (changes.size() > kAtOnce) {
+    changeMany(
+        title, [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
+        [](const Made&) {});
+  } else {
+    const auto done =
+        sherds::SherdChanges(session_.project().catalogue()).apply(changes, provenance());
+    if (!done) return done.error();
+    tell(changes);
+  }
+  return {};
+}
+
+void SherdEdits::push(const QString& title, const Changes& done, const Changes& undo) {
+  const auto saves = [this, title](const Changes& changes) {
+    return [this, title, changes] { return save(title, changes); };
+  };
+  session_.undo().push(new SavedCommand(title, saves(done), saves(undo),
+                                        [this](const QString& why) { emit failed(why); }));
 }
 
 void SherdEdits::tell(const Changes& changes) {
@@ -122,7 +105,7 @@ QString SherdEdits::change(const QString& title, const Changes& changes, const Q
         title, [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
         [this, title, note](const Made& made) {
           if (made.undo.empty()) return;
-          session_.undo().push(new SherdEditCommand(*this, title, made.done, made.undo));
+          push(title, made.done, made.undo);
           if (!note.isEmpty()) emit noted(note);
         });
     return {};
@@ -131,14 +114,14 @@ QString SherdEdits::change(const QString& title, const Changes& changes, const Q
       sherds::SherdChanges(session_.project().catalogue()).apply(changes, provenance());
   if (!undo) return sentenceOf(undo.error());
   if (undo->empty()) return {};
-  session_.undo().push(new SherdEditCommand(*this, title, changes, *undo));
+  push(title, changes, *undo);
   tell(changes);
   if (!note.isEmpty()) emit noted(note);
   return {};
 }
 
 void SherdEdits::took(const QString& title, const Changes& done, const Changes& undo) {
-  if (!undo.empty()) session_.undo().push(new SherdEditCommand(*this, title, done, undo));
+  if (!undo.empty()) push(title, done, undo);
   session_.tellSherdsChanged();
 }
 
@@ -165,7 +148,7 @@ QString SherdEdits::assignNumbers(const std::vector<store::SherdRow>& sherds) {
         },
         [this, title, nothing, left, leftWords](const Made& made) {
           if (made.undo.empty()) return emit failed(nothing);
-          session_.undo().push(new SherdEditCommand(*this, title(made.done), made.done, made.undo));
+          push(title(made.done), made.done, made.undo);
           if (left->left > 0) emit failed(leftWords(*left));
         });
     return {};
@@ -196,11 +179,8 @@ void SherdEdits::changeMany(const QString& title, const Making& making,
   job.is_promised = true;
   job_ = session_.jobs().start(std::move(job), this);
   connect(job_, &JobHandle::progressed, this, &SherdEdits::busyChanged);
-  connect(job_, &JobHandle::finished, this, [this, then](const JobOutcome& outcome) {
-    job_->deleteLater();
-    job_.clear();
+  whenDone<std::shared_ptr<const Made>>(job_, this, [this, then](const auto& made) {
     session_.undo().setActive(true);
-    const auto made = outcomeAs<std::shared_ptr<const Made>>(outcome);
     emit busyChanged();
     if (!made) {
       emit failed(made.error().code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was changed.")

@@ -48,7 +48,6 @@ class SherdEdits final : public QObject {
   void busyChanged();                    ///< began, went on, ended
 
  private:
-  friend class SherdEditCommand;
   using Changes = std::vector<records::FieldChange>;
   struct Made {
     Changes done, undo;
@@ -56,6 +55,8 @@ class SherdEdits final : public QObject {
   using Making = std::function<Result<Changes>(const catalogue::Catalogue&)>;
   void changeMany(const QString& title, const Making& making,
                   std::function<void(const Made&)> then);
+  Result<void> save(const QString& title, const Changes& changes);
+  void push(const QString& title, const Changes& done, const Changes& undo);
   void tell(const Changes& changes);
   QString busyWords() const;
 

@@ -148,10 +148,8 @@ QVariant SherdTableModel::picture(int row, const records::SherdRecord& sherd) co
         jobs_->start(makeJob(tr("Picture of a sherd"),
                              [path](Progress&, std::stop_token) { return readPicture(path); }),
                      requests_);
-    connect(job, &JobHandle::finished, self, [self, job, path](const JobOutcome& outcome) {
-      const Result<QImage> image = outcomeAs<QImage>(outcome);
+    whenDone<QImage>(job, self, [self, path](const auto& image) {
       self->pictureArrived(path, image ? *image : QImage());
-      job->deleteLater();
     });
   }
   return icon("sherd");

@@ -15,6 +15,7 @@
 #include "ui/look/look.h"
 #include "ui/tables/column_table.h"
 #include "ui/widgets/big_button.h"
+#include "ui/widgets/page_acts.h"
 
 namespace ostraka::ui {
 namespace {
@@ -64,14 +65,8 @@ ImportDialog::ImportDialog(ImportModel& model, QWidget* parent) : QDialog(parent
 }
 
 void ImportDialog::buildLayout() {
-  const auto button = [this](const char* name, const char* picture, const QString& text) {
-    auto* made = new QPushButton(icon(picture), text, this);
-    made->setObjectName(name);
-    made->setMinimumHeight(controlHeight(*this));
-    return made;
-  };
-  choose_table_ = button("importTable", "table", tr("Table (CSV)…"));
-  choose_export_ = button("importExport", "folder", tr("Export folder…"));
+  choose_table_ = iconButton(this, "importTable", "table", tr("Table (CSV)…"));
+  choose_export_ = iconButton(this, "importExport", "folder", tr("Export folder…"));
   connect(choose_table_, &QPushButton::clicked, this, &ImportDialog::chooseTable);
   connect(choose_export_, &QPushButton::clicked, this, &ImportDialog::chooseExport);
   source_ = new QLabel(this);
@@ -104,11 +99,11 @@ void ImportDialog::buildLayout() {
   bar_ = new QProgressBar(this);
   bar_->setRange(0, 1000);
   bar_->setAccessibleName(tr("Progress of the import"));
-  refusals_ = button("importRefusals", "export", tr("Save rejected rows…"));
+  refusals_ = iconButton(this, "importRefusals", "export", tr("Save rejected rows…"));
   connect(refusals_, &QPushButton::clicked, this, &ImportDialog::saveRefusals);
-  confirm_ = button("importConfirm", "check", {});
+  confirm_ = iconButton(this, "importConfirm", "check", {});
   connect(confirm_, &QPushButton::clicked, &model_, &ImportModel::confirmAll);
-  cancel_ = button("importCancel", "cancel", {});
+  cancel_ = iconButton(this, "importCancel", "cancel", {});
   connect(cancel_, &QPushButton::clicked, this, &ImportDialog::leave);
   auto* enter = new BigButton(this);
   enter->setObjectName("importEnter");

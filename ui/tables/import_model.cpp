@@ -240,10 +240,7 @@ void ImportModel::look() {
     fraction_ = progress.fraction;
     emit changed();
   });
-  connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    const auto look = outcomeAs<std::shared_ptr<const Look>>(outcome);
-    job_->deleteLater();
-    job_.clear();
+  whenDone<std::shared_ptr<const Look>>(job_, this, [this](const auto& look) {
     if (look) return took(**look);
     state_ = State::Choosing;
     if (look.error().code == ErrorCode::Cancelled) return emit changed();
@@ -317,10 +314,7 @@ void ImportModel::enter() {
     fraction_ = progress.fraction;
     emit changed();
   });
-  connect(job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    const auto report = outcomeAs<tables::ImportReport>(outcome);
-    job_->deleteLater();
-    job_.clear();
+  whenDone<tables::ImportReport>(job_, this, [this](const auto& report) {
     if (!report) {
       state_ = State::Ready;
       problem_ = report.error().code == ErrorCode::Cancelled

@@ -100,7 +100,6 @@ void SherdView::showScans(const ShownScan& front, const ShownScan& back,
   scene.setPose(front_from_back);
   scene.setApart(apart_);
   scene.resetView();
-  overlay_->setNote({});
   overlay_->setMeasure({});
   overlay_->setLegend(ViewOverlay::Legend::Sides);
   canvas_->redraw();
@@ -127,15 +126,10 @@ void SherdView::showModel(const TriangleMesh& model) {
   setSection(false);
   canvas_->scene().setModel(model);
   canvas_->scene().resetView();
-  overlay_->setNote({});
   overlay_->setMeasure({});
   const bool filled = std::find(model.seen.begin(), model.seen.end(), 0) != model.seen.end();
   overlay_->setLegend(filled ? ViewOverlay::Legend::FilledModel : ViewOverlay::Legend::None);
   canvas_->redraw();
-}
-
-void SherdView::setNote(const QString& note) {
-  if (overlay_ != nullptr) overlay_->setNote(note);
 }
 
 void SherdView::setUnitKnown(bool known) {

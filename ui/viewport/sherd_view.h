@@ -48,8 +48,6 @@ class SherdView final : public QWidget {
   void setDistances(const ShownDistances& distances);
   void showModel(const TriangleMesh& model);
   void setUnitKnown(bool known);  ///< false: no length is known, and the bar says so
-  /// A sentence over an empty view.
-  void setNote(const QString& note);
   /// The line and its length, in words; empty: none.
   void setMeasure(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const QString& text);
 

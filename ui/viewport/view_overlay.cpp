@@ -44,11 +44,6 @@ void ViewOverlay::setView(double mm_per_pixel, const ViewAxes& axes) {
   update();
 }
 
-void ViewOverlay::setNote(const QString& note) {
-  note_ = note;
-  update();
-}
-
 void ViewOverlay::setUnitKnown(bool known) {
   unit_known_ = known;
   update();
@@ -65,10 +60,6 @@ void ViewOverlay::paintEvent(QPaintEvent*) {
   const double edge = fontMetrics().height() / 2.0;
   const QRectF inner = QRectF(rect()).adjusted(edge, edge, -edge, -edge);
   painter.setPen(StateColours::inkOnMatte());
-  if (!note_.isEmpty()) {
-    painter.drawText(inner, Qt::AlignCenter | Qt::TextWordWrap, note_);
-    return;
-  }
   paintBar(painter);
   paintLegend(painter);
   const double cube = kCubeLines * fontMetrics().height();

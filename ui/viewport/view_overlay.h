@@ -18,7 +18,6 @@ class ViewOverlay final : public QWidget {
   void setLegend(Legend legend, double reach_mm = 1);
   void setView(double mm_per_pixel, const ViewAxes& axes);
   void setUnitKnown(bool known);  ///< false: lengths are no millimetres, and the bar says so
-  void setNote(const QString& note);
   void setMeasure(const QString& text);
   const QString& measure() const { return measure_; }
   Legend legend() const { return legend_; }
@@ -36,7 +35,7 @@ class ViewOverlay final : public QWidget {
   double mm_per_pixel_ = 0;
   ViewAxes axes_;
   bool unit_known_ = true;
-  QString note_, measure_;
+  QString measure_;
 };
 
 }  // namespace ostraka::ui

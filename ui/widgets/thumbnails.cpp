@@ -72,10 +72,8 @@ QPixmap Thumbnails::get(const QString& file, const QSize& size) {
                               return readScaled(file, size);
                             }),
                     this);
-  connect(job, &JobHandle::finished, this, [this, job, key, file](const JobOutcome& outcome) {
-    job->deleteLater();
+  whenDone<QImage>(job, this, [this, key, file](const auto& image) {
     on_the_way_.remove(key);
-    const Result<QImage> image = outcomeAs<QImage>(outcome);
     if (!image || image->isNull()) {
       unreadable_.insert(key);
       return;

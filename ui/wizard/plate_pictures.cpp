@@ -152,15 +152,13 @@ void PlatePictures::readFront(std::vector<std::vector<std::filesystem::path>> un
                 return inspection;
               }),
       this);
-  connect(front_job_, &JobHandle::finished, front_job_, &QObject::deleteLater);
-  connect(front_job_, &JobHandle::finished, this,
-          [this, number = batch_->number()](const JobOutcome& outcome) {
-            Result<FrontLook> inspection = outcomeAs<FrontLook>(outcome);
-            if (!inspection || number != batch_->number()) return;
-            if (inspection->picture) front_ = std::move(inspection->picture);
-            if (inspection->check) emit frontCounted(*inspection->check);
-            emit changed();
-          });
+  whenDone<FrontLook>(front_job_, this,
+                      [this, number = batch_->number()](Result<FrontLook> inspection) {
+                        if (!inspection || number != batch_->number()) return;
+                        if (inspection->picture) front_ = std::move(inspection->picture);
+                        if (inspection->check) emit frontCounted(*inspection->check);
+                        emit changed();
+                      });
 }
 
 }  // namespace ostraka::ui

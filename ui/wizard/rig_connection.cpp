@@ -137,10 +137,7 @@ void RigConnection::findHolders() {
                                      [holders = source_.holders](Progress&, std::stop_token)
                                          -> Result<std::vector<std::string>> { return holders(); }),
                              this);
-  connect(holders_job_, &JobHandle::finished, holders_job_, &QObject::deleteLater);
-  connect(holders_job_, &JobHandle::finished, this, [this](const JobOutcome& outcome) {
-    holders_job_ = nullptr;
-    const auto found = outcomeAs<std::vector<std::string>>(outcome);
+  whenDone<std::vector<std::string>>(holders_job_, this, [this](const auto& found) {
     if (!found || found->empty() || isBusy()) return;
     for (const std::string& holder : *found) holders_ << QString::fromStdString(holder);
     emit changed();

@@ -21,10 +21,7 @@ void RigRenewal::start(ProjectSession& session, const std::filesystem::path& rig
     return kept->string();
   };
   job_ = session.jobs().start(makeJob(tr("Calibration by %1").arg(batch), work), this);
-  connect(job_, &JobHandle::finished, this, [this, batch](const JobOutcome& outcome) {
-    job_->deleteLater();
-    job_ = nullptr;
-    const Result<std::string> kept = outcomeAs<std::string>(outcome);
+  whenDone<std::string>(job_, this, [this, batch](const auto& kept) {
     if (!kept) return emit failed(kept.error());
     emit renewed(batch, QString::fromStdString(*kept));
   });

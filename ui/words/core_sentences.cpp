@@ -2,12 +2,10 @@
 
 namespace ostraka::ui {
 
-std::vector<Sentences> coreSentences() {
-  return {sentencesOfBase(),         sentencesOfCapture(),   sentencesOfCatalogue(),
-          sentencesOfDrawing(),      sentencesOfExchange(),  sentencesOfMask(),
-          sentencesOfModel(),        sentencesOfPairing(),   sentencesOfPipeline(),
-          sentencesOfRegistration(), sentencesOfRig(),       sentencesOfScan(),
-          sentencesOfStereo(),       sentencesOfVirtualrig()};
+std::vector<Sentences> CoreSentences::all() {
+  return {ofBase(), ofCapture(), ofCatalogue(), ofDrawing(),   ofExchange(),
+          ofMask(), ofModel(),   ofPairing(),   ofPipeline(),  ofRegistration(),
+          ofRig(),  ofScan(),    ofStereo(),    ofVirtualrig()};
 }
 
 }  // namespace ostraka::ui

@@ -1,6 +1,5 @@
 #include "ui/words/sentence.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 #include <algorithm>
 #include <vector>
@@ -23,7 +22,7 @@ struct Known {
 const std::vector<Known>& known() {
   static const std::vector<Known> kAll = [] {
     std::vector<Known> all;
-    for (const Sentences& sentences : coreSentences())
+    for (const Sentences& sentences : CoreSentences::all())
       for (const char* source : sentences)
         all.push_back({source, Pattern(QString::fromUtf8(source))});
     std::stable_sort(all.begin(), all.end(), [](const Known& a, const Known& b) {
@@ -54,7 +53,7 @@ std::optional<QString> readWhole(const QString& text, Values allowed, int depth)
     if (!values) continue;
     if (allowed == Values::OfOneSentence && !values->filter(ends()).isEmpty()) continue;
     for (QString& value : *values) value = read(value, depth + 1).value_or(value);
-    return filled(QCoreApplication::translate("ostraka::Error", one.source), *values);
+    return filled(CoreSentences::tr(one.source), *values);
   }
   return std::nullopt;
 }

@@ -248,5 +248,30 @@ TEST_F(Archive, TakesNoFileThatTookThePlaceOfACheckedOne) {
   }
 }
 
+// Nobody who loses the laptop shall find out then that a folder was on another disk.
+TEST_F(Archive, NamesLinksWhoseFilesItDoesNotHold) {
+  fs::create_directories(at("large disk"));
+  put(at("large disk") / "calib.jpg", "a board");
+  fs::create_directory_symlink(at("large disk"), project_->folder() / "batches/B0001/calib");
+  const Result<Archived> refused = archive();
+  ASSERT_TRUE(refused) << refused.error().sentence();
+  EXPECT_FALSE(refused->sealed);
+  EXPECT_TRUE(refused->damage.empty());
+  EXPECT_EQ(refused->links, std::vector<std::string>{"batches/B0001/calib"});
+  EXPECT_FALSE(fs::exists(at("archive")));
+  ASSERT_TRUE(archive(DamagedFiles::Seal)->sealed);
+  EXPECT_NE(readFile(at("archive/damage.txt"))->find("batches/B0001/calib is a link"),
+            std::string::npos);
+}
+
+TEST_F(Archive, BringsNoFindingsOfElsewhereAlong) {
+  ASSERT_TRUE(archive());
+  exchange::MendedBag bag(at("archive"));
+  bag.put("data/file-checks.txt", "4102444800000 begin\n");
+  bag.mend();
+  ASSERT_TRUE(restore());
+  EXPECT_FALSE(fs::exists(at("laptop/file-checks.txt")));
+}
+
 }  // namespace
 }  // namespace ostraka::archive

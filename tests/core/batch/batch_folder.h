@@ -1,6 +1,4 @@
 #pragma once
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
@@ -8,41 +6,25 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::batch {
 
-/// A folder that is gone after the test.
-class TemporaryFolder {
+/// A folder of a test, with photographs and other files in it.
+class BatchFolder : public TemporaryFolder {
  public:
-  explicit TemporaryFolder(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() /
-              ("ostraka-" + name + "-" + std::to_string(::getpid()))) {
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
   void write(const std::string& name, const std::string& bytes) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
-    std::ofstream(path_ / name, std::ios::binary) << bytes;
+    std::filesystem::create_directories((path() / name).parent_path());
+    std::ofstream(path() / name, std::ios::binary) << bytes;
   }
   void image(const std::string& name, int width = 16, int height = 12) const {
-    std::filesystem::create_directories((path_ / name).parent_path());
-    cv::imwrite((path_ / name).string(), cv::Mat(height, width, CV_8UC3, cv::Scalar(10, 20, 30)));
+    std::filesystem::create_directories((path() / name).parent_path());
+    cv::imwrite((path() / name).string(), cv::Mat(height, width, CV_8UC3, cv::Scalar(10, 20, 30)));
   }
   std::string read(const std::string& name) const {
-    std::ifstream in(path_ / name, std::ios::binary);
+    std::ifstream in(path() / name, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
   }
-
- private:
-  std::filesystem::path path_;
 };
 
 /// Keeps the warnings.

@@ -11,13 +11,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-void threeViewsPerSide(const TemporaryFolder& folder) {
+void threeViewsPerSide(const BatchFolder& folder) {
   for (const char* side : {"front", "back"})
     for (int stop = 0; stop < 3; ++stop)
       folder.image(std::string(side) + "/cam0_pos0" + std::to_string(stop) + ".jpg");
 }
 
-Result<Batch> read(const TemporaryFolder& folder, Listener& listener) {
+Result<Batch> read(const BatchFolder& folder, Listener& listener) {
   return readBatch(folder.path(), {}, listener);
 }
 
@@ -28,7 +28,7 @@ TEST(CameraLetter, CountsAsPeopleDo) {
 }
 
 TEST(ReadBatch, SortsShotsBySideCameraAndStop) {
-  const TemporaryFolder folder("sorted");
+  const BatchFolder folder;
   threeViewsPerSide(folder);
   folder.image("front/cam1_pos11.PNG", 20, 10);
   Listener listener;
@@ -46,7 +46,7 @@ TEST(ReadBatch, SortsShotsBySideCameraAndStop) {
 }
 
 TEST(ReadBatch, TakesTheLettersThatTheCamerasHaveInTheWindow) {
-  const TemporaryFolder folder("letters");
+  const BatchFolder folder;
   for (const char* side : {"front", "back"})
     for (const char* name : {"camA_pos00.jpg", "camA_pos01.jpg", "camB_pos00.jpg"})
       folder.image(std::string(side) + "/" + name);
@@ -63,7 +63,7 @@ TEST(ReadBatch, TakesTheLettersThatTheCamerasHaveInTheWindow) {
 }
 
 TEST(ReadBatch, ReadsThePapersLayoutWithCamerasFromOneAndItsMasks) {
-  const TemporaryFolder folder("paper");
+  const BatchFolder folder;
   for (const char* side : {"top", "bottom"})
     for (int k = 1; k <= 3; ++k) {
       const std::string stem = "/cam1_image00" + std::to_string(k);
@@ -81,7 +81,7 @@ TEST(ReadBatch, ReadsThePapersLayoutWithCamerasFromOneAndItsMasks) {
 }
 
 TEST(ReadBatch, NamesItsFilesWithoutDetours) {
-  const TemporaryFolder folder("detour");
+  const BatchFolder folder;
   threeViewsPerSide(folder);
   Listener listener;
   const auto batch = readBatch(folder.path() / "front" / "..", {}, listener);
@@ -91,7 +91,7 @@ TEST(ReadBatch, NamesItsFilesWithoutDetours) {
 }
 
 TEST(ReadBatch, NamesTheMissingSide) {
-  const TemporaryFolder folder("oneside");
+  const BatchFolder folder;
   folder.image("front/cam0_pos00.jpg");
   Listener listener;
   const auto batch = read(folder, listener);
@@ -101,7 +101,7 @@ TEST(ReadBatch, NamesTheMissingSide) {
 }
 
 TEST(ReadBatch, RefusesAFolderThatIsNoBatch) {
-  const TemporaryFolder folder("nobatch");
+  const BatchFolder folder;
   Listener listener;
   EXPECT_THAT(read(folder, listener).error().what, HasSubstr("Not a batch folder"));
   EXPECT_THAT(readBatch(folder.path() / "nowhere", {}, listener).error().what,
@@ -109,7 +109,7 @@ TEST(ReadBatch, RefusesAFolderThatIsNoBatch) {
 }
 
 TEST(ReadBatch, LeavesOutTheCutOffPhotographOnly) {
-  const TemporaryFolder folder("cutoff");
+  const BatchFolder folder;
   threeViewsPerSide(folder);
   folder.image("front/cam0_pos03.jpg");
   const std::string whole = folder.read("front/cam0_pos03.jpg");
@@ -123,7 +123,7 @@ TEST(ReadBatch, LeavesOutTheCutOffPhotographOnly) {
 }
 
 TEST(ReadBatch, LeavesOutThePhotographOfAnotherSize) {
-  const TemporaryFolder folder("size");
+  const BatchFolder folder;
   threeViewsPerSide(folder);
   folder.image("back/cam0_pos03.jpg", 12, 16);
   Listener listener;
@@ -134,7 +134,7 @@ TEST(ReadBatch, LeavesOutThePhotographOfAnotherSize) {
 }
 
 TEST(ReadBatch, NeedsThreeUsableViewsPerSide) {
-  const TemporaryFolder folder("few");
+  const BatchFolder folder;
   threeViewsPerSide(folder);
   folder.write("back/cam0_pos01.jpg", "no image");
   Listener listener;
@@ -145,7 +145,7 @@ TEST(ReadBatch, NeedsThreeUsableViewsPerSide) {
 }
 
 TEST(ReadBatch, WarnsOfNamesItDoesNotUnderstandAndOfDoubles) {
-  const TemporaryFolder folder("names");
+  const BatchFolder folder;
   threeViewsPerSide(folder);
   folder.image("front/IMG_1234.jpg");
   folder.image("front/cam0_pos00.png");
@@ -158,7 +158,7 @@ TEST(ReadBatch, WarnsOfNamesItDoesNotUnderstandAndOfDoubles) {
 }
 
 TEST(ReadBatch, NamesThePhotographsThatAreMissing) {
-  const TemporaryFolder folder("absent");
+  const BatchFolder folder;
   threeViewsPerSide(folder);
   for (const char* name : {"cam0_pos04", "cam1_pos00", "cam1_pos01", "cam1_pos02", "cam1_pos04"})
     folder.image(std::string("front/") + name + ".jpg");
@@ -175,7 +175,7 @@ TEST(ReadBatch, NamesThePhotographsThatAreMissing) {
 }
 
 TEST(ReadBatch, TakesCalibrationAndEmptyPlatesOfItsCamerasOnly) {
-  const TemporaryFolder folder("calib");
+  const BatchFolder folder;
   threeViewsPerSide(folder);
   folder.image("calib/cam0_cal00.jpg");
   folder.image("calib/cam7_cal00.jpg");
@@ -190,7 +190,7 @@ TEST(ReadBatch, TakesCalibrationAndEmptyPlatesOfItsCamerasOnly) {
 }
 
 TEST(ReadBatch, StopsAtABrokenPlateFile) {
-  const TemporaryFolder folder("plate");
+  const BatchFolder folder;
   threeViewsPerSide(folder);
   folder.write("plate.json", "{\"dictionary\":");
   Listener listener;

@@ -30,7 +30,7 @@ class CopiedPhotographs : public testing::Test {
     return leaveOutCopies(batch, options, heard);
   }
 
-  TemporaryFolder folder{"copied-photographs"};
+  BatchFolder folder;
   Batch batch;
   Listener heard;
 };

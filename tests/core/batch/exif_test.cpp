@@ -121,7 +121,7 @@ TEST(Exif, IsReadInBothByteOrdersFromJpegAndTiff) {
 }
 
 TEST(Exif, AFileIsReadLikeItsBytes) {
-  const TemporaryFolder folder("exif");
+  const BatchFolder folder;
   folder.write("a.jpg", canon(true).jpeg() + std::string(300000, 'x'));
   isCanon(readExif(folder.path() / "a.jpg"));
   EXPECT_EQ(readExif(folder.path() / "none.jpg").json(), "{}");

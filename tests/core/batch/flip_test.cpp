@@ -42,7 +42,7 @@ TEST(Flip, IsNotGuessedWhereNoPauseStandsOut) {
 
 // Names that started again from 1 come before by name, and later by the clock.
 TEST(Flip, OfASeriesGoesByTheClockNotByNames) {
-  const TemporaryFolder folder("clock");
+  const BatchFolder folder;
   const char* names[] = {"b9998.jpg", "b9999.jpg", "c0000.jpg",
                          "a0001.jpg", "a0002.jpg", "a0003.jpg"};
   const char* at[] = {"09:30:00", "09:30:08", "09:30:15", "09:34:00", "09:34:07", "09:34:15"};

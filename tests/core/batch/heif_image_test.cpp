@@ -99,7 +99,7 @@ TEST(HeifImage, IsNotTurnedUpright) {
 TEST(HeifImage, GivesWhatTheCameraWrote) {
   const std::string bytes = heic(64, 64);
   EXPECT_EQ(exifIn(bytes).make, "Apple");
-  const TemporaryFolder folder("heic");
+  const BatchFolder folder;
   folder.write("a.HEIC", bytes);
   EXPECT_EQ(readExif(folder.path() / "a.HEIC").make, "Apple");
 }

@@ -13,7 +13,7 @@ constexpr const char* kGood = R"({"unit":"mm","lengths":[{"side":"back","length"
   [{"file":"cam1_image001.tif","pixel":[90,20]},{"file":"cam1_image004.tif","pixel":[95,25]}]]}]})";
 
 TEST(KnownLength, IsReadWithItsMarks) {
-  const TemporaryFolder folder("length");
+  const BatchFolder folder;
   folder.write("scale.json", kGood);
   const auto lengths = readKnownLengths(folder.path() / "scale.json");
   ASSERT_TRUE(lengths.has_value()) << lengths.error().sentence();
@@ -26,7 +26,7 @@ TEST(KnownLength, IsReadWithItsMarks) {
 }
 
 TEST(KnownLength, IsRefusedWithTheReasonAndTheFile) {
-  const TemporaryFolder folder("length");
+  const BatchFolder folder;
   const std::pair<std::string, std::string> changes[] = {
       {R"("unit":"mm")", R"("unit":"cm")"},
       {R"("side":"back")", R"("side":"top")"},

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 
 #include "review/live_pairs.h"
 #include "review/plate_map.h"
+#include "tests/core/files/temporary_folder.h"
 #include "tests/core/pipeline/synthetic_out.h"
 
 namespace ostraka::batch {
@@ -16,12 +16,8 @@ namespace fs = std::filesystem;
 
 class MovedBatch : public testing::Test {
  protected:
-  MovedBatch() {
-    std::string pattern = (fs::temp_directory_path() / "ostraka_moved_XXXXXX").string();
-    folder = ::mkdtemp(pattern.data());
-  }
-  ~MovedBatch() override { fs::remove_all(folder); }
-  fs::path folder;
+  TemporaryFolder temporary_;
+  fs::path folder = temporary_.path();
 };
 
 TEST_F(MovedBatch, ItsPhotographsAreFoundBesideTheResults) {

@@ -10,7 +10,7 @@ namespace ostraka::batch {
 namespace {
 
 TEST(ReadPhotograph, GivesColoursAsStored) {
-  const TemporaryFolder folder("photo");
+  const BatchFolder folder;
   folder.image("a.png", 5, 4);
   const auto image = readPhotograph(folder.path() / "a.png");
   ASSERT_TRUE(image.has_value());
@@ -19,7 +19,7 @@ TEST(ReadPhotograph, GivesColoursAsStored) {
 }
 
 TEST(ReadPhotograph, DoesNotTurnAPictureByItsExifOrientation) {
-  const TemporaryFolder folder("exif");
+  const BatchFolder folder;
   folder.image("a.jpg", 30, 20);
   std::string bytes = folder.read("a.jpg");
   // An APP1 segment that says "turn by 90 degrees" (orientation 6), after the start marker.
@@ -37,7 +37,7 @@ TEST(ReadPhotograph, DoesNotTurnAPictureByItsExifOrientation) {
 
 // 257 * v is the 16-bit value that means the same as v of 8 bits.
 TEST(ReadPhotograph, TakesSixteenBitsAsEight) {
-  const TemporaryFolder folder("deep");
+  const BatchFolder folder;
   for (const char* name : {"a.tif", "a.png"}) {
     cv::imwrite((folder.path() / name).string(),
                 cv::Mat(4, 5, CV_16UC3, cv::Scalar(257 * 10, 257 * 20, 257 * 200)));
@@ -49,7 +49,7 @@ TEST(ReadPhotograph, TakesSixteenBitsAsEight) {
 }
 
 TEST(ReadPhotograph, RefusesACutOffPicture) {
-  const TemporaryFolder folder("cut");
+  const BatchFolder folder;
   folder.image("a.jpg", 64, 64);
   const std::string bytes = folder.read("a.jpg");
   folder.write("a.jpg", bytes.substr(0, bytes.size() * 2 / 3));
@@ -60,7 +60,7 @@ TEST(ReadPhotograph, RefusesACutOffPicture) {
 }
 
 TEST(ReadMask, KeepsLabels) {
-  const TemporaryFolder folder("mask");
+  const BatchFolder folder;
   cv::imwrite((folder.path() / "m.png").string(), cv::Mat(3, 3, CV_8U, cv::Scalar(7)));
   const auto mask = readMask(folder.path() / "m.png");
   ASSERT_TRUE(mask.has_value());

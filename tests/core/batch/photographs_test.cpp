@@ -19,7 +19,7 @@ constexpr const char* kSheet =
     R"({"dictionary":"DICT_4X4_50","sheet":[297,210],"markers":[{"id":0,"corners":)"
     R"([[0,20,0],[20,20,0],[20,0,0],[0,0,0]]}]})";
 
-void series(const TemporaryFolder& folder, const std::string& side, int from, int count) {
+void series(const BatchFolder& folder, const std::string& side, int from, int count) {
   for (int i = from; i < from + count; ++i)
     folder.image(side + "/IMG_" + std::to_string(i) + ".jpg", 800, 600);
 }
@@ -30,7 +30,7 @@ std::vector<std::string> namesOf(const Batch& batch) {
   return names;
 }
 
-Result<Batch> readPlain(const TemporaryFolder& folder, Listener& listener,
+Result<Batch> readPlain(const BatchFolder& folder, Listener& listener,
                         const ReadBatchOptions& options = {}) {
   return readPhotographs(folder.path() / "front", folder.path() / "back", {}, options, listener);
 }
@@ -49,7 +49,7 @@ TEST(NaturalOrder, CountsNumbersByTheirValueAndCapitalsAsSmallLetters) {
 }
 
 TEST(ReadBatch, TakesPhotographsUnderAnyNamesAsFreeCamerasInNaturalOrder) {
-  const TemporaryFolder folder("free");
+  const BatchFolder folder;
   for (const char* name : {"IMG_10.jpg", "IMG_2.jpg", "IMG_1.JPG"})
     folder.image(std::string("front/") + name, 800, 600);
   folder.image("front/IMG_3.jpg", 600, 800);
@@ -72,7 +72,7 @@ TEST(ReadBatch, TakesPhotographsUnderAnyNamesAsFreeCamerasInNaturalOrder) {
 }
 
 TEST(ReadBatch, LetsMostNamesDecideAndNamesTheOthers) {
-  const TemporaryFolder folder("mixed");
+  const BatchFolder folder;
   series(folder, "front", 1, 4);
   folder.image("front/cam0_pos00.jpg", 800, 600);
   series(folder, "back", 1, 3);
@@ -85,7 +85,7 @@ TEST(ReadBatch, LetsMostNamesDecideAndNamesTheOthers) {
 }
 
 TEST(ReadBatch, TakesAFrontAloneOfFreeCamerasAndNoOtherSideAlone) {
-  const TemporaryFolder folder("alone");
+  const BatchFolder folder;
   series(folder, "front", 1, 3);
   Listener listener;
   const auto batch = readBatch(folder.path(), {}, listener);
@@ -97,7 +97,7 @@ TEST(ReadBatch, TakesAFrontAloneOfFreeCamerasAndNoOtherSideAlone) {
 }
 
 TEST(ReadBatch, TakesMasksOfFreeCamerasByTheStemsOfTheirPhotographs) {
-  const TemporaryFolder folder("free-masks");
+  const BatchFolder folder;
   series(folder, "front", 1, 3);
   folder.image("front_masks/img_2.png", 800, 600);
   folder.image("front_masks/IMG_3.png", 60, 40);
@@ -112,7 +112,7 @@ TEST(ReadBatch, TakesMasksOfFreeCamerasByTheStemsOfTheirPhotographs) {
 }
 
 TEST(ReadPhotographs, JoinsTwoFoldersToABatchWithTheSheetAboveBoth) {
-  const TemporaryFolder folder("two");
+  const BatchFolder folder;
   series(folder, "front", 1, 3);
   series(folder, "back", 1, 4);
   folder.write("plate.json", kSheet);
@@ -126,7 +126,7 @@ TEST(ReadPhotographs, JoinsTwoFoldersToABatchWithTheSheetAboveBoth) {
 }
 
 TEST(ReadPhotographs, TakesTheNamedSheetBeforeTheOneThatLiesBeside) {
-  const TemporaryFolder folder("sheet");
+  const BatchFolder folder;
   series(folder, "front", 1, 3);
   folder.write("front/plate.json", "not even JSON");
   folder.write("elsewhere/markers.json", kSheet);
@@ -146,7 +146,7 @@ TEST(ReadPhotographs, TakesTheNamedSheetBeforeTheOneThatLiesBeside) {
 }
 
 TEST(ReadPhotographs, ReadsABatchFolderAsOne) {
-  const TemporaryFolder folder("rig");
+  const BatchFolder folder;
   for (const char* side : {"front", "back"})
     for (int stop = 0; stop < 3; ++stop)
       folder.image(std::string(side) + "/cam0_pos0" + std::to_string(stop) + ".jpg");
@@ -160,7 +160,7 @@ TEST(ReadPhotographs, ReadsABatchFolderAsOne) {
 }
 
 TEST(ReadPhotographs, FindsMasksBesideOneFolderOfPhotographs) {
-  const TemporaryFolder folder("beside");
+  const BatchFolder folder;
   series(folder, "photographs", 1, 3);
   series(folder, "masks", 1, 2);
   Listener listener;
@@ -171,7 +171,7 @@ TEST(ReadPhotographs, FindsMasksBesideOneFolderOfPhotographs) {
 }
 
 TEST(ReadPhotographs, RefusesFoldersWithoutPhotographsByName) {
-  const TemporaryFolder folder("none");
+  const BatchFolder folder;
   series(folder, "front", 1, 3);
   folder.write("back/Thumbs.db", "x");
   std::filesystem::create_directories(folder.path() / "back/IMG_1.jpg.folder");
@@ -192,7 +192,7 @@ TEST(ReadPhotographs, RefusesFoldersWithoutPhotographsByName) {
 }
 
 TEST(ReadPhotographs, LeavesOutWhatIsNoPictureAndLinksThatLeadNowhere) {
-  const TemporaryFolder folder("hostile");
+  const BatchFolder folder;
   series(folder, "front", 1, 3);
   folder.write("front/IMG_4.jpg", "GIF89a");
   folder.write("front/a\nline\x1b[31m\xff.jpg", "");
@@ -211,7 +211,7 @@ TEST(ReadPhotographs, LeavesOutWhatIsNoPictureAndLinksThatLeadNowhere) {
 }
 
 TEST(ReadPhotographs, TakesOneOfTwoFormatsOfAPhotograph) {
-  const TemporaryFolder folder("formats");
+  const BatchFolder folder;
   series(folder, "front", 1, 3);
   folder.image("front/img_2.png", 800, 600);
   Listener listener;
@@ -222,7 +222,7 @@ TEST(ReadPhotographs, TakesOneOfTwoFormatsOfAPhotograph) {
 }
 
 TEST(ReadPhotographs, TakesTheDevelopedPictureBesideARawFile) {
-  const TemporaryFolder folder("developed");
+  const BatchFolder folder;
   series(folder, "front", 1, 3);
   folder.write("front/img_2.CR2", "never opened");
   folder.write("front/IMG_4.NEF", "RAW alone, and damaged");
@@ -234,7 +234,7 @@ TEST(ReadPhotographs, TakesTheDevelopedPictureBesideARawFile) {
 }
 
 TEST(ReadPhotographs, LeavesOutThumbnailsWithOneSentence) {
-  const TemporaryFolder folder("thumbnails");
+  const BatchFolder folder;
   series(folder, "front", 1, 3);
   for (int i = 4; i < 10; ++i) folder.image("front/IMG_" + std::to_string(i) + ".jpg", 640, 480);
   Listener listener;
@@ -247,7 +247,7 @@ TEST(ReadPhotographs, LeavesOutThumbnailsWithOneSentence) {
 }
 
 TEST(ReadPhotographs, NeedsThreePhotographsOfEachSideThatIsThere) {
-  const TemporaryFolder folder("few-free");
+  const BatchFolder folder;
   series(folder, "front", 1, 3);
   series(folder, "back", 1, 2);
   Listener listener;
@@ -260,7 +260,7 @@ TEST(ReadPhotographs, NeedsThreePhotographsOfEachSideThatIsThere) {
 // Every third photograph is sharp, the others are blurred: of the neighbourhoods of three, the
 // compressed size finds the sharp one.
 TEST(ReadPhotographs, ThinsALongSeriesToTheSharpestOfItsNeighbours) {
-  const TemporaryFolder folder("many");
+  const BatchFolder folder;
   cv::Mat sharp(600, 800, CV_8UC3), blurred;
   cv::theRNG().state = 7;
   cv::randu(sharp, 0, 255);

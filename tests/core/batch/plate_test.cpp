@@ -11,7 +11,7 @@ using testing::HasSubstr;
 constexpr const char* kMarker = R"({"id":3,"corners":[[0,1,0],[1,1,0],[1,0,0],[0,0,0]]})";
 
 Result<Plate> plateOf(const std::string& text) {
-  const TemporaryFolder folder("plates");
+  const BatchFolder folder;
   folder.write("plate.json", text);
   return readPlate(folder.path() / "plate.json");
 }
@@ -98,7 +98,7 @@ TEST(ReadPlate, RefusesMarkersThatOverlapAndTakesThoseThatTouch) {
 }
 
 TEST(ReadBoard, RefusesNumbersThatNoBoardHas) {
-  const TemporaryFolder folder("boards");
+  const BatchFolder folder;
   const std::pair<const char*, const char*> wrong[] = {
       {"4294967305", "'squares_x' must be a whole number from 2 to 100"},
       {"9.5", "'squares_x' must be a whole number from 2 to 100"},
@@ -115,7 +115,7 @@ TEST(ReadBoard, RefusesNumbersThatNoBoardHas) {
 }
 
 TEST(ReadBoard, ReadsOurNamesAndThoseOfOthers) {
-  const TemporaryFolder folder("boards");
+  const BatchFolder folder;
   folder.write("a.json",
                R"({"dictionary":"D","squares_x":9,"squares_y":7,"square_mm":22,"marker_mm":16})");
   folder.write(

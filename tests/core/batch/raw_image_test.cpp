@@ -106,7 +106,7 @@ TEST(RawImage, IsDevelopedWithoutTurningOrBrighteningIt) {
 }
 
 TEST(RawImage, OfAFileIsReadByItsEnding) {
-  const TemporaryFolder folder("raw");
+  const BatchFolder folder;
   folder.write("a.dng", dng(160, 120, 32768, 6554));
   const auto image = readPhotograph(folder.path() / "a.dng");
   ASSERT_TRUE(image.has_value()) << image.error().sentence();

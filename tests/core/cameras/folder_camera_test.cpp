@@ -2,12 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "files/files.h"
 #include "tests/core/capture/flat_rig.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::cameras {
 namespace {
@@ -34,21 +34,15 @@ class ScriptedClock final : public devices::Clock {
 
 class FolderCameraTest : public ::testing::Test {
  protected:
-  FolderCameraTest() {
-    folder_ = fs::temp_directory_path() / ("ostraka_folder_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    camera_ = std::move(*openFolderCamera({folder_}, clock_));
-  }
-  ~FolderCameraTest() override { fs::remove_all(folder_); }
   void write(const std::string& name, const std::string& bytes) const {
     std::ofstream(folder_ / name, std::ios::binary | std::ios::app) << bytes;
   }
   Result<std::vector<devices::CameraFile>> fetch() { return camera_->fetch(20, stop_.get_token()); }
 
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
   std::shared_ptr<ScriptedClock> clock_ = std::make_shared<ScriptedClock>();
-  std::unique_ptr<devices::Camera> camera_;
+  std::unique_ptr<devices::Camera> camera_ = std::move(*openFolderCamera({folder_}, clock_));
   std::stop_source stop_;
   const std::string picture_ = flatPicture({}, 0, 0, "one");
 };

@@ -2,11 +2,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::cameras {
 namespace {
@@ -18,15 +19,12 @@ using ::testing::HasSubstr;
 class UvcCameraTest : public ::testing::Test {
  protected:
   UvcCameraTest() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     for (int n = 0; n < 20; ++n) {
       char name[32];
       std::snprintf(name, sizeof name, "img_%04d.png", n);
       cv::imwrite((folder_ / name).string(), cv::Mat3b(48, 64, cv::Vec3b::all(uchar(10 * n))));
     }
   }
-  ~UvcCameraTest() override { fs::remove_all(folder_); }
   std::unique_ptr<devices::Camera> open(UvcOptions options = {}) {
     options.source = (folder_ / "img_%04d.png").string();
     auto camera = openUvcCamera(options, devices::steadyClock());
@@ -39,7 +37,8 @@ class UvcCameraTest : public ::testing::Test {
     return picture.empty() ? -1 : (picture.at<uchar>(20, 20) + 5) / 10;
   }
 
-  fs::path folder_ = fs::temp_directory_path() / ("ostraka_uvc_" + std::to_string(::getpid()));
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(UvcCameraTest, DropsWhatLiesInTheBuffersBeforeAPhotograph) {

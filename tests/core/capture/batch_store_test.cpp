@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "files/files.h"
 #include "flat_rig.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::capture {
 namespace {
@@ -15,14 +15,6 @@ using ::testing::HasSubstr;
 
 class Store : public ::testing::Test {
  protected:
-  Store() {
-    folder_ = fs::temp_directory_path() /
-              ("ostraka_store_" + std::to_string(::getpid()) + "_" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-  }
-  ~Store() override { fs::remove_all(folder_); }
-
   Result<BatchStore> open(const batch::Plate& plate) const {
     return BatchStore::open(folder_, batch::Side::Front, 3, 1, plate);
   }
@@ -38,7 +30,8 @@ class Store : public ::testing::Test {
     return bytes ? *bytes : "none";
   }
 
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path() / "batch";
   batch::Plate plate_ = testing::makeFlatRig(1).devices.plate;
 };
 

@@ -2,9 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
+
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::capture {
 namespace {
@@ -15,16 +16,13 @@ using ::testing::HasSubstr;
 class RigDevicesFile : public ::testing::Test {
  protected:
   RigDevicesFile() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
     std::ofstream(folder_ / "plate.json")
         << R"({"unit":"mm","dictionary":"DICT_4X4_50","diameter":300,"markers":[)"
         << R"({"id":3,"corners":[[1,2,0],[2,2,0],[2,1,0],[1,1,0]]}]})";
   }
-  ~RigDevicesFile() override { fs::remove_all(folder_); }
 
-  fs::path folder_ =
-      fs::temp_directory_path() / ("ostraka_rig_devices_" + std::to_string(::getpid()));
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
   fs::path file_ = folder_ / "RIG.json";
 };
 

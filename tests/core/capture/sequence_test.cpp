@@ -8,6 +8,7 @@
 #include "capture/manifest.h"
 #include "files/files.h"
 #include "flat_rig.h"
+#include "tests/core/files/temporary_folder.h"
 #include "turntables/hand_turntable.h"
 
 namespace ostraka::capture {
@@ -28,14 +29,9 @@ constexpr int kProofs = 2;  // a throw-away exposure of each camera before a sid
 class Sequence : public ::testing::Test {
  protected:
   Sequence() {
-    folder_ = fs::temp_directory_path() /
-              ("ostraka_sequence_" + std::to_string(::getpid()) + "_" +
-               ::testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
     options_.batch = folder_;
     options_.stops = kStops;
   }
-  ~Sequence() override { fs::remove_all(folder_); }
 
   Result<SideSummary> shoot() {
     return shootSide(
@@ -81,7 +77,8 @@ class Sequence : public ::testing::Test {
                                           [&](const auto& e) { return e.kind == kind; }));
   }
 
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path() / "batch";
   SideOptions options_;
   FlatRig rig_ = makeFlatRig(2);
   std::vector<CaptureEvent> events_;

@@ -1,6 +1,5 @@
 #pragma once
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <string>
@@ -14,26 +13,12 @@
 #include "sherds/sherd_changes.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
+#include "tests/core/files/temporary_folder.h"
 #include "upkeep/project.h"
 
 namespace ostraka::catalogue {
 
-/// A folder that goes when the test ends.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "ostraka-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
+using ostraka::TemporaryFolder;
 
 /// The value of a temporary, for loops.
 template <class T>

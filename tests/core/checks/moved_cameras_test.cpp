@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "rig/rig.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::checks {
 namespace {
@@ -17,12 +18,6 @@ using nlohmann::ordered_json;
 
 class MovedCameras : public ::testing::Test {
  protected:
-  void SetUp() override {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static rig::Rig rigOf(int cameras, double height_mm) {
     rig::Rig rig;
     for (int c = 0; c < cameras; ++c) {
@@ -48,7 +43,8 @@ class MovedCameras : public ::testing::Test {
   }
   fs::path output() const { return folder_ / "out"; }
 
-  fs::path folder_ = fs::path(::testing::TempDir()) / "moved_cameras";
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 ordered_json camera(int number, double residual_px, double moved_mm) {

@@ -2,11 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::checks {
 namespace {
@@ -21,9 +22,6 @@ using testing::IsEmpty;
 class PhotoChecks : public testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "ostraka_photos_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
     for (int k = 0; k < 10; ++k) {
       const double angle = 2 * std::numbers::pi * k / 10;
       const Eigen::Vector3d middle(120 * std::cos(angle), 120 * std::sin(angle), 0);
@@ -35,7 +33,6 @@ class PhotoChecks : public testing::Test {
       plate_.markers.push_back(marker);
     }
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   void photograph(batch::Side side, int stop, double blur_px, std::size_t covered = 0) {
     rig::PosedImage image;
@@ -71,7 +68,8 @@ class PhotoChecks : public testing::Test {
     return checkPhotographs(images_, plate_, {.threads = 2}, {});
   }
 
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
   batch::Plate plate_;
   std::vector<rig::PosedImage> images_;
 };

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "base/uuid.h"
 #include "decisions/candidate_table.h"
 #include "files/files.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::decisions {
 namespace {
@@ -17,13 +17,6 @@ using batch::Side;
 
 class DecisionsOf : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "ostraka_decisions_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    out_ = pattern;
-  }
-  void TearDown() override { fs::remove_all(out_); }
-
   static ScanRef front(int i) { return {Side::Front, "f00" + std::to_string(i), {50.0 * i, 0}}; }
   static ScanRef back(int i) { return {Side::Back, "b00" + std::to_string(i), {50.0 * i, 20}}; }
   static PairDecision pair(int f, int b) {
@@ -63,7 +56,8 @@ class DecisionsOf : public testing::Test {
   }
   std::vector<int> standingPlaces() const { return placesOf(standing(*readDecisions(out_))); }
 
-  fs::path out_;
+  TemporaryFolder temporary_;
+  fs::path out_ = temporary_.path();
 };
 
 TEST_F(DecisionsOf, ABatchWithoutAFileAreNone) {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <opencv2/imgproc.hpp>
 
 #include "files/files.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::decisions {
 namespace {
@@ -27,12 +27,8 @@ MaskStroke dot(MaskPaint paint, double x, double y, double radius) {
 
 class MaskStrokes : public testing::Test {
  protected:
-  MaskStrokes() {
-    std::string pattern = (fs::temp_directory_path() / "ostraka_strokes_XXXXXX").string();
-    out = ::mkdtemp(pattern.data());
-  }
-  ~MaskStrokes() override { fs::remove_all(out); }
-  fs::path out;
+  TemporaryFolder temporary_;
+  fs::path out = temporary_.path();
 };
 
 TEST_F(MaskStrokes, AreReadBackAsTheyWerePainted) {

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <cstdlib>
 
 #include "cloud/ply.h"
 #include "files/files.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::decisions {
 namespace {
@@ -29,12 +29,6 @@ PointCloud disc(double factor = 1) {
 
 class ScanFolders : public testing::Test {
  protected:
-  ScanFolders() {
-    std::string pattern = (fs::temp_directory_path() / "ostraka_folder_XXXXXX").string();
-    folder = ::mkdtemp(pattern.data());
-  }
-  ~ScanFolders() override { fs::remove_all(folder); }
-
   void write(const std::string& name, const PointCloud& cloud) {
     ASSERT_TRUE(writePly(folder / name, cloud, "scanner").has_value());
   }
@@ -44,7 +38,8 @@ class ScanFolders : public testing::Test {
     return found ? std::move(*found) : ScanFolder{};
   }
 
-  fs::path folder;
+  TemporaryFolder temporary_;
+  fs::path folder = temporary_.path();
 };
 
 TEST_F(ScanFolders, GiveAWholeScanAsItIs) {

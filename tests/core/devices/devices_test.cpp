@@ -2,9 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
+
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::devices {
 namespace {
@@ -17,9 +18,6 @@ using ::testing::IsEmpty;
 // A computer in a folder: what /sys, /dev and /proc would show.
 class Devices : public ::testing::Test {
  protected:
-  Devices() { fs::remove_all(root_); }
-  ~Devices() override { fs::remove_all(root_); }
-
   void write(const fs::path& file, const std::string& text) const {
     fs::create_directories((root_ / file).parent_path());
     std::ofstream(root_ / file) << text << "\n";
@@ -50,7 +48,8 @@ class Devices : public ::testing::Test {
     return findDevices({root_ / "sys", root_ / "dev", root_ / "proc"});
   }
 
-  fs::path root_ = fs::temp_directory_path() / ("ostraka_devices_" + std::to_string(::getpid()));
+  TemporaryFolder temporary_;
+  fs::path root_ = temporary_.path();
 };
 
 TEST_F(Devices, ListsCamerasControllersAndVideo) {

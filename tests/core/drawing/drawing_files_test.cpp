@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "files/files.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::drawing {
 namespace {
@@ -13,12 +13,6 @@ namespace fs = std::filesystem;
 
 class Sheets : public ::testing::Test {
  protected:
-  Sheets() {
-    folder_ = fs::temp_directory_path() / ("ostraka_sheets_" + std::to_string(::getpid()));
-    fs::remove_all(folder_);
-  }
-  ~Sheets() override { fs::remove_all(folder_); }
-
   Result<std::vector<fs::path>> write(const char* name, std::size_t pages) const {
     return writeSheets(folder_ / name, std::vector<Page>(pages, Page{210, 297, {}}));
   }
@@ -27,7 +21,8 @@ class Sheets : public ::testing::Test {
     return bytes ? *bytes : "none";
   }
 
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path() / "sheets";
 };
 
 TEST_F(Sheets, AreAFileEachInSvgAndOneInPdf) {

@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <string>
+
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka {
 namespace {
@@ -13,9 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct LogFiles : testing::Test {
-  fs::path folder = fs::path(testing::TempDir()) / ("ostraka_log_" + std::to_string(::getpid()));
-  void SetUp() override { fs::create_directories(folder); }
-  void TearDown() override { fs::remove_all(folder); }
+  TemporaryFolder temporary;
+  fs::path folder = temporary.path();
   static std::string textOf(const fs::path& file) {
     std::ifstream in(file);
     return {std::istreambuf_iterator<char>(in), {}};

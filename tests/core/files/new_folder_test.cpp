@@ -1,9 +1,10 @@
 #include "files/new_folder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
+
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka {
 namespace {
@@ -11,10 +12,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct NewFolders : testing::Test {
-  fs::path root = fs::path(testing::TempDir()) / ("ostraka_new_" + std::to_string(::getpid()));
+  TemporaryFolder temporary;
+  fs::path root = temporary.path();
   fs::path place = root / "batch", partial = root / "batch.partial";
-  void SetUp() override { fs::create_directories(root); }
-  void TearDown() override { fs::remove_all(root); }
   static void write(const fs::path& file) {
     fs::create_directories(file.parent_path());
     std::ofstream(file) << "x";

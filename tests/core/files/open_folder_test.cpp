@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "files/files.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka {
 namespace {
@@ -16,14 +17,11 @@ namespace fs = std::filesystem;
 class AnOpenFolder : public testing::Test {
  protected:
   void SetUp() override {
-    root_ = fs::path(testing::TempDir()) / ("ostraka_open_folder_" + std::to_string(::getpid()));
-    fs::remove_all(root_);
     fs::create_directories(root_ / "inside/below");
     std::ofstream(root_ / "inside/below/file.txt") << "inside";
     fs::create_directories(root_ / "outside");
     std::ofstream(root_ / "outside/file.txt") << "outside";
   }
-  void TearDown() override { fs::remove_all(root_); }
   OpenFolder inside() const { return std::move(*OpenFolder::open(root_ / "inside")); }
   static ContainedPath path(const std::string& text) { return *ContainedPath::parse(text); }
   std::string textOf(const std::string& name) const {
@@ -43,7 +41,8 @@ class AnOpenFolder : public testing::Test {
     return static_cast<std::size_t>(std::distance(fs::recursive_directory_iterator(root_ / folder),
                                                   fs::recursive_directory_iterator()));
   }
-  fs::path root_;
+  TemporaryFolder temporary_;
+  fs::path root_ = temporary_.path();
 };
 
 TEST_F(AnOpenFolder, ReadsAndMakesFilesBelowItself) {

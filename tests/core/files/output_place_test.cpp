@@ -97,5 +97,27 @@ TEST_F(OutputPlaces, OfWhatFillsAProjectAreItsOwnFoldersAlone) {
   allowed(beside / "out", "results");
 }
 
+TEST_F(OutputPlaces, FoldersThatAreEmptiedAreNoLinks) {
+  constexpr std::string_view kNames[] = {"work", "sherds", "not/there"};
+  const fs::path out = root / "out", thesis = beside / "thesis.txt";
+  std::ofstream(thesis) << "mine";
+  fs::create_directories(out / "work" / "masks");
+  fs::create_directories(out / "sherds");
+  fs::create_symlink(thesis, out / "work" / "photograph.jpg");
+  fs::create_directory_symlink(beside, out / "mine");
+  EXPECT_TRUE(checkNoLinkedFolder(out, kNames, LinkedFolders::AndBelow))
+      << "a link to a file, and one that is none of these names";
+  fs::create_directory_symlink(beside, out / "work" / "masks" / "more");
+  EXPECT_TRUE(checkNoLinkedFolder(out, kNames, LinkedFolders::OfTheseNames));
+  const Result<void> below = checkNoLinkedFolder(out, kNames, LinkedFolders::AndBelow);
+  ASSERT_FALSE(below);
+  EXPECT_EQ(below.error().where, (out / "work" / "masks" / "more").string());
+  fs::remove(out / "sherds");
+  fs::create_directory_symlink(beside, out / "sherds");
+  const Result<void> itself = checkNoLinkedFolder(out, kNames, LinkedFolders::OfTheseNames);
+  ASSERT_FALSE(itself);
+  EXPECT_EQ(itself.error().where, (out / "sherds").string());
+}
+
 }  // namespace
 }  // namespace ostraka

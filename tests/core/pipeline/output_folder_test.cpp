@@ -66,5 +66,21 @@ TEST_F(OutputFolder, OfSomethingElseIsRefusedByARegistration) {
   }
 }
 
+// What lies behind the link would be removed as scans and sherds of an earlier run.
+TEST_F(OutputFolder, WithALinkInPlaceOfAFolderIsRefused) {
+  for (const char* name : {"work", "sherds", "sherds/01", "work/masks_front"}) {
+    const fs::path out = outputWith({"work/", "work/lock", "sherds/"}), link = out / name;
+    fs::remove_all(folder / "mine");
+    fs::create_directories(folder / "mine");
+    fs::remove_all(link);
+    fs::create_directory_symlink(folder / "mine", link);
+    const auto held = claimOutput(out, batch::Batch{}, nlohmann::ordered_json::object());
+    ASSERT_FALSE(held.has_value()) << name;
+    EXPECT_EQ(held.error().code, ErrorCode::UnusableInput) << name;
+    EXPECT_EQ(held.error().where, link.string());
+    EXPECT_TRUE(fs::is_empty(folder / "mine")) << name;
+  }
+}
+
 }  // namespace
 }  // namespace ostraka::pipeline

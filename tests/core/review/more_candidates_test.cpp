@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "review/review.h"
+#include "tests/core/files/temporary_folder.h"
 #include "tests/core/pipeline/synthetic_out.h"
 
 namespace ostraka::review {
@@ -18,12 +19,9 @@ namespace fs = std::filesystem;
 class MoreCandidates : public ::testing::Test {
  protected:
   MoreCandidates() {
-    output_ = fs::temp_directory_path() / "ostraka_more_candidates_test";
-    fs::remove_all(output_);
     pipeline::writeSyntheticOut(output_, {});
     live_ = *LivePairs::open(output_);
   }
-  ~MoreCandidates() override { fs::remove_all(output_); }
   std::vector<int> compared(int front) const {
     std::vector<int> backs;
     for (const decisions::RegisteredCandidate& c : live_->table().candidates)
@@ -32,7 +30,8 @@ class MoreCandidates : public ::testing::Test {
   }
   fs::path kept() const { return output_ / "work" / "more_candidates.json"; }
 
-  fs::path output_;
+  TemporaryFolder temporary_;
+  fs::path output_ = temporary_.path();
   std::shared_ptr<const LivePairs> live_;
   QuietProgress quiet;
 };

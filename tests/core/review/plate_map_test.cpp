@@ -1,9 +1,9 @@
 #include "review/plate_map.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "cloud/ply.h"
+#include "tests/core/files/temporary_folder.h"
 #include "tests/core/pipeline/synthetic_out.h"
 
 namespace ostraka::review {
@@ -13,12 +13,6 @@ namespace fs = std::filesystem;
 
 class PlateMaps : public testing::Test {
  protected:
-  PlateMaps() {
-    std::string pattern = (fs::temp_directory_path() / "ostraka_map_XXXXXX").string();
-    folder = ::mkdtemp(pattern.data());
-    out = pipeline::writeSyntheticOut(folder / "out", {});
-  }
-  ~PlateMaps() override { fs::remove_all(folder); }
   PointCloud frontCloud(std::size_t i) const {
     const auto cloud = readPlyCloud(out.output / "work" / out.table.front_files[i]);
     EXPECT_TRUE(cloud.has_value());
@@ -39,8 +33,9 @@ class PlateMaps : public testing::Test {
       }
     return parts;
   }
-  fs::path folder;
-  pipeline::SyntheticOut out;
+  TemporaryFolder temporary_;
+  fs::path folder = temporary_.path();
+  pipeline::SyntheticOut out = pipeline::writeSyntheticOut(folder / "out", {});
 };
 
 TEST_F(PlateMaps, APieceThatWasJoinedHasItsNumberOnEachOfItsParts) {

@@ -1,8 +1,8 @@
 // Whole calibrations of the demo's and of real photographs.
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include "calibration/calibration_report.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::rig {
 namespace {
@@ -25,7 +25,7 @@ calibration::CalibrationReport calibrated(const fs::path& folder,
 // A folder with links to a part of the demo.
 class PartOfDemo {
  public:
-  PartOfDemo() : folder_(fs::temp_directory_path() / (std::to_string(::getpid()) + "-calib")) {
+  PartOfDemo() {
     fs::create_directories(folder_ / "front");
     const fs::path demo = kShared / "batches/demo";
     for (const auto& entry : fs::directory_iterator(demo / "front"))
@@ -34,11 +34,11 @@ class PartOfDemo {
     fs::create_symlink(demo / "plate.json", folder_ / "plate.json");
     fs::create_symlink(demo / "board.json", folder_ / "board.json");
   }
-  ~PartOfDemo() { fs::remove_all(folder_); }
   const fs::path& folder() const { return folder_; }
 
  private:
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST(CalibrateFolder, FindsTheDemosRigFromTheFrontAlone) {

@@ -1,5 +1,4 @@
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <functional>
@@ -11,6 +10,7 @@
 #include "batch/image_header.h"
 #include "calibration/free_cameras.h"
 #include "rig/turntable.h"
+#include "tests/core/files/temporary_folder.h"
 
 // Photographs by hand over a printed sheet, against the truth; only tests read truth/.
 namespace ostraka::rig {
@@ -138,8 +138,6 @@ TEST(HandHeldPhotographs, OfAnotherSceneAreLeftOutWithOneWarning) {
 // A photograph of the batch is replaced by what becomes of its picture.
 class ChangedPhotographs : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
   void change(std::size_t k, const std::function<cv::Mat(const cv::Mat&)>& how) {
     const cv::Mat changed = how(cv::imread(batch_.shots[k].file.string()));
     batch_.shots[k].file = folder_ / batch_.shots[k].file.filename();
@@ -147,7 +145,8 @@ class ChangedPhotographs : public testing::Test {
   }
 
   batch::Batch batch_ = tenByHand();
-  fs::path folder_ = fs::temp_directory_path() / (std::to_string(::getpid()) + "-changed");
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(ChangedPhotographs, ThatWereZoomedGetTheirOwnFocalLength) {

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <map>
@@ -13,6 +12,7 @@
 #include "colmap/colmap_program.h"
 #include "files/files.h"
 #include "rig/plate_markers.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::rig {
 namespace {
@@ -23,12 +23,6 @@ constexpr double kDpi = 300;
 
 class PlatePrintTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / (std::to_string(::getpid()) + "-plate");
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   // The pages as a printer of 300 dots per inch sees them.
   std::vector<cv::Mat> printed(const PlatePrint& print) {
     const fs::path file = folder_ / "plate.pdf";
@@ -70,7 +64,8 @@ class PlatePrintTest : public testing::Test {
     EXPECT_EQ(files(), before);
   }
 
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 // Largest distance of a marker's corner from where plate.json has it, mm; how many were found.

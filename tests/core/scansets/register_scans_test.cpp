@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +9,7 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "scansets/register_report.h"
+#include "tests/core/files/temporary_folder.h"
 #include "tests/core/pipeline/synthetic_out.h"
 
 namespace ostraka::scansets {
@@ -22,8 +22,6 @@ using testing::HasSubstr;
 class RegisterScans : public testing::Test {
  protected:
   RegisterScans() {
-    std::string pattern = (fs::temp_directory_path() / "ostraka_register_XXXXXX").string();
-    folder = ::mkdtemp(pattern.data());
     pipeline::SyntheticOptions options;
     options.sherds = 3;
     options.swapped_look_alikes = false;
@@ -31,7 +29,6 @@ class RegisterScans : public testing::Test {
     fs::copy(truth.output / "work/scans_front", folder / "front");
     fs::copy(truth.output / "work/scans_back", folder / "back");
   }
-  ~RegisterScans() override { fs::remove_all(folder); }
 
   void scale(const char* side, double factor) {
     for (const auto& entry : fs::directory_iterator(folder / side)) {
@@ -50,7 +47,8 @@ class RegisterScans : public testing::Test {
     return registerScans(options, quiet, {});
   }
 
-  fs::path folder;
+  TemporaryFolder temporary_;
+  fs::path folder = temporary_.path();
   pipeline::SyntheticOut truth;
   QuietProgress quiet;
 };

@@ -194,5 +194,14 @@ TEST_F(FileCheck, RefusesACatalogueThatNamesPlacesOutsideTheProject) {
   EXPECT_EQ(paths.error().code, ErrorCode::UnusableInput);
 }
 
+TEST_F(FileCheck, IsNotPutOffByTimesThatAreStillToCome) {
+  constexpr std::int64_t kYear_ms = 365LL * 24 * 3600 * 1000;
+  now_ms += kYear_ms;  // a clock that runs ahead
+  ASSERT_TRUE(check().damaged.empty());
+  now_ms -= kYear_ms;
+  flipBit("models/B0001/aa/model.ply");
+  EXPECT_THAT(sentences(check()), testing::SizeIs(1));
+}
+
 }  // namespace
 }  // namespace ostraka::upkeep

@@ -225,5 +225,45 @@ TEST_F(ProjectFolder, AVocabularyKeepsTheTermsThatAreInUse) {
   EXPECT_EQ(valueOf(sherd, "firing"), "sandwich");
 }
 
+// Of a day on which the clock ran ahead, or planted.
+TEST_F(ProjectFolder, BackupsOfLaterTakeNoPlaceAndComeLast) {
+  const fs::path folder = project_->folder() / "backups";
+  for (int day = 10; day < 30; ++day)
+    fs::copy_file(project_->folder() / "catalogue.sqlite",
+                  folder / ("catalogue-209901" + std::to_string(day) + "-100000-000.sqlite"));
+  std::vector<fs::path> own;
+  for (int i = 0; i < 3; ++i) own.push_back(*project_->backUp(3));
+  const std::vector<fs::path> all = project_->backups();
+  ASSERT_EQ(all.size(), 23u);
+  EXPECT_EQ(std::vector<fs::path>(all.begin(), all.begin() + 3),
+            std::vector<fs::path>(own.rbegin(), own.rend()));
+}
+
+TEST_F(ProjectFolder, IsNotOpenedWithATriggerOfOthers) {
+  const fs::path folder = project_->folder();
+  catalogue().database().script(
+      "CREATE TRIGGER evil AFTER INSERT ON history BEGIN UPDATE sherd SET ware = 'x'; END");
+  project_.reset();
+  const Result<Project> opened = Project::open(folder);
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(opened.error().where, "trigger evil");
+}
+
+TEST_F(ProjectFolder, IsNotOpenedWithALinkInPlaceOfAFolder) {
+  const fs::path folder = project_->folder();
+  project_.reset();
+  for (const char* name : {"batches", "results", "backups", "models"}) {
+    fs::remove_all(folder / name);
+    fs::create_directory_symlink(folder_.path(), folder / name);
+    const Result<Project> opened = Project::open(folder);
+    ASSERT_FALSE(opened) << name;
+    EXPECT_EQ(opened.error().where, (folder / name).string());
+    fs::remove(folder / name);
+    fs::create_directory(folder / name);
+  }
+  EXPECT_TRUE(Project::open(folder));
+}
+
 }  // namespace
 }  // namespace ostraka::upkeep

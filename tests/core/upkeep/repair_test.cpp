@@ -200,5 +200,15 @@ TEST_F(Repairing, AProjectThatAnotherProgramHasOpenIsNotRepaired) {
   EXPECT_NE(report.error().what.find("has this project open"), std::string::npos);
 }
 
+TEST_F(Repairing, PrefersItsOwnBackupToOneOfLater) {
+  fill(3);
+  fs::copy_file(*project_->backUp(), folder() / "backups/catalogue-20990101-100000-000.sqlite");
+  fill(20);
+  const fs::path newest = *project_->backUp();
+  project_.reset();
+  catalogue::writeBytes(file(), {});
+  EXPECT_EQ(repaired().backup, newest);
+}
+
 }  // namespace
 }  // namespace ostraka::upkeep

@@ -1,5 +1,6 @@
 #include "upkeep/value_check.h"
 
+#include "base/limits.h"
 #include "sherds/measurements.h"
 #include "store/database.h"
 #include "tests/core/catalogue/small_project.h"
@@ -44,6 +45,14 @@ TEST_F(ValueCheck, LeavesTheHistoryAsItWasWritten) {
   EXPECT_TRUE(
       after("INSERT INTO history (at, table_name, row, field, old, new, why, source) VALUES (1, "
             "'sherd', 1, 'note', '', '', '', CAST(x'ff' AS TEXT))"));
+}
+
+TEST_F(ValueCheck, NamesTheTextThatIsLongerThanAnyTyped) {
+  const Result<void> refused = after("UPDATE site SET name = printf('%.*c', " +
+                                     std::to_string(limits::kValueBytes.most + 1) + ", 'x')");
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().what, "The text is longer than 1 MB.");
+  EXPECT_EQ(refused.error().where, "site.name, row 1");
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "vessels/given_mesh.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <map>
 
 #include "cloud/ply.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::vessels {
 namespace {
@@ -29,12 +29,6 @@ TriangleMesh boxOf(const Eigen::Vector3f& sizes) {
 
 class GivenMesh : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "mesh_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   Result<VirtualSherd> read(const TriangleMesh& mesh) {
     const fs::path file = folder_ / "tea box.ply";
     EXPECT_TRUE(writePly(file, mesh, "model"));
@@ -47,7 +41,8 @@ class GivenMesh : public testing::Test {
     EXPECT_NE(sherd.error().what.find(why), std::string::npos) << sherd.error().what;
   }
 
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(GivenMesh, LiesAboutItsCentreOfMassWithShortEdges) {

@@ -16,6 +16,7 @@
 #include "rendering/sheet.h"
 #include "rig/camera.h"
 #include "rig/plate_markers.h"
+#include "simulated_batch.h"
 #include "virtualrig/simulate.h"
 #include "virtualrig/walk_around.h"
 
@@ -48,20 +49,6 @@ class BatchByHand : public testing::Test {
 };
 fs::path BatchByHand::root;
 
-std::map<std::string, std::string> digestsOf(const fs::path& folder) {
-  std::map<std::string, std::string> out;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file())
-      out[fs::relative(entry.path(), folder).string()] = sha256(*readFile(entry.path()));
-  return out;
-}
-
-fs::path maskOf(const fs::path& batch, const rig::PosedImage& image) {
-  std::string name = image.file.substr(0, image.file.size() - 4) + ".png";
-  name[name.find('/')] = '_';
-  return batch / "truth" / "masks" / name;
-}
-
 TEST_F(BatchByHand, IsReadAsPhotographsOfFreeCamerasOverASheet) {
   EXPECT_EQ(digestsOf(root / "one").size(), 1u + 3 + 3 + 6 + 2 + 2);
   QuietProgress quiet;
@@ -84,29 +71,11 @@ TEST_F(BatchByHand, HasTheSameBytesForTheSameSeedAndAnyNumberOfThreads) {
 
 TEST_F(BatchByHand, MasksAgreeWithTheProjectedMeshes) {
   const auto images = *rig::readCameras(root / "one/truth/cameras.json");
-  const auto truth = *readJson(root / "one/truth/sherds.json");
   ASSERT_EQ(images.size(), 6u);
   for (const rig::PosedImage& image : images) {
     const cv::Mat mask = cv::imread(maskOf(root / "one", image).string(), cv::IMREAD_GRAYSCALE);
     ASSERT_FALSE(mask.empty()) << image.file;
-    cv::Mat drawn(mask.size(), CV_8U, cv::Scalar(0));
-    for (const auto& sherd : truth["sherds"]) {
-      const auto pose =
-          *isometryFromJson(sherd[image.side == batch::Side::Front ? "plate_from_model_front"
-                                                                   : "plate_from_model_back"],
-                            "");
-      const TriangleMesh mesh =
-          readPly(root / "one/truth" / sherd["mesh"].get<std::string>())->mesh;
-      for (const auto& t : mesh.triangles) {
-        std::vector<cv::Point> corners;  // in sixteenths of a pixel
-        for (const int i : t) {
-          const Eigen::Vector2d q = image.project(pose * mesh.vertices[i].cast<double>());
-          corners.emplace_back(static_cast<int>(std::lround(16 * q.x())),
-                               static_cast<int>(std::lround(16 * q.y())));
-        }
-        cv::fillConvexPoly(drawn, corners, 255, cv::LINE_8, 4);
-      }
-    }
+    const cv::Mat drawn = projectedMeshes(root / "one", image, mask.size());
     // OpenCV's polygons take every touched pixel: half a pixel more all around, never less.
     const double both = cv::countNonZero((mask > 0) & (drawn > 0)),
                  either = cv::countNonZero(drawn);

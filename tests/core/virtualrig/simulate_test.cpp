@@ -18,6 +18,8 @@
 #include "rig/camera.h"
 #include "rig/edge_width.h"
 #include "rig/plate_markers.h"
+#include "simulated_batch.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::virtualrig {
 namespace {
@@ -48,16 +50,8 @@ class SimulatedBatch : public testing::Test {
 };
 fs::path SimulatedBatch::root;
 
-std::map<std::string, std::string> digests(const fs::path& folder) {
-  std::map<std::string, std::string> out;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file())
-      out[fs::relative(entry.path(), folder).string()] = sha256(*readFile(entry.path()));
-  return out;
-}
-
 TEST_F(SimulatedBatch, HoldsEveryFileOfTheLayout) {
-  const auto files = digests(root / "one");
+  const auto files = digestsOf(root / "one");
   for (const char* name :
        {"plate.json", "board.json", "calib/empty_cam2.jpg", "calib/cam1_cal11.jpg",
         "front/cam0_pos03.jpg", "back/cam2_pos00.jpg", "truth/cameras.json", "truth/sherds.json",
@@ -97,7 +91,7 @@ TEST_F(SimulatedBatch, IsTheSameForThreeThreadsButForTheTwoFilesThatAFaultCutsOf
   options.fault = Fault::Truncated;
   QuietProgress quiet;
   ASSERT_TRUE(simulateBatch(options, quiet, {}));
-  const auto whole = digests(root / "one"), cut = digests(root / "three");
+  const auto whole = digestsOf(root / "one"), cut = digestsOf(root / "three");
   ASSERT_EQ(whole.size(), cut.size());
   for (const auto& [name, digest] : whole) {
     if (name != "front/cam2_pos01.jpg" && name != "back/cam0_pos03.jpg") {
@@ -136,35 +130,14 @@ TEST_F(SimulatedBatch, HasPosesThatAgreeAndTouchThePlate) {
 
 TEST_F(SimulatedBatch, MasksCoverTheProjectedMeshes) {
   const auto images = *rig::readCameras(root / "one/truth/cameras.json");
-  const auto truth = *readJson(root / "one/truth/sherds.json");
   for (const rig::PosedImage& image : {images[0], images[4], images[20]}) {
-    std::string name = image.file.substr(0, image.file.size() - 4) + ".png";
-    name[name.find('/')] = '_';
-    const cv::Mat mask =
-        cv::imread((root / "one/truth/masks" / name).string(), cv::IMREAD_GRAYSCALE);
-    cv::Mat drawn(mask.size(), CV_8U, cv::Scalar(0));
-    for (const auto& sherd : truth["sherds"]) {
-      const auto pose =
-          *isometryFromJson(sherd[image.side == batch::Side::Front ? "plate_from_model_front"
-                                                                   : "plate_from_model_back"],
-                            "");
-      const TriangleMesh mesh =
-          readPly(root / "one/truth" / sherd["mesh"].get<std::string>())->mesh;
-      for (const auto& t : mesh.triangles) {
-        std::vector<cv::Point> corners;  // in sixteenths of a pixel
-        for (const int i : t) {
-          const Eigen::Vector2d q = image.project(pose * mesh.vertices[i].cast<double>());
-          corners.emplace_back(static_cast<int>(std::lround(16 * q.x())),
-                               static_cast<int>(std::lround(16 * q.y())));
-        }
-        cv::fillConvexPoly(drawn, corners, 255, cv::LINE_8, 4);
-      }
-    }
+    const cv::Mat mask = cv::imread(maskOf(root / "one", image).string(), cv::IMREAD_GRAYSCALE);
+    const cv::Mat drawn = projectedMeshes(root / "one", image, mask.size());
     // OpenCV's polygons take every touched pixel: half a pixel more all around, never less.
     const double both = cv::countNonZero((mask > 0) & (drawn > 0)),
                  either = cv::countNonZero(drawn);
     EXPECT_GE(both, 0.995 * cv::countNonZero(mask));
-    EXPECT_GT(both / either, 0.8) << name;
+    EXPECT_GT(both / either, 0.8) << image.file;
   }
 }
 
@@ -225,8 +198,8 @@ TEST(SimulateOptions, AreCheckedBeforeAnythingIsMade) {
 }
 
 TEST(SimulatedScans, ComeWithTheirTruthAndSitOnTheMesh) {
-  std::string pattern = (fs::temp_directory_path() / "virtualrig_XXXXXX").string();
-  const fs::path root = mkdtemp(pattern.data());
+  const TemporaryFolder temporary;
+  const fs::path& root = temporary.path();
   SimulateOptions options = tiny(root);
   options.scans_only = true;
   QuietProgress quiet;
@@ -248,7 +221,6 @@ TEST(SimulatedScans, ComeWithTheirTruthAndSitOnTheMesh) {
       EXPECT_LT(off[off.size() / 2], 0.3);  // half an edge of the mesh: the nearest corner
     }
   }
-  fs::remove_all(root);
 }
 
 // The points of one simulated front's broken edge.
@@ -269,8 +241,8 @@ PointCloud edgeOf(const fs::path& root, ScanNoise noise) {
 }
 
 TEST(SimulatedScans, WithTheNoiseOfStereoLoseEdgeAndRoughenIt) {
-  std::string pattern = (fs::temp_directory_path() / "virtualrig_XXXXXX").string();
-  const fs::path root = mkdtemp(pattern.data());
+  const TemporaryFolder temporary;
+  const fs::path& root = temporary.path();
   const PointCloud scanner = edgeOf(root, ScanNoise::Scanner),
                    stereo = edgeOf(root, ScanNoise::Stereo);
   const auto of_scanner = static_cast<double>(scanner.size());
@@ -286,7 +258,6 @@ TEST(SimulatedScans, WithTheNoiseOfStereoLoseEdgeAndRoughenIt) {
   }
   EXPECT_GT(off_mm / static_cast<double>(stereo.size()), 0.08);
   EXPECT_LT(off_mm / static_cast<double>(stereo.size()), 0.2);
-  fs::remove_all(root);
 }
 
 }  // namespace

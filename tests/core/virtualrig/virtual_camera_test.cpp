@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "files/files.h"
+#include "tests/core/files/temporary_folder.h"
 #include "virtualrig/batch_files.h"
 
 namespace ostraka::virtualrig {
@@ -32,9 +32,8 @@ std::string shoot(capture::RigDevices& rig, int camera, double degrees) {
 }
 
 TEST(VirtualRigDevices, TakeThePhotographsOfTheSimulatedBatch) {
-  const fs::path folder =
-      fs::temp_directory_path() / ("ostraka_virtual_" + std::to_string(::getpid()));
-  fs::remove_all(folder);
+  const TemporaryFolder temporary;
+  const fs::path& folder = temporary.path();
   SimulateOptions simulate;
   simulate.seed = 5;
   simulate.sherds = 2;
@@ -60,7 +59,6 @@ TEST(VirtualRigDevices, TakeThePhotographsOfTheSimulatedBatch) {
        {"plate.json", "board.json", "calib/empty_cam1.jpg", "calib/cam2_cal11.jpg"})
     EXPECT_EQ(readFile(folder / "other" / file).value(), readFile(folder / "batch" / file).value())
         << file;
-  fs::remove_all(folder);
 }
 
 TEST(VirtualRigDevices, ShowLivePicturesThatChangeOnlyWithThePlate) {

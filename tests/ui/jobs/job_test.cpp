@@ -60,10 +60,9 @@ class JobTest : public QObject {
                                          }),
                                  this);
     Heard heard(job);
-    QVERIFY(job->isRunning());
+    QVERIFY(heard.outcomes.empty());
     QTRY_COMPARE(heard.outcomes.size(), std::size_t{1});
     QVERIFY(heard.window_thread);
-    QVERIFY(!job->isRunning());
     QCOMPARE(*outcomeAs<int>(heard.outcomes[0]), 42);
     QCOMPARE(heard.notes, std::vector<QString>{"one of two"});
     QVERIFY(!heard.progress.empty());
@@ -219,7 +218,6 @@ class JobTest : public QObject {
     Heard heard(job);
     begun.acquire();
     job->pause();
-    QVERIFY(job->isPaused());
     QSignalSpy stood(job, &JobHandle::stoodStill);
     go.release();
     QTRY_COMPARE(stood.count(), 1);

@@ -47,7 +47,7 @@ QString coreSources(const QString& but_for = QStringLiteral("no folder")) {
 
 std::vector<QString> known() {
   std::vector<QString> all;
-  for (const Sentences& sentences : coreSentences())
+  for (const Sentences& sentences : CoreSentences::all())
     for (const char* source : sentences) all.push_back(QString::fromUtf8(source));
   return all;
 }

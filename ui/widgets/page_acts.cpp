@@ -1,0 +1,29 @@
+#include "ui/widgets/page_acts.h"
+
+#include <QAction>
+#include <QPushButton>
+
+#include "ui/look/look.h"
+
+namespace ostraka::ui {
+
+QAction* addPageAct(QWidget* page, const QString& name, const QString& icon_name,
+                    const QString& text, const QKeySequence& key) {
+  auto* action = new QAction(text, page);
+  if (!icon_name.isEmpty()) action->setIcon(icon(icon_name));
+  action->setObjectName(name);
+  action->setShortcut(key);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  page->addAction(action);
+  return action;
+}
+
+QPushButton* iconButton(QWidget* parent, const QString& name, const QString& icon_name,
+                        const QString& text) {
+  auto* button = new QPushButton(icon(icon_name), text, parent);
+  button->setObjectName(name);
+  button->setMinimumHeight(controlHeight(*parent));
+  return button;
+}
+
+}  // namespace ostraka::ui

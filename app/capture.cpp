@@ -48,9 +48,7 @@ Result<ShotName> shotFromWord(const std::string& word) {
   while (digits < word.size() && digits < 3 && word[digits] >= '0' && word[digits] <= '9') ++digits;
   const char letter = digits + 1 == word.size() ? word[digits] : '?';
   if (digits == 0 || letter < 'A' || letter > 'Z')
-    return Error{ErrorCode::UnusableInput,
-                 "--again takes a position and a camera, such as 5B; not " + word + ".",
-                 {}};
+    return Error::unusable("--again takes a position and a camera, such as 5B; not " + word + ".");
   return ShotName{std::stoi(word.substr(0, digits)) - 1, letter - 'A'};
 }
 

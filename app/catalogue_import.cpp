@@ -196,9 +196,7 @@ Result<tables::ImportOptions> importOptions(const ImportArguments& arguments) {
     else if (code == std::errc() && end == text.data() + text.size() && line > 0)
       how.confirmed_lines.insert(line);
     else
-      return Error{ErrorCode::UnusableInput,
-                   "--confirm takes numbers of lines, or all; not '" + text + "'.",
-                   {}};
+      return Error::unusable("--confirm takes numbers of lines, or all; not '" + text + "'.");
   }
   return how;
 }

@@ -65,21 +65,21 @@ Result<stereo::View> readView(const DenseArguments& arguments, const rig::PosedI
   view.photograph = std::move(*photograph);
   const int width = camera.intrinsics.width, height = camera.intrinsics.height;
   if (view.photograph.cols != width || view.photograph.rows != height)
-    return Error{ErrorCode::UnusableInput,
-                 "The photograph is " + std::to_string(view.photograph.cols) + "x" +
-                     std::to_string(view.photograph.rows) + " pixels, but its camera says " +
-                     std::to_string(width) + "x" + std::to_string(height) + ".",
-                 file.string()};
+    return Error::unusable("The photograph is " + std::to_string(view.photograph.cols) + "x" +
+                               std::to_string(view.photograph.rows) +
+                               " pixels, but its camera says " + std::to_string(width) + "x" +
+                               std::to_string(height) + ".",
+                           file.string());
   if (!arguments.masks) {
     view.mask = stereo::possibleObject(view.photograph);
     return view;
   }
   const std::optional<fs::path> mask_file = maskFileOf(*arguments.masks, camera.file);
   if (!mask_file)
-    return Error{ErrorCode::UnusableInput,
-                 "This photograph has no mask; expected " + fs::path(camera.file).stem().string() +
-                     ".png in " + arguments.masks->string() + ".",
-                 file.string()};
+    return Error::unusable("This photograph has no mask; expected " +
+                               fs::path(camera.file).stem().string() + ".png in " +
+                               arguments.masks->string() + ".",
+                           file.string());
   Result<cv::Mat1b> mask = mask::readGivenMask(*mask_file, width, height);
   if (!mask) return mask.error();
   view.mask = std::move(*mask);
@@ -161,9 +161,8 @@ Result<std::optional<Eigen::AlignedBox3d>> readBounds(const fs::path& file) {
     if (fine) (corner[1] == 'i' ? bounds.min() : bounds.max()) = p;
   }
   if (!fine || bounds.isEmpty())
-    return Error{ErrorCode::UnusableInput,
-                 "bounding_box_mm must be {\"min\": [x, y, z], \"max\": [x, y, z]}.",
-                 file.string()};
+    return Error::unusable("bounding_box_mm must be {\"min\": [x, y, z], \"max\": [x, y, z]}.",
+                           file.string());
   return std::optional<Eigen::AlignedBox3d>(bounds);
 }
 

@@ -143,7 +143,7 @@ Result<void> evaluateProcessPairs(const EvaluateArguments& arguments,
     for (const std::vector<NamedScan>* side : {&*fronts, &*backs})
       for (const NamedScan& scan : *side)
         if (scan.name == name) return scan.cloud;
-    return Error{ErrorCode::UnusableInput, "This scan is not there.", name};
+    return Error::unusable("This scan is not there.", name);
   };
   const Result<PairsEvaluation> evaluation = evaluatePairs(*proposal, truth, read);
   if (!evaluation) return evaluation.error();
@@ -238,11 +238,11 @@ Result<void> evaluateAny(const EvaluateArguments& arguments, Session& session, S
     return evaluateProcess(arguments, session, sheet);
   if (isThere(arguments.truth / "truth.json") && isThere(arguments.output / "pairs.json"))
     return evaluateRegister(arguments, session, sheet);
-  return Error{ErrorCode::UnusableInput,
-               "There is nothing here to compare with " + arguments.truth.string() +
-                   ": it takes a folder of `process` and a truth with sherds.json, a folder of "
-                   "`register` and one with truth.json, or two PLY files.",
-               arguments.output.string()};
+  return Error::unusable(
+      "There is nothing here to compare with " + arguments.truth.string() +
+          ": it takes a folder of `process` and a truth with sherds.json, a folder of "
+          "`register` and one with truth.json, or two PLY files.",
+      arguments.output.string());
 }
 
 int runEvaluate(const EvaluateArguments& arguments, Session& session) {

@@ -36,8 +36,7 @@ Result<std::vector<KnownLength>> readKnownLengths(const std::filesystem::path& f
   const Result<nlohmann::json> json = readJson(file);
   if (!json) return json.error();
   const auto unusable = [&](const std::string& what) {
-    return Error{ErrorCode::UnusableInput, "The known lengths cannot be used: " + what + ".",
-                 file.string()};
+    return Error::unusable("The known lengths cannot be used: " + what + ".", file.string());
   };
   std::vector<KnownLength> lengths;
   try {

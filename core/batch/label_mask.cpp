@@ -46,8 +46,7 @@ Result<cv::Mat1b> readLabelMask(const std::filesystem::path& file) {
   if (!size) return size.error();
   const cv::Mat labels = decoded(*bytes);
   if (labels.cols != size->width || labels.rows != size->height)
-    return Error{ErrorCode::UnusableInput, "The mask cannot be decoded; copy it again.",
-                 file.string()};
+    return Error::unusable("The mask cannot be decoded; copy it again.", file.string());
   const bool jpeg = bytes->starts_with("\xFF\xD8");
   const cv::Mat planes = withoutAlpha(labels);
   cv::Mat1b inside(planes.rows, planes.cols, uchar{0});

@@ -33,7 +33,7 @@ Result<cv::Mat> decoded(std::string_view bytes, const std::string& where, int fl
       isHeif(bytes) ? decodeHeif(bytes, where) : Result<cv::Mat>(decodedByOpenCv(bytes, flags));
   if (!image) return image.error();
   if (image->empty() || image->cols != size->width || image->rows != size->height)
-    return Error{ErrorCode::UnusableInput, "The image cannot be decoded; copy it again.", where};
+    return Error::unusable("The image cannot be decoded; copy it again.", where);
   return *image;
 }
 

@@ -56,9 +56,8 @@ Result<TargetView> findBoard(const cv::Mat& photograph, const batch::Board& boar
   const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = rig::markerDictionary(board.dictionary);
   if (!dictionary) return dictionary.error();
   if (board.squares_x * board.squares_y / 2 > (*dictionary)->bytesList.rows)
-    return Error{ErrorCode::UnusableInput,
-                 "The dictionary " + board.dictionary + " has too few markers for the board.",
-                 {}};
+    return Error::unusable("The dictionary " + board.dictionary +
+                           " has too few markers for the board.");
   const auto charuco = cv::aruco::CharucoBoard::create(
       board.squares_x, board.squares_y, static_cast<float>(board.square_mm),
       static_cast<float>(board.marker_mm), *dictionary);

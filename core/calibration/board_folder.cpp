@@ -78,11 +78,11 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
                                                      Progress& progress, std::stop_token stop) {
   std::error_code absent;
   if (!fs::exists(folder / "board.json", absent))
-    return Error{ErrorCode::UnusableInput,
-                 "Nothing to calibrate from: photograph the plate at each position into 'front' "
-                 "(cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and "
-                 "board.json next to them.",
-                 folder.string()};
+    return Error::unusable(
+        "Nothing to calibrate from: photograph the plate at each position into 'front' "
+        "(cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and "
+        "board.json next to them.",
+        folder.string());
   const Result<Target> target = readTarget(folder / "board.json");
   if (!target) return target.error();
   std::error_code ignored;
@@ -92,8 +92,8 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
     return file.filename().string().starts_with("empty_cam");
   });
   if (files.empty())
-    return Error{ErrorCode::UnusableInput,
-                 "No pictures of the board found; put them here or into 'calib'.", folder.string()};
+    return Error::unusable("No pictures of the board found; put them here or into 'calib'.",
+                           folder.string());
   std::vector<Found> found(files.size());
   constexpr std::size_t kBlock = 8;  // between two looks at the stop
   for (std::size_t first = 0; first < files.size(); first += kBlock) {

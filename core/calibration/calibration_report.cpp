@@ -100,11 +100,10 @@ Result<std::vector<MeasuredLength>> measure(const BatchPoses& poses, const batch
   for (const MarkerLength& length : lengths) {
     const auto a = corners(length.first), b = corners(length.second);
     if (!a || !b)
-      return Error{ErrorCode::UnusableInput,
-                   "Marker " + std::to_string(a ? length.second : length.first) +
-                       " of the known length is visible in fewer than two photographs; choose two "
-                       "markers of the plate that the photographs show.",
-                   {}};
+      return Error::unusable(
+          "Marker " + std::to_string(a ? length.second : length.first) +
+          " of the known length is visible in fewer than two photographs; choose two "
+          "markers of the plate that the photographs show.");
     measured.push_back({length, outerEdges(*a, *b)});
   }
   return measured;
@@ -151,9 +150,8 @@ Result<CalibrationReport> calibrateBatch(const batch::Batch& batch,
 Result<void> CalibrationOptions::check() const {
   for (const MarkerLength& length : lengths)
     if (!(length.mm > 0) || length.first == length.second)
-      return Error{ErrorCode::UnusableInput,
-                   "A known length needs two different markers and a value greater than 0 mm.",
-                   {}};
+      return Error::unusable(
+          "A known length needs two different markers and a value greater than 0 mm.");
   return {};
 }
 
@@ -162,9 +160,9 @@ Result<CalibrationReport> calibrateFolder(const fs::path& folder, const Calibrat
   if (const Result<void> good = options.check(); !good) return good.error();
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
-    return Error{ErrorCode::UnusableInput,
-                 "Folder not found; choose one with photographs of the plate or of the board.",
-                 folder.string()};
+    return Error::unusable(
+        "Folder not found; choose one with photographs of the plate or of the board.",
+        folder.string());
   if (!fs::is_directory(folder / "front", ignored) && !fs::is_directory(folder / "back", ignored) &&
       !fs::is_directory(folder / "top_images", ignored))
     return calibrateLenses(folder, options, progress, stop);

@@ -41,8 +41,8 @@ class FolderCamera final : public devices::Camera {
     return std::vector<devices::CameraSetting>{};
   }
   Result<devices::CameraSetting> set(const std::string& name, const std::string&) override {
-    return Error{ErrorCode::UnusableInput,
-                 "A watched folder has no setting " + name + "; set it on the camera.", where()};
+    return Error::unusable("A watched folder has no setting " + name + "; set it on the camera.",
+                           where());
   }
   Result<std::string> preview(std::stop_token) override {
     return Error{ErrorCode::Missing, "A watched folder has no live view.", where()};
@@ -123,11 +123,10 @@ class FolderCamera final : public devices::Camera {
     for (const auto& [file, state] : fresh) {
       if (!batch::hasPhotographEnding(file)) continue;
       if (!photograph.empty())
-        return Error{ErrorCode::UnusableInput,
-                     "Two photographs arrived for one shot, " + photograph + " and " +
-                         file.filename().string() +
-                         "; use one folder per camera and one photograph per position.",
-                     where()};
+        return Error::unusable("Two photographs arrived for one shot, " + photograph + " and " +
+                                   file.filename().string() +
+                                   "; use one folder per camera and one photograph per position.",
+                               where());
       photograph = file.filename().string();
     }
     for (const auto& [file, state] : fresh) {

@@ -102,19 +102,17 @@ class GphotoCamera final : public devices::Camera {
     const auto& choices = before->choices;
     if (before->read_only ||
         (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end()))
-      return Error{ErrorCode::UnusableInput,
-                   "The camera does not offer " + value + " for " + name + "; it is set to " +
-                       before->value + ".",
-                   serial_};
+      return Error::unusable("The camera does not offer " + value + " for " + name +
+                                 "; it is set to " + before->value + ".",
+                             serial_);
     const std::string key = keyOf(name);
     if (Result<void> r = write(key, value); !r) return r.error();
     changed_.insert({key, before->value});  // the first value is what is restored
     const Result<devices::CameraSetting> after = read(name);
     if (after && after->value != value)
-      return Error{ErrorCode::UnusableInput,
-                   "The camera keeps " + name + " at " + after->value + " instead of " + value +
-                       "; check its mode dial.",
-                   serial_};
+      return Error::unusable("The camera keeps " + name + " at " + after->value + " instead of " +
+                                 value + "; check its mode dial.",
+                             serial_);
     return after;
   }
 
@@ -303,8 +301,7 @@ class GphotoCamera final : public devices::Camera {
     if (camera_ == nullptr) return notOpen();
     const std::string key = keyOf(name);
     const Widget found = key.empty() ? nullptr : widget(key);
-    if (!found)
-      return Error{ErrorCode::UnusableInput, "The camera has no setting " + name + ".", serial_};
+    if (!found) return Error::unusable("The camera has no setting " + name + ".", serial_);
     devices::CameraSetting setting{name, valueOf(found.get()), {}, false};
     int read_only = 0;
     gp_widget_get_readonly(found.get(), &read_only);
@@ -322,8 +319,7 @@ class GphotoCamera final : public devices::Camera {
 
   Result<void> write(const std::string& key, const std::string& value) {
     const Widget found = widget(key);
-    if (!found)
-      return Error{ErrorCode::UnusableInput, "The camera has no setting " + key + ".", serial_};
+    if (!found) return Error::unusable("The camera has no setting " + key + ".", serial_);
     gp_widget_set_value(found.get(), value.c_str());
     const double deadline_s = clock_->now_s() + kBusy_s;
     while (true) {

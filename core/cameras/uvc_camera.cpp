@@ -78,11 +78,11 @@ class UvcCamera final : public devices::Camera {
     char* end = nullptr;
     const double wanted = std::strtod(value.c_str(), &end);
     if (found == properties().end() || value.empty() || *end != '\0')
-      return Error{ErrorCode::UnusableInput,
-                   "A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as "
-                   "numbers; not " +
-                       name + " " + value + ".",
-                   options_.source};
+      return Error::unusable(
+          "A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as "
+          "numbers; not " +
+              name + " " + value + ".",
+          options_.source);
     const Property& property = found->second;
     remember(property.value);
     if (property.automatic >= 0) {
@@ -92,10 +92,9 @@ class UvcCamera final : public devices::Camera {
     video_.set(property.value, wanted);
     const double kept = video_.get(property.value);
     if (std::abs(kept - wanted) > 0.01 * std::abs(wanted) + 0.5)
-      return Error{
-          ErrorCode::UnusableInput,
+      return Error::unusable(
           "The camera keeps " + name + " at " + written(kept) + " instead of " + value + ".",
-          options_.source};
+          options_.source);
     return devices::CameraSetting{name, written(kept), {}, false};
   }
 
@@ -132,10 +131,10 @@ class UvcCamera final : public devices::Camera {
     const cv::Mat frame = *frame_;
     frame_.reset();
     if (options_.width > 0 && frame.cols != options_.width)
-      return Error{ErrorCode::UnusableInput,
-                   "The video camera delivers pictures of " + std::to_string(frame.cols) + "x" +
-                       std::to_string(frame.rows) + " pixels instead of the configured size.",
-                   options_.source};
+      return Error::unusable("The video camera delivers pictures of " + std::to_string(frame.cols) +
+                                 "x" + std::to_string(frame.rows) +
+                                 " pixels instead of the configured size.",
+                             options_.source);
     return std::vector<devices::CameraFile>{{"frame.jpg", encoded(frame, 95)}};
   }
 

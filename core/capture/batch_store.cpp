@@ -90,10 +90,9 @@ Result<void> isThisPlate(const fs::path& file, const batch::Plate& plate) {
     same = there->markers[i].id == plate.markers[i].id &&
            (there->markers[i].corners[0] - plate.markers[i].corners[0]).norm() < 1e-3;
   if (same) return {};
-  return Error{
-      ErrorCode::UnusableInput,
+  return Error::unusable(
       "This batch started on another plate; continue with that plate or start a new batch.",
-      file.string()};
+      file.string());
 }
 
 Result<void> keepPlate(const fs::path& folder, const batch::Plate& plate) {
@@ -164,11 +163,11 @@ Result<BatchStore> BatchStore::open(const fs::path& batch, batch::Side side, int
     m.cameras = cameras;
   }
   if (m.stops != stops || m.cameras != cameras)
-    return Error{ErrorCode::UnusableInput,
-                 "This batch started with " + std::to_string(m.cameras) + " cameras and " +
-                     std::to_string(m.stops) + " positions, not with " + std::to_string(cameras) +
-                     " and " + std::to_string(stops) + "; choose another folder.",
-                 batch.string()};
+    return Error::unusable("This batch started with " + std::to_string(m.cameras) +
+                               " cameras and " + std::to_string(m.stops) + " positions, not with " +
+                               std::to_string(cameras) + " and " + std::to_string(stops) +
+                               "; choose another folder.",
+                           batch.string());
   if (const Result<void> kept = keepPlate(batch, plate); !kept) return kept.error();
   if (const Result<void> tidied = store.tidyUp(side); !tidied) return tidied.error();
   return store;
@@ -209,10 +208,10 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
     if (fs::exists(fileOf(entry), absent)) {
       const Result<std::string> bytes = readFile(fileOf(entry));
       if (bytes && bytes->size() == entry.bytes && sha256(*bytes) == entry.sha256) continue;
-      return Error{ErrorCode::UnusableInput,
-                   "The photograph has changed since it was taken; restore the original or choose "
-                   "another folder for the batch.",
-                   fileOf(entry).string()};
+      return Error::unusable(
+          "The photograph has changed since it was taken; restore the original or choose "
+          "another folder for the batch.",
+          fileOf(entry).string());
     }
     // Between the manifest and the name when the program ended.
     entry.used = false;
@@ -228,10 +227,9 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
     if (name.ends_with(kArriving)) {
       left_over.push_back(e.path());
     } else if (name.starts_with("cam") && !ours.contains(name)) {
-      return Error{
-          ErrorCode::UnusableInput,
+      return Error::unusable(
           "This photograph does not belong to this batch; choose another folder for the batch.",
-          e.path().string()};
+          e.path().string());
     }
   }
   const std::string raw_of_side = std::string(".") + batch::name(side) + "_";
@@ -249,10 +247,8 @@ Result<Arriving> BatchStore::stage(const std::vector<devices::CameraFile>& files
       std::find_if(files.begin(), files.end(),
                    [](const devices::CameraFile& f) { return !photographExtension(f).empty(); });
   if (photograph == files.end())
-    return Error{ErrorCode::UnusableInput,
-                 "Camera " + batch::cameraLetter(camera) +
-                     " delivers raw files only; set its image format to JPEG, or to both.",
-                 {}};
+    return Error::unusable("Camera " + batch::cameraLetter(camera) +
+                           " delivers raw files only; set its image format to JPEG, or to both.");
   Arriving arriving;
   ManifestEntry& entry = arriving.entry;
   entry.side = side_;

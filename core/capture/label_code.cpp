@@ -17,7 +17,7 @@ Result<std::vector<std::string>> codesIn(std::string_view picture) {
   } catch (const cv::Exception&) {
     grey.release();
   }
-  if (grey.empty()) return Error{ErrorCode::UnusableInput, "The picture cannot be decoded.", {}};
+  if (grey.empty()) return Error::unusable("The picture cannot be decoded.");
   ZXing::DecodeHints hints;
   hints.setFormats(ZXing::BarcodeFormat::QRCode);
   hints.setTryHarder(true);

@@ -102,9 +102,8 @@ Result<Manifest> readManifest(const std::filesystem::path& batch) {
   if (!std::filesystem::exists(file, absent)) return manifest;
   const Result<nlohmann::json> json = readJson(file);
   if (!json) return json.error();
-  const Error unusable{ErrorCode::UnusableInput,
-                       "Not an Ostraka photograph list; choose another folder for the batch.",
-                       file.string()};
+  const Error unusable = Error::unusable(
+      "Not an Ostraka photograph list; choose another folder for the batch.", file.string());
   try {
     if (json->at("format") != kManifestFormat) return unusable;
     manifest.stops = wholeAt(*json, "stops", 0, limits::kRigStops.most);

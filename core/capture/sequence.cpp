@@ -6,7 +6,7 @@
 namespace ostraka::capture {
 
 Result<void> SideOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  const auto bad = [](const char* what) { return Error::unusable(what); };
   if (batch.empty()) return bad("The batch must name a folder.");
   if (stops < 3 || stops > 99) return bad("The number of positions must be between 3 and 99.");
   return {};

@@ -86,12 +86,10 @@ Result<void> Series::prepare() {
   for (const ShotName& again : options_.retake) {
     if (again.stop < 0 || again.stop >= options_.stops || again.camera < 0 ||
         again.camera >= cameras)
-      return Error{
-          ErrorCode::UnusableInput,
+      return Error::unusable(
           "There is no shot " + std::to_string(again.stop + 1) + batch::cameraLetter(again.camera) +
-              " to retake: this side has positions 1 to " + std::to_string(options_.stops) +
-              " and cameras A to " + batch::cameraLetter(cameras - 1) + ".",
-          {}};
+          " to retake: this side has positions 1 to " + std::to_string(options_.stops) +
+          " and cameras A to " + batch::cameraLetter(cameras - 1) + ".");
   }
   if (Result<void> r = store_->setAside(options_.retake, "retake requested"); !r) return r;
   for (int s = 0; s < options_.stops; ++s) {
@@ -116,11 +114,10 @@ Result<void> Series::sameCamera(int camera) const {
   for (const ManifestEntry& entry : store_->manifest().entries)
     if (entry.used && entry.camera == camera && !entry.camera_serial.empty() &&
         entry.camera_serial != id.serial)
-      return Error{ErrorCode::UnusableInput,
-                   "Camera " + batch::cameraLetter(camera) + " of this batch was " +
-                       entry.camera_serial + ", but the connected one is " + id.serial +
-                       "; continue with the original cameras or choose another folder.",
-                   options_.batch.string()};
+      return Error::unusable("Camera " + batch::cameraLetter(camera) + " of this batch was " +
+                                 entry.camera_serial + ", but the connected one is " + id.serial +
+                                 "; continue with the original cameras or choose another folder.",
+                             options_.batch.string());
   return {};
 }
 

@@ -44,13 +44,12 @@ Result<records::ProjectRecord> Settings::project() const {
 Result<void> Settings::setProject(const records::ProjectRecord& p,
                                   const records::Provenance& provenance) {
   if (!isProjectCode(p.code))
-    return Error{ErrorCode::UnusableInput,
-                 "The project's code must be 2 to 8 capital letters or digits, for example ARM.",
-                 p.code};
+    return Error::unusable(
+        "The project's code must be 2 to 8 capital letters or digits, for example ARM.", p.code);
   if (const Result<records::Numbering> scheme = records::Numbering::parse(p.numbering); !scheme)
     return scheme.error();
   return database_->inTransaction([&] {
-    const bool first = firstText(*database_, "SELECT id FROM project").empty();
+    const bool first = !database_->sql("SELECT 1 FROM project").next();
     if (first) {
       database_
           ->sql(

@@ -36,9 +36,7 @@ Result<std::string> formatObj(const TriangleMesh& mesh) {
     text += 'f';
     for (const int v : t) {
       if (v < 0 || v >= n)
-        return Error{ErrorCode::UnusableInput,
-                     "A face of the mesh refers to a vertex that does not exist.",
-                     {}};
+        return Error::unusable("A face of the mesh refers to a vertex that does not exist.");
       const std::string number = std::to_string(v + 1);
       text += ' ' + number + (normals ? "//" + number : "");
     }

@@ -64,11 +64,9 @@ ColmapCamera toColmap(const rig::Intrinsics& i, std::uint32_t id) {
 Result<rig::Intrinsics> fromColmap(const ColmapCamera& camera) {
   const std::vector<double>& p = camera.parameters;
   const auto unusable = [&] {
-    return Error{ErrorCode::UnusableInput,
-                 "COLMAP's camera " + std::to_string(camera.id) + " has the model '" +
-                     colmapModelName(camera.model) +
-                     "' or values that Ostraka does not support; use OPENCV instead.",
-                 {}};
+    return Error::unusable("COLMAP's camera " + std::to_string(camera.id) + " has the model '" +
+                           colmapModelName(camera.model) +
+                           "' or values that Ostraka does not support; use OPENCV instead.");
   };
   if (colmapParameterCount(camera.model) == 0 ||
       p.size() != static_cast<std::size_t>(colmapParameterCount(camera.model)) ||
@@ -113,9 +111,7 @@ Result<std::vector<rig::PosedImage>> fromColmap(const ColmapModel& model) {
     const auto camera = std::find_if(model.cameras.begin(), model.cameras.end(),
                                      [&](const ColmapCamera& c) { return c.id == one.camera; });
     if (camera == model.cameras.end())
-      return Error{ErrorCode::UnusableInput,
-                   "COLMAP's model has no camera for the image '" + one.name + "'.",
-                   {}};
+      return Error::unusable("COLMAP's model has no camera for the image '" + one.name + "'.");
     const Result<rig::Intrinsics> intrinsics = fromColmap(*camera);
     if (!intrinsics) return intrinsics.error();
     rig::PosedImage image;

@@ -59,8 +59,7 @@ class Reader {
 };
 
 Error damaged(const std::string& where) {
-  return {ErrorCode::UnusableInput,
-          "The file is damaged or not in COLMAP's format; run COLMAP again.", where};
+  return Error::unusable("The file is damaged or not in COLMAP's format; run COLMAP again.", where);
 }
 
 template <class T>

@@ -113,8 +113,7 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
   c.evidence.front = indexOf(table.fronts, value.at("front").get<std::string>());
   c.evidence.back = indexOf(table.backs, value.at("back").get<std::string>());
   if (c.evidence.front < 0 || c.evidence.back < 0 || c.starts.empty())
-    return Error{ErrorCode::UnusableInput, "A candidate refers to a scan that does not exist.",
-                 where};
+    return Error::unusable("A candidate refers to a scan that does not exist.", where);
   c.evidence.log_likelihood = numberAt(value, "log_likelihood");
   c.evidence.fracture_rms_mm = r.fracture_rms_mm;
   c.evidence.overlap = r.fracture_overlap;

@@ -78,8 +78,8 @@ Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
   PairDecision d;
   const std::optional<DecisionKind> kind = kindOf(value.at("kind").get<std::string>());
   if (!kind)
-    return Error{ErrorCode::UnusableInput,
-                 "A decision is of an unknown kind; a newer version of Ostraka wrote it.", where};
+    return Error::unusable("A decision is of an unknown kind; a newer version of Ostraka wrote it.",
+                           where);
   d.kind = *kind;
   d.id = value.at("id").get<std::string>();
   d.replaces = value.at("replaces").get<std::vector<std::string>>();
@@ -135,7 +135,7 @@ void takeAlong(PairDecision& decision, const PairDecision& replaced, const Candi
 }
 
 Result<void> checked(const PairDecision& d) {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  const auto bad = [](const char* what) { return Error::unusable(what); };
   if (d.by.empty()) return bad("A decision needs the name of the person who makes it.");
   const std::size_t n = d.scans.size();
   const auto side = [&](std::size_t i) { return d.scans[i].side; };
@@ -263,19 +263,19 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
   Decisions decisions;
   try {
     if (wholeAt(*value, "format") > kFormat)
-      return Error{ErrorCode::UnusableInput,
-                   "A newer version of Ostraka wrote these decisions; use that version.", where};
+      return Error::unusable("A newer version of Ostraka wrote these decisions; use that version.",
+                             where);
     for (const json& entry : value->at("decisions")) {
       Result<PairDecision> decision = decisionFrom(entry, where);
       if (!decision) return decision.error();
       Result<void> valid = checked(*decision);
       if (valid && (!isUuid(decision->id) || has(decisions, decision->id)))
-        valid = Error{ErrorCode::UnusableInput, "Its id is missing or used twice.", {}};
+        valid = Error::unusable("Its id is missing or used twice.");
       if (!valid)
-        return Error{ErrorCode::UnusableInput,
-                     "Decision " + std::to_string(decisions.size() + 1) + " cannot be used. " +
-                         valid.error().what + " Correct it, or restore a copy of the file.",
-                     where};
+        return Error::unusable("Decision " + std::to_string(decisions.size() + 1) +
+                                   " cannot be used. " + valid.error().what +
+                                   " Correct it, or restore a copy of the file.",
+                               where);
       decisions.push_back(std::move(*decision));
     }
   } catch (const json::exception& refused) {
@@ -305,8 +305,7 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
   if (decision.kind == DecisionKind::Withdraw) {
     for (const std::string& id : decision.replaces)
       if (!has(holding, id))
-        return Error{ErrorCode::UnusableInput, "This decision is no longer in effect.",
-                     fileIn(output).string()};
+        return Error::unusable("This decision is no longer in effect.", fileIn(output).string());
   } else {
     decision.replaces.clear();
     for (const PairDecision& other : holding)

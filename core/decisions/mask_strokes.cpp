@@ -73,9 +73,8 @@ Result<std::vector<MaskStroke>> readMaskStrokes(const fs::path& output) {
   if (!fs::exists(file, ignored)) return strokes;
   const Result<json> value = readJson(file);
   if (!value) return value.error();
-  const Error bad{ErrorCode::UnusableInput,
-                  "Not a list of mask strokes; restore an earlier one, or delete it.",
-                  file.string()};
+  const Error bad = Error::unusable(
+      "Not a list of mask strokes; restore an earlier one, or delete it.", file.string());
   try {
     if (value->at("format") != kFormatName) return bad;
     for (const json& one : value->at("strokes")) {
@@ -165,8 +164,7 @@ Result<std::vector<MaskedPhotograph>> maskedPhotographs(const fs::path& output) 
         {image.side, image.camera, image.stop, batch::photographNow(image.file, output), mask});
   }
   if (all.empty())
-    return Error{ErrorCode::UnusableInput, "This batch has no masks yet; process it first.",
-                 output.string()};
+    return Error::unusable("This batch has no masks yet; process it first.", output.string());
   std::sort(all.begin(), all.end(), [](const MaskedPhotograph& a, const MaskedPhotograph& b) {
     return std::tuple(a.side, a.stop, a.camera) < std::tuple(b.side, b.stop, b.camera);
   });

@@ -32,13 +32,13 @@ Result<std::vector<fs::path>> plyFiles(const fs::path& folder) {
     if (isPly(it->path())) files.push_back(it->path());
   }
   if (failed) {
-    return Error{ErrorCode::UnusableInput,
-                 "The folder cannot be read; choose a folder of PLY files.", folder.string()};
+    return Error::unusable("The folder cannot be read; choose a folder of PLY files.",
+                           folder.string());
   }
   if (files.empty()) {
-    return Error{ErrorCode::UnusableInput,
-                 "This folder contains no PLY files; each sherd's scan must be one PLY file.",
-                 folder.string()};
+    return Error::unusable(
+        "This folder contains no PLY files; each sherd's scan must be one PLY file.",
+        folder.string());
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -120,15 +120,14 @@ Result<scan::Scan> readScan(const fs::path& file, std::string& warning) {
                  file.string()};
   }
   if (!scan.cloud.hasNormals()) {
-    return Error{ErrorCode::UnusableInput, "The scan has no normals; export it with nx, ny and nz.",
-                 file.string()};
+    return Error::unusable("The scan has no normals; export it with nx, ny and nz.", file.string());
   }
   if (const double lengths = awayFromOrigin(scan.cloud); lengths > kMostLengthsAway) {
-    return Error{ErrorCode::UnusableInput,
-                 "The scan lies " + fixed(lengths, 0) +
-                     " times its length away from the origin, so its coordinates are rounded; move "
-                     "it to the origin and export it again.",
-                 file.string()};
+    return Error::unusable(
+        "The scan lies " + fixed(lengths, 0) +
+            " times its length away from the origin, so its coordinates are rounded; move "
+            "it to the origin and export it again.",
+        file.string());
   }
   scan.up = scan::estimateUp(scan.cloud);
   return scan;
@@ -181,8 +180,8 @@ Result<ScanFolder> readScanFolder(const fs::path& folder, int threads) {
     }
   }
   if (side.scans.empty()) {
-    return Error{ErrorCode::UnusableInput,
-                 "None of the scans can be used: " + side.warnings.front(), folder.string()};
+    return Error::unusable("None of the scans can be used: " + side.warnings.front(),
+                           folder.string());
   }
   return side;
 }
@@ -209,16 +208,15 @@ Result<void> checkUnit(const ScanFolder& fronts, const ScanFolder& backs,
   const double front = medianLength(fronts.scans), back = medianLength(backs.scans);
   for (const auto& [side, length] : {std::pair(&fronts, front), std::pair(&backs, back)}) {
     if (isSherdLength(length)) continue;
-    return Error{ErrorCode::UnusableInput,
-                 "The median length of these scans is " + lengthText(length) + " mm; " +
-                     unitWords(length) + what_to_do + ".",
-                 side->files.front().parent_path().string()};
+    return Error::unusable("The median length of these scans is " + lengthText(length) + " mm; " +
+                               unitWords(length) + what_to_do + ".",
+                           side->files.front().parent_path().string());
   }
   if (std::max(front, back) > kMostApart * std::min(front, back))
-    return Error{ErrorCode::UnusableInput,
-                 "The median length of the fronts is " + lengthText(front) + " mm, of the backs " +
-                     lengthText(back) + " mm, so their units differ: " + what_to_do + ".",
-                 backs.files.front().parent_path().string()};
+    return Error::unusable("The median length of the fronts is " + lengthText(front) +
+                               " mm, of the backs " + lengthText(back) +
+                               " mm, so their units differ: " + what_to_do + ".",
+                           backs.files.front().parent_path().string());
   return {};
 }
 

@@ -190,10 +190,9 @@ std::unique_ptr<ByteChannel> makeDescriptorChannel(std::string name, int descrip
 Result<std::unique_ptr<ByteChannel>> openSerial(const std::string& path, int baud) {
   const std::optional<speed_t> speed = speedOf(baud);
   if (!speed)
-    return Error{ErrorCode::UnusableInput,
-                 "A serial port does not support " + std::to_string(baud) +
-                     " baud; common rates are 9600 and 115200.",
-                 path};
+    return Error::unusable("A serial port does not support " + std::to_string(baud) +
+                               " baud; common rates are 9600 and 115200.",
+                           path);
   const auto open = [path, speed] { return openPort(path, *speed); };
   const Result<int> fd = open();
   if (!fd) return fd.error();
@@ -203,8 +202,7 @@ Result<std::unique_ptr<ByteChannel>> openSerial(const std::string& path, int bau
 Result<std::unique_ptr<ByteChannel>> openTcp(const std::string& host_and_port) {
   const std::size_t colon = host_and_port.rfind(':');
   if (colon == std::string::npos || colon == 0 || colon + 1 == host_and_port.size())
-    return Error{ErrorCode::UnusableInput, "A network address looks like 192.168.0.7:23.",
-                 host_and_port};
+    return Error::unusable("A network address looks like 192.168.0.7:23.", host_and_port);
   const std::string host = host_and_port.substr(0, colon), port = host_and_port.substr(colon + 1);
   const auto open = [host, port] { return connectTo(host, port); };
   const Result<int> fd = open();

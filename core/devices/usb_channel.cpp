@@ -253,9 +253,9 @@ class UsbChannel final : public ByteChannel {
 Result<std::unique_ptr<ByteChannel>> openUsb(const std::string& vendor_and_product, int baud) {
   const std::optional<Wanted> wanted = parsed(vendor_and_product);
   if (!wanted)
-    return Error{ErrorCode::UnusableInput,
-                 "A USB turntable is named by vendor and product, for example usb:1209:0001.",
-                 vendor_and_product};
+    return Error::unusable(
+        "A USB turntable is named by vendor and product, for example usb:1209:0001.",
+        vendor_and_product);
   auto channel = std::make_unique<UsbChannel>("usb:" + vendor_and_product, *wanted, baud);
   if (const Result<void> opened = channel->open(); !opened) return opened.error();
   return std::unique_ptr<ByteChannel>(std::move(channel));

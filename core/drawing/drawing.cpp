@@ -63,8 +63,8 @@ class Composer {
     if (options_.rim != RimChoice::No) out_.rim = findRim(walls);
     decide();
     if (options_.rim == RimChoice::Yes && !out_.drawn_as_rim)
-      return Error{ErrorCode::UnusableInput,
-                   "No part of the edge can be a rim; draw this sherd without a rim.", out_.id};
+      return Error::unusable("No part of the edge can be a rim; draw this sherd without a rim.",
+                             out_.id);
     outer_ = out_.drawn_as_rim ? out_.rim->vessel_from_model : frameByAxes(walls);
     placeAxis(walls);
     draw();
@@ -269,8 +269,7 @@ class Composer {
 
 Result<void> DrawingOptions::check() const {
   if (!(scale >= 0.05 && scale <= 5))
-    return Error{
-        ErrorCode::UnusableInput, "The drawing's scale must lie between 1:20 and 5:1.", {}};
+    return Error::unusable("The drawing's scale must lie between 1:20 and 5:1.");
   return {};
 }
 
@@ -279,10 +278,10 @@ Result<SherdDrawing> drawSherd(const TriangleMesh& mesh, const std::string& id,
   if (const Result<void> good = options.check(); !good) return good.error();
   std::string why;
   if (mesh.triangles.empty() || !model::isClosedManifold(mesh, &why))
-    return Error{ErrorCode::UnusableInput,
-                 "A drawing needs a closed model" + (why.empty() ? "" : " (" + why + ")") +
-                     "; create one with 'ostraka process'.",
-                 id};
+    return Error::unusable("A drawing needs a closed model" +
+                               (why.empty() ? "" : " (" + why + ")") +
+                               "; create one with 'ostraka process'.",
+                           id);
   return Composer(mesh, id, options).run();
 }
 

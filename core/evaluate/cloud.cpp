@@ -134,11 +134,10 @@ bool goalsMet(const PartFigures& flat, const PartFigures& strip) {
 Result<CloudFigures> evaluateCloud(const PointCloud& cloud,
                                    std::span<const TriangleMesh> truth_meshes,
                                    const CloudOptions& options) {
-  if (cloud.empty()) return Error{ErrorCode::UnusableInput, "The cloud has no points.", {}};
-  if (!cloud.hasNormals()) return Error{ErrorCode::UnusableInput, "The cloud has no normals.", {}};
+  if (cloud.empty()) return Error::unusable("The cloud has no points.");
+  if (!cloud.hasNormals()) return Error::unusable("The cloud has no normals.");
   for (const TriangleMesh& mesh : truth_meshes)
-    if (mesh.triangles.empty())
-      return Error{ErrorCode::UnusableInput, "The true mesh has no faces.", {}};
+    if (mesh.triangles.empty()) return Error::unusable("The true mesh has no faces.");
   const Truth truth = truthSamples(truth_meshes);
   const std::vector<std::size_t> kept = someOf(cloud.size(), kMostPoints, 4);
   std::vector<Eigen::Vector3f> queries;
@@ -158,9 +157,8 @@ Result<CloudFigures> evaluateCloud(const PointCloud& cloud,
                         normal.z()});
   }
   if (measured.empty())
-    return Error{ErrorCode::UnusableInput,
-                 "No point lies within 2 mm of the truth; is it the right frame, unit and side?",
-                 {}};
+    return Error::unusable(
+        "No point lies within 2 mm of the truth; is it the right frame, unit and side?");
   figures.outlier_percent =
       100 * static_cast<double>(kept.size() - measured.size()) / static_cast<double>(kept.size());
   figures.flat = figuresOf(measured, isFlat);

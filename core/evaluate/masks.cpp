@@ -122,10 +122,8 @@ Result<MaskImage> readMask(const std::filesystem::path& file) {
   const Result<std::string> bytes = readFile(file, limits::kImageBytes.most);
   if (!bytes) return bytes.error();
   const cv::Mat image = decoded(*bytes);
-  if (image.empty())
-    return Error{ErrorCode::UnusableInput, "The mask cannot be read as an image.", file.string()};
-  if (image.type() != CV_8UC1)
-    return Error{ErrorCode::UnusableInput, "The mask is not 8-bit grey.", file.string()};
+  if (image.empty()) return Error::unusable("The mask cannot be read as an image.", file.string());
+  if (image.type() != CV_8UC1) return Error::unusable("The mask is not 8-bit grey.", file.string());
   MaskImage mask{image.cols, image.rows, {}};
   mask.levels.resize(static_cast<std::size_t>(image.cols) * image.rows);
   for (int y = 0; y < image.rows; ++y)
@@ -160,11 +158,9 @@ double MaskFigures::edgeWithin95_px() const {
 
 Result<MaskFigures> evaluateMask(const MaskImage& found, const MaskImage& truth) {
   if (found.width != truth.width || found.height != truth.height)
-    return Error{ErrorCode::UnusableInput,
-                 "The mask is " + std::to_string(found.width) + "x" + std::to_string(found.height) +
-                     " pixels, the true one " + std::to_string(truth.width) + "x" +
-                     std::to_string(truth.height) + ".",
-                 {}};
+    return Error::unusable("The mask is " + std::to_string(found.width) + "x" +
+                           std::to_string(found.height) + " pixels, the true one " +
+                           std::to_string(truth.width) + "x" + std::to_string(truth.height) + ".");
   const Grid mine{found.width, found.height, levelsOf(found, false)};
   const Grid real{truth.width, truth.height, levelsOf(truth, true)};
   const std::vector<std::vector<int>> cells = edgeCells(real);

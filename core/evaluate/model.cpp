@@ -198,10 +198,8 @@ void fillMeans(BatchEvaluation& batch) {
 Result<ModelFigures> compareModel(const TriangleMesh& model, const TriangleMesh& truth,
                                   const ModelOptions& options, Progress& progress,
                                   std::stop_token stop) {
-  if (truth.triangles.empty())
-    return Error{ErrorCode::UnusableInput, "The true mesh has no faces.", {}};
-  if (model.vertices.empty())
-    return Error{ErrorCode::UnusableInput, "The model has no points.", {}};
+  if (truth.triangles.empty()) return Error::unusable("The true mesh has no faces.");
+  if (model.vertices.empty()) return Error::unusable("The model has no points.");
   progress.report(0, 3);
   const Surface true_surface(truth);
   TriangleMesh placed = model;
@@ -256,7 +254,7 @@ Result<BatchEvaluation> evaluateBatch(const std::vector<NamedMesh>& models,
                                                   static_cast<Eigen::Index>(models.size()));
   for (std::size_t t = 0; t < truth.size(); ++t) {
     if (truth[t].mesh.triangles.empty())
-      return Error{ErrorCode::UnusableInput, "The true mesh has no faces.", truth[t].name};
+      return Error::unusable("The true mesh has no faces.", truth[t].name);
     const Points samples = samplesOf(truth[t].mesh, 1.0, 6);
     for (std::size_t m = 0; m < models.size(); ++m)
       overlap(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(m)) =

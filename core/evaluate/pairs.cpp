@@ -139,13 +139,12 @@ Result<PairsEvaluation> evaluatePairs(const Proposal& proposal, const PairsTruth
         (names.fronts.contains(pair.front) || names.lone_fronts.contains(pair.front)) &&
         (names.backs.contains(pair.back) || names.lone_backs.contains(pair.back));
     if (!known)
-      return Error{ErrorCode::UnusableInput,
-                   "Scan " + pair.front + " or " + pair.back +
-                       " is not in the truth; is this the result of another batch?",
-                   truth.set};
+      return Error::unusable("Scan " + pair.front + " or " + pair.back +
+                                 " is not in the truth; is this the result of another batch?",
+                             truth.set);
     if (!seen_fronts.insert(pair.front).second || !seen_backs.insert(pair.back).second)
-      return Error{ErrorCode::UnusableInput,
-                   "Scan " + pair.front + " or " + pair.back + " stands in two pairs.", truth.set};
+      return Error::unusable("Scan " + pair.front + " or " + pair.back + " stands in two pairs.",
+                             truth.set);
     Result<PairVerdict> verdict = judge(pair, names, read_scan);
     if (!verdict) return verdict.error();
     evaluation.verdicts.push_back(std::move(*verdict));

@@ -53,9 +53,8 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
                                         const DrawSherdsOptions& options) {
   const std::string id = nameOf(sherd);
   if (sherd.model_path.empty())
-    return Error{ErrorCode::UnusableInput,
-                 "This sherd has no model yet, so it cannot be drawn; process its batch first.",
-                 id};
+    return Error::unusable(
+        "This sherd has no model yet, so it cannot be drawn; process its batch first.", id);
   const Result<PlyContents> model = readPly(project / sherd.model_path);
   if (!model) return model.error();
   drawing::DrawingOptions how = options.drawing;

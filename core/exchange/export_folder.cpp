@@ -127,11 +127,10 @@ class Exporting {
     Result<std::string> bytes = readFile(file.from);
     if (!bytes) return bytes.error();
     if (!file.sha256.empty() && sha256(*bytes) != file.sha256)
-      return Error{
-          ErrorCode::UnusableInput,
+      return Error::unusable(
           "This model or picture of the sherd " + (sherd.number.empty() ? sherd.id : sherd.number) +
               " differs from the recorded one; reprocess its batch " + sherd.batch_number + ".",
-          file.from.string()};
+          file.from.string());
     ModelLabel label{sherd.id, sherd.number, licence, options_.program, scale_doubts};
     if (isModel(file.form) && options_.deviation_mm > 0) {
       const Result<LighterModel> lighter = lightened(sherd, *bytes, file.from.string());
@@ -297,8 +296,7 @@ class Exporting {
 Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& project,
                               std::span<const store::SherdRow> rows, const ExportOptions& options,
                               Progress& progress, std::stop_token stop) {
-  if (rows.empty())
-    return Error{ErrorCode::UnusableInput, "No sherds to export; select some first.", {}};
+  if (rows.empty()) return Error::unusable("No sherds to export; select some first.");
   Exported exported;
   // Tables, records and names of files agree, whatever is edited meanwhile.
   const Result<void> all = catalogue.inSnapshot([&]() -> Result<void> {

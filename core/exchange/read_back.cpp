@@ -147,9 +147,9 @@ class ReadingBack {
       records_.push_back(std::move(*read));
     }
     if (records_.empty())
-      return Error{ErrorCode::UnusableInput,
-                   "This export contains no sherd records (JSON); export it again with them.",
-                   folder_.string()};
+      return Error::unusable(
+          "This export contains no sherd records (JSON); export it again with them.",
+          folder_.string());
     return {};
   }
 

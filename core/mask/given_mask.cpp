@@ -18,17 +18,16 @@ Result<cv::Mat1b> readGivenMask(const std::filesystem::path& path, int width, in
   const std::string expected = "a mask of " + sizeText(width, height) + " pixels";
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
-    return Error{ErrorCode::UnusableInput,
-                 "The mask is missing; expected " + expected + " under this name.", path.string()};
+    return Error::unusable("The mask is missing; expected " + expected + " under this name.",
+                           path.string());
   Result<cv::Mat1b> inside = batch::readLabelMask(path);
   if (!inside)
-    return Error{ErrorCode::UnusableInput,
-                 "The mask cannot be read as a picture; expected " + expected + ".", path.string()};
+    return Error::unusable("The mask cannot be read as a picture; expected " + expected + ".",
+                           path.string());
   if (inside->cols != width || inside->rows != height)
-    return Error{ErrorCode::UnusableInput,
-                 "The mask has " + sizeText(inside->cols, inside->rows) + " pixels; expected " +
-                     expected + ", the size of its photograph.",
-                 path.string()};
+    return Error::unusable("The mask has " + sizeText(inside->cols, inside->rows) +
+                               " pixels; expected " + expected + ", the size of its photograph.",
+                           path.string());
   return inside;
 }
 

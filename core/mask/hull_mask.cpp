@@ -177,8 +177,7 @@ Result<MaskResult> maskByHull(std::span<const rig::PosedImage> images,
     return ok.error();
   const rig::Sight guess = rig::commonSight(images);
   if (!guess.sound())
-    return Error{
-        ErrorCode::UnusableInput, "The cameras do not view a common area; check their poses.", {}};
+    return Error::unusable("The cameras do not view a common area; check their poses.");
   return HullMasker(images, photographs, guess, options).run(progress, stop);
 }
 

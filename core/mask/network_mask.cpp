@@ -117,11 +117,11 @@ std::optional<InputShape> inputShapeOf(std::string_view model) {
 }
 
 Error unusable(const std::string& onnx, const std::string& what) {
-  return {ErrorCode::UnusableInput,
-          what +
-              "; expected an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or "
-              "1 x 2 x h x w.",
-          onnx};
+  return Error::unusable(
+      what +
+          "; expected an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or "
+          "1 x 2 x h x w.",
+      onnx);
 }
 
 cv::Mat pictureBlob(const cv::Mat& photograph, cv::Size size) {
@@ -176,7 +176,7 @@ Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
 
 Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx) {
   if (photograph.type() != CV_8UC3 || photograph.empty())
-    return Error{ErrorCode::UnusableInput, "The network needs an 8-bit colour photograph.", {}};
+    return Error::unusable("The network needs an 8-bit colour photograph.");
   const Result<std::string> model = readFile(onnx, limits::kNetworkBytes.most);
   if (!model) return model.error();
   const Result<cv::Size> size = networkInputSize(*model, photograph.size(), onnx.string());

@@ -182,9 +182,7 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
 Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& where) {
   const Result<json> value = parseJson(text, where);
   if (!value) return value.error();
-  const auto bad = [&](const std::string& what) {
-    return Error{ErrorCode::UnusableInput, what, where};
-  };
+  const auto bad = [&](const std::string& what) { return Error::unusable(what, where); };
   if (!value->is_object() || value->value("format", json()) != "ostraka-sherd/1")
     return bad("Not a sherd record (ostraka-sherd/1).");
   ReadSherdJson read;

@@ -190,10 +190,8 @@ Result<void> checkInput(const PointCloud& front, const PointCloud& back) {
     const std::string name = side == &front ? "front" : "back";
     if (side->empty()) return noModel("The " + name + " scan contains no points.");
     if (!side->hasNormals())
-      return Error{
-          ErrorCode::UnusableInput,
-          "The " + name + " scan has no normals; a model needs them to tell outside from inside.",
-          {}};
+      return Error::unusable(
+          "The " + name + " scan has no normals; a model needs them to tell outside from inside.");
   }
   return {};
 }

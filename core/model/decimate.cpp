@@ -208,10 +208,9 @@ class Decimation {
 Result<TriangleMesh> decimated(const TriangleMesh& mesh, double max_deviation_mm) {
   std::string why;
   if (!isClosedManifold(mesh, &why))
-    return Error{ErrorCode::UnusableInput, "Only a closed mesh can be simplified. " + why, {}};
+    return Error::unusable("Only a closed mesh can be simplified. " + why);
   if (!(max_deviation_mm > 0))
-    return Error{
-        ErrorCode::UnusableInput, "The deviation of a simplified mesh must be above 0 mm.", {}};
+    return Error::unusable("The deviation of a simplified mesh must be above 0 mm.");
   return Decimation(mesh, max_deviation_mm).run();
 }
 

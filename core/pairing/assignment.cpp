@@ -215,8 +215,7 @@ Result<void> checkEvidence(std::span<const Evidence> evidence, int n_front, int 
   for (const Evidence& e : evidence) {
     if (e.front < 0 || e.back < 0 || e.front >= n_front || e.back >= n_back ||
         !std::isfinite(e.log_likelihood)) {
-      return Error{
-          ErrorCode::UnusableInput, "The evidence for a pair has no valid scans or value.", {}};
+      return Error::unusable("The evidence for a pair has no valid scans or value.");
     }
   }
   return {};

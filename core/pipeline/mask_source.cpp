@@ -12,10 +12,10 @@ Result<MaskSource> maskSource(const std::string& masks, const batch::Batch& batc
                   [](const batch::Shot& shot) { return !shot.mask_file.empty(); }))
     return MaskSource::Given;
   if (batch.way == batch::Way::FreeCamera) return MaskSource::Views;
-  return Error{ErrorCode::UnusableInput,
-               "Masks cannot be made without plate.json; put masks next to the photographs, or "
-               "choose a network (--masks MODEL.onnx).",
-               batch.folder.string()};
+  return Error::unusable(
+      "Masks cannot be made without plate.json; put masks next to the photographs, or "
+      "choose a network (--masks MODEL.onnx).",
+      batch.folder.string());
 }
 
 }  // namespace ostraka::pipeline

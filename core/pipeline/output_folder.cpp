@@ -51,10 +51,10 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
                      !fs::exists(file.parent_path() / kScansFile, failed);
     if (!own && !holdsOnlyOurs(output) && fs::exists(output, failed) &&
         !fs::is_empty(output, failed))
-      return Error{ErrorCode::UnusableInput,
-                   "The output folder contains files that Ostraka did not write; choose another or "
-                   "an empty one.",
-                   output.string()};
+      return Error::unusable(
+          "The output folder contains files that Ostraka did not write; choose another or "
+          "an empty one.",
+          output.string());
   } else if (const Result<std::string> text = readFile(file)) {
     const ordered_json earlier = orderedJsonOrDiscarded(*text);
     std::size_t same = 0;
@@ -63,9 +63,8 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
       if (earlier.is_object() && earlier.contains(name) && earlier[name] == hashes[name]) ++same;
     }
     if (3 * same < batch.shots.size())
-      return Error{ErrorCode::UnusableInput,
-                   "The output folder contains another batch; choose another folder.",
-                   output.string()};
+      return Error::unusable("The output folder contains another batch; choose another folder.",
+                             output.string());
   }
   return {};
 }
@@ -120,9 +119,8 @@ Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_
   const fs::path file = output / "work" / kScansFile;
   if (!isUntouched(output) && !names(file, scans_hash) &&
       !names(output / "report.json", scans_hash))
-    return Error{ErrorCode::UnusableInput,
-                 "The output folder contains other files; choose a new or empty folder.",
-                 output.string()};
+    return Error::unusable("The output folder contains other files; choose a new or empty folder.",
+                           output.string());
   if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
     return own.error();
   Result<FolderLock> held = FolderLock::take(output / "work");

@@ -60,10 +60,10 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
         pairs.pairs.back().decided_at = p["decided"].at("at");
       }
       if (pairs.pairs.back().front < 0 || pairs.pairs.back().back < 0)
-        return Error{ErrorCode::UnusableInput,
-                     "A pair refers to a scan that does not exist; delete this file and reprocess "
-                     "the batch.",
-                     file.string()};
+        return Error::unusable(
+            "A pair refers to a scan that does not exist; delete this file and reprocess "
+            "the batch.",
+            file.string());
     }
     pairs.unpaired_front = pairs.json.at("unpaired_front").get<std::vector<std::string>>();
     pairs.unpaired_back = pairs.json.at("unpaired_back").get<std::vector<std::string>>();
@@ -72,8 +72,7 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
     if (pairs.json.contains("reshoot"))
       pairs.reshoot = pairs.json["reshoot"].get<std::vector<std::string>>();
   } catch (const nlohmann::json::exception&) {
-    return Error{ErrorCode::UnusableInput, "Not a pair table; delete it and reprocess the batch.",
-                 file.string()};
+    return Error::unusable("Not a pair table; delete it and reprocess the batch.", file.string());
   }
   return pairs;
 }

@@ -35,10 +35,10 @@ Result<std::vector<rig::PosedImage>> readCamerasOf(const batch::Batch& batch,
   for (rig::PosedImage& image : *images) {
     const batch::Shot* shot = findShot(batch, image);
     if (shot == nullptr)
-      return Error{ErrorCode::UnusableInput,
-                   "The file lists " + image.file +
-                       ", which is not in the batch; delete the file to find the cameras again.",
-                   file.string()};
+      return Error::unusable(
+          "The file lists " + image.file +
+              ", which is not in the batch; delete the file to find the cameras again.",
+          file.string());
     image.file = shot->file.string();
   }
   return images;

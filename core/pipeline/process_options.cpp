@@ -8,28 +8,26 @@ namespace ostraka::pipeline {
 namespace fs = std::filesystem;
 
 Result<void> ProcessOptions::check() const {
-  if (batch.empty()) return Error{ErrorCode::UnusableInput, "No batch folder was given.", {}};
-  if (output.empty())
-    return Error{ErrorCode::UnusableInput, "No output folder was given (--output OUT).", {}};
+  if (batch.empty()) return Error::unusable("No batch folder was given.");
+  if (output.empty()) return Error::unusable("No output folder was given (--output OUT).");
   if (Result<void> good = checkOutputPlace(output, "results"); !good) return good;
   std::error_code failed;
   for (const fs::path& input : {batch, back.value_or(batch)}) {
     const fs::path folder = fs::weakly_canonical(input, failed);
     const fs::path beyond = fs::weakly_canonical(output, failed).lexically_relative(folder);
     if (!beyond.empty() && *beyond.begin() != "..")
-      return Error{ErrorCode::UnusableInput,
-                   "The output folder lies inside the batch folder, to which Ostraka never writes; "
-                   "choose one next to it.",
-                   output.string()};
+      return Error::unusable(
+          "The output folder lies inside the batch folder, to which Ostraka never writes; "
+          "choose one next to it.",
+          output.string());
   }
   if (megapixels && !(*megapixels >= 0.3))
-    return Error{
-        ErrorCode::UnusableInput, "Photographs cannot be reduced to less than 0.3 megapixels.", {}};
+    return Error::unusable("Photographs cannot be reduced to less than 0.3 megapixels.");
   if (masks != "auto" && masks != "given" && !fs::is_regular_file(masks, failed))
-    return Error{ErrorCode::UnusableInput,
-                 "There is no such segmentation network; masks are 'auto', 'given' or an ONNX "
-                 "file.",
-                 masks};
+    return Error::unusable(
+        "There is no such segmentation network; masks are 'auto', 'given' or an ONNX "
+        "file.",
+        masks);
   return {};
 }
 

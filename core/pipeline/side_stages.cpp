@@ -83,10 +83,9 @@ Result<mask::MaskResult> givenMasks(const Run& run, const std::vector<rig::Posed
     const batch::Shot& shot = *findShot(run.batch, image);  // readCamerasOf has seen to it
     Result<cv::Mat1b> mask =
         shot.mask_file.empty()
-            ? Result<cv::Mat1b>(
-                  Error{ErrorCode::UnusableInput,
-                        "This photograph has no mask; provide one for each photograph to be used.",
-                        image.file})
+            ? Result<cv::Mat1b>(Error::unusable(
+                  "This photograph has no mask; provide one for each photograph to be used.",
+                  image.file))
             : mask::readGivenMask(shot.mask_file, shot.width, shot.height);
     if (mask) {
       ++usable;

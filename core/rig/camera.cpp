@@ -35,10 +35,9 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
     image.intrinsics.cy = numberIn(k.at(1).at(2), "K");
     const std::vector<double> d = value.value("dist", std::vector<double>{});
     if (d.size() > 5)
-      return Error{ErrorCode::UnusableInput,
-                   "More than five distortion terms for '" + image.file +
-                       "' are not supported; undistort its photographs first.",
-                   where};
+      return Error::unusable("More than five distortion terms for '" + image.file +
+                                 "' are not supported; undistort its photographs first.",
+                             where);
     std::copy(d.begin(), d.end(), image.intrinsics.distortion.begin());
     Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
     for (int r = 0; r < 3; ++r) {
@@ -53,8 +52,8 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
         rotation.determinant() > 0;
     const Intrinsics& i = image.intrinsics;
     if (!rigid || !(i.fx > 0 && i.fy > 0))
-      return Error{ErrorCode::UnusableInput,
-                   "The camera of '" + image.file + "' has no valid K, R, t or size.", where};
+      return Error::unusable("The camera of '" + image.file + "' has no valid K, R, t or size.",
+                             where);
     image.camera_from_plate.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
     image.camera_from_plate.translation() = pose.topRightCorner<3, 1>();
   } catch (const nlohmann::json::exception& refused) {
@@ -115,7 +114,7 @@ Result<std::vector<PosedImage>> readCameras(const std::filesystem::path& file) {
   if (!json) return json.error();
   if (!json->is_object() || !json->contains("images") || !(*json)["images"].is_array() ||
       (*json)["images"].empty())
-    return Error{ErrorCode::UnusableInput, "The camera file has no list 'images'.", file.string()};
+    return Error::unusable("The camera file has no list 'images'.", file.string());
   std::vector<PosedImage> images;
   for (const nlohmann::json& value : (*json)["images"]) {
     Result<PosedImage> image = imageFromJson(value, file.string());

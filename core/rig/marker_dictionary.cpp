@@ -37,9 +37,8 @@ constexpr std::array<Named, 21> kDictionaries{{
 Result<cv::Ptr<cv::aruco::Dictionary>> markerDictionary(const std::string& name) {
   for (const Named& named : kDictionaries)
     if (name == named.first) return cv::aruco::getPredefinedDictionary(named.second);
-  return Error{ErrorCode::UnusableInput,
-               "The marker dictionary '" + name + "' is unknown; use one such as DICT_4X4_100.",
-               {}};
+  return Error::unusable("The marker dictionary '" + name +
+                         "' is unknown; use one such as DICT_4X4_100.");
 }
 
 }  // namespace ostraka::rig

@@ -407,9 +407,7 @@ std::string whatFits(double diameter_mm) {
 }  // namespace
 
 Result<void> PlatePrintOptions::check() const {
-  const auto bad = [](std::string what) {
-    return Error{ErrorCode::UnusableInput, std::move(what), {}};
-  };
+  const auto bad = [](std::string what) { return Error::unusable(std::move(what)); };
   if (!(marker_mm >= 5 && marker_mm <= 200))
     return bad("The markers' side must be between 5 and 200 mm.");
   if (!(diameter_mm > 0 && diameter_mm <= 2000))
@@ -463,12 +461,10 @@ Result<PlatePrint> printPlate(const PlatePrintOptions& options) {
   if (options.ruler_measured_mm != 0) {
     const double off = options.ruler_measured_mm / print.ruler_mm - 1;
     if (std::abs(off) > 0.1)
-      return Error{
-          ErrorCode::UnusableInput,
+      return Error::unusable(
           formatted("The ruler of this plate is drawn %.0f mm long; %.1f mm differs by more than a "
                     "tenth. Print the file at 100 %%, without 'fit to page', and measure again.",
-                    print.ruler_mm, options.ruler_measured_mm),
-          {}};
+                    print.ruler_mm, options.ruler_measured_mm));
   }
   return print;
 }

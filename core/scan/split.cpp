@@ -267,7 +267,7 @@ void addParts(PointCloud piece, const Limits& limits, SplitResult& result) {
 Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                                const SplitOptions& options, Progress& progress) {
   if (!plate_cloud.empty() && !plate_cloud.hasNormals())
-    return Error{ErrorCode::UnusableInput, "The plate's point cloud has no normals.", {}};
+    return Error::unusable("The plate's point cloud has no normals.");
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));
   SplitResult result;
   std::size_t flying = 0;

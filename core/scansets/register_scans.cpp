@@ -142,7 +142,7 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
 }  // namespace
 
 Result<void> RegisterOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  const auto bad = [](const char* what) { return Error::unusable(what); };
   if (front.empty()) return bad("Name the folder of the front scans (--front DIR).");
   if (back.empty()) return bad("Name the folder of the back scans (--back DIR).");
   if (output.empty()) return bad("Name the output folder (--output OUT).");

@@ -41,9 +41,7 @@ Result<std::vector<Piece>> pieces(std::string_view line) {
         piece.operator_at = piece.plain.size();
       piece.plain += line[i];
     }
-    if (inside)
-      return Error{ErrorCode::UnusableInput, "The filter has an unclosed quotation mark.",
-                   piece.text};
+    if (inside) return Error::unusable("The filter has an unclosed quotation mark.", piece.text);
     all.push_back(std::move(piece));
   }
   return all;
@@ -68,8 +66,7 @@ bool isComparison(Condition::Is is) {
 Result<Condition> conditionOfLabel(const std::string& code) {
   const std::optional<catalogue::LabelCode> label = catalogue::readLabelCode(code);
   if (!label || label->of != catalogue::LabelCode::Of::Sherd)
-    return Error{ErrorCode::UnusableInput,
-                 "This is only part of a sherd's label; scan its code again.", code};
+    return Error::unusable("This is only part of a sherd's label; scan its code again.", code);
   Condition condition;
   const bool quoted = code.find(' ') != std::string::npos;
   condition.text = quoted ? "label:\"" + code + "\"" : "label:" + code;
@@ -105,21 +102,20 @@ Result<Condition> conditionOf(Piece piece) {
   }
   const SherdColumn* column = sherdColumn(name);
   if (!column)
-    return Error{ErrorCode::UnusableInput,
-                 "The filter has no field '" + name +
-                     "'; enclose the word in quotation marks to search for it literally.",
-                 piece.text};
+    return Error::unusable("The filter has no field '" + name +
+                               "'; enclose the word in quotation marks to search for it literally.",
+                           piece.text);
   condition.field = column->field.name;
   if (isComparison(condition.is) && !column->measure)
-    return Error{ErrorCode::UnusableInput,
-                 "Only measurements accept < and >; write " + name + ":value.", piece.text};
+    return Error::unusable("Only measurements accept < and >; write " + name + ":value.",
+                           piece.text);
   if (condition.is == Condition::Is::Equal && condition.value == "*")
     condition.is = Condition::Is::NotEmpty;
   else if (condition.is == Condition::Is::Equal && condition.value.empty())
     condition.is = Condition::Is::Empty;
   else if (column->measure) {
     if (const Result<double> number = store::parsedNumber(condition.value); !number)
-      return Error{ErrorCode::UnusableInput, number.error().what, piece.text};
+      return Error::unusable(number.error().what, piece.text);
   }
   return condition;
 }
@@ -137,7 +133,7 @@ std::string Filter::text() const {
 
 Result<Filter> parseFilter(std::string_view line) {
   if (line.size() > 10'000 || !store::isUtf8(line))
-    return Error{ErrorCode::UnusableInput, "The filter is not valid text.", {}};
+    return Error::unusable("The filter is not valid text.");
   if (catalogue::beginsAsSherdLabel(store::trimmed(line)) &&
       catalogue::readLabelCode(line)) {  // its number may hold blanks
     Result<Condition> label = conditionOfLabel(store::trimmed(line));

@@ -230,7 +230,7 @@ Result<void> Sherds::setModel(store::SherdRow sherd, const std::string& model_pa
 Result<void> Sherds::voidSherd(store::SherdRow sherd, const std::string& reason,
                                const records::Provenance& provenance) {
   if (store::trimmed(reason).empty())
-    return Error{ErrorCode::UnusableInput, "A void sherd needs a reason; enter it.", {}};
+    return Error::unusable("A void sherd needs a reason; enter it.");
   const records::FieldChange voided{sherd, "void_reason", reason};
   const Result<std::vector<records::FieldChange>> done =
       SherdChanges(catalogue_).apply(std::span(&voided, 1), provenance);

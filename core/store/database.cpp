@@ -19,7 +19,7 @@ namespace ostraka::store {
 namespace fs = std::filesystem;
 
 void refuse(std::string what, std::string where) {
-  throw Refused(Error{ErrorCode::UnusableInput, std::move(what), std::move(where)});
+  throw Refused(Error::unusable(std::move(what), std::move(where)));
 }
 
 // A text may be asked for again while it is still being read; then it is prepared once more.
@@ -158,9 +158,9 @@ Result<void> Database::connect(const std::string& name, int flags) {
     sqlite3_busy_handler(handle_, lookAgain, nullptr);
     return {};
   }
-  return Error{ErrorCode::UnusableInput,
-               "The catalogue cannot be opened; check that the folder exists and is writable.",
-               file_.string()};
+  return Error::unusable(
+      "The catalogue cannot be opened; check that the folder exists and is writable.",
+      file_.string());
 }
 
 // SQLite writes beside a catalogue that others may change (the WAL's index). Where it cannot:
@@ -320,9 +320,9 @@ static Error errorAt(const SqlFailure& failure, const fs::path& file) {
     case SQLITE_NOTADB:
       return damagedCatalogue("its pages are inconsistent", file);
     default:
-      return {ErrorCode::UnusableInput,
-              std::string("The catalogue rejects this operation (") + failure.what() + ").",
-              file.string()};
+      return Error::unusable(
+          std::string("The catalogue rejects this operation (") + failure.what() + ").",
+          file.string());
   }
 }
 

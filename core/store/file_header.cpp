@@ -49,9 +49,9 @@ Result<void> checkHeader(const fs::path& file) {
     code = opened->pMethods->xRead(opened, header.data(), static_cast<int>(header.size()), 0);
   sqlite3_close(handle);
   if (code != SQLITE_OK)
-    return Error{ErrorCode::UnusableInput,
-                 "The catalogue cannot be read; check that it exists and check its permissions.",
-                 file.string()};
+    return Error::unusable(
+        "The catalogue cannot be read; check that it exists and check its permissions.",
+        file.string());
   if (bytes == 0) return damagedCatalogue("the file is empty", file);
   if (std::memcmp(header.data(), kMagic.data(), kMagic.size()) != 0)
     return damagedCatalogue("the file is not a database", file);

@@ -74,7 +74,7 @@ void proposeUnit(const CsvTable& table, std::size_t column, ColumnChoice& choice
 }
 
 Error noUnit(const std::string& unit, const std::string& field, const std::string& where) {
-  return {ErrorCode::UnusableInput, "The field " + field + " has no unit '" + unit + "'.", where};
+  return Error::unusable("The field " + field + " has no unit '" + unit + "'.", where);
 }
 
 class Mapper {
@@ -98,8 +98,7 @@ class Mapper {
           std::find_if(mapping_.columns.begin(), mapping_.columns.end(),
                        [&](const ColumnChoice& column) { return column.column == one.column; });
       if (found == mapping_.columns.end())
-        return Error{ErrorCode::UnusableInput, "The table has no column '" + one.column + "'.",
-                     where_};
+        return Error::unusable("The table has no column '" + one.column + "'.", where_);
       if (found->by != ChosenBy::Nobody) continue;
       if (by == ChosenBy::Earlier && !one.field.empty() && isTaken(one.field)) continue;
       found->field = one.field;
@@ -118,10 +117,10 @@ class Mapper {
     for (ColumnChoice& choice : mapping_.columns)
       if (choice.by == ChosenBy::Nobody) byName(choice);
     if (mapping_.of_contexts && !(isTaken("site") && isTaken("context")))
-      return Error{ErrorCode::UnusableInput,
-                   "The table needs a column for the sherds' numbers, or columns for site and "
-                   "context (contexts); select them.",
-                   where_};
+      return Error::unusable(
+          "The table needs a column for the sherds' numbers, or columns for site and "
+          "context (contexts); select them.",
+          where_);
     for (std::size_t i = 0; i < mapping_.columns.size(); ++i)
       if (Result<void> good = settle(mapping_.columns[i], i); !good) return good.error();
     return std::move(mapping_);
@@ -177,14 +176,13 @@ class Mapper {
     if (choice.field.empty()) return {};
     const bool known = choice.isOwn() || choice.field == kByHand ||
                        holds(fieldsOfTables(mapping_.of_contexts), choice.field);
-    if (!known)
-      return Error{ErrorCode::UnusableInput, "There is no field '" + choice.field + "'.", where_};
+    if (!known) return Error::unusable("There is no field '" + choice.field + "'.", where_);
     for (std::size_t i = 0; i < at; ++i)
       if (mapping_.columns[i].field == choice.field)
-        return Error{ErrorCode::UnusableInput,
-                     "The columns '" + mapping_.columns[i].column + "' and '" + choice.column +
-                         "' are both for the field " + choice.field + "; leave one of them out.",
-                     where_};
+        return Error::unusable("The columns '" + mapping_.columns[i].column + "' and '" +
+                                   choice.column + "' are both for the field " + choice.field +
+                                   "; leave one of them out.",
+                               where_);
     if (choice.unit.empty())
       if (const std::string said = nameAndUnit(choice.column).unit;
           !said.empty() && holds(unitsOf(choice.field), said))
@@ -316,10 +314,8 @@ Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping
 Result<ColumnChoice> parseColumnChoice(std::string_view text) {
   const std::size_t equals = text.rfind('=');
   if (equals == std::string_view::npos || equals == 0)
-    return Error{
-        ErrorCode::UnusableInput,
-        "'" + std::string(text) + "' maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.",
-        {}};
+    return Error::unusable("'" + std::string(text) +
+                           "' maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.");
   ColumnChoice choice{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
   if (const std::size_t colon = choice.field.find(':'); colon != std::string::npos) {
     choice.unit = unitNamed(choice.field.substr(colon + 1));
@@ -337,7 +333,7 @@ Result<ColumnChoice> parseColumnChoice(std::string_view text) {
       choice.field = field;
       return choice;
     }
-  return Error{ErrorCode::UnusableInput, "There is no field '" + choice.field + "'.", {}};
+  return Error::unusable("There is no field '" + choice.field + "'.");
 }
 
 }  // namespace ostraka::tables

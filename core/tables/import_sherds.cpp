@@ -117,7 +117,7 @@ class Importing {
     refusal.column = std::move(column);
     refusal.value = std::move(value);
     refusal.reason = reason;
-    return {ErrorCode::UnusableInput, std::move(reason), {}};
+    return Error::unusable(std::move(reason));
   }
 
   Result<SherdRow> find(const ImportRow& row, Refusal& refusal) {

@@ -17,10 +17,9 @@ using records::Provenance;
 Result<void> checkColumns(const CsvTable& table, const std::string& where) {
   std::set<std::string> seen;
   for (const std::string& column : table.columns) {
-    if (column.empty())
-      return Error{ErrorCode::UnusableInput, "A column of the table has no name.", where};
+    if (column.empty()) return Error::unusable("A column of the table has no name.", where);
     if (!seen.insert(column).second)
-      return Error{ErrorCode::UnusableInput, "The column '" + column + "' appears twice.", where};
+      return Error::unusable("The column '" + column + "' appears twice.", where);
   }
   return {};
 }

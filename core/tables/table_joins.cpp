@@ -68,12 +68,11 @@ Result<std::optional<std::vector<SherdRow>>> TableJoins::of(std::size_t i, const
     const std::optional<std::size_t> other = rowOf(name);
     const Result<SherdRow> partner = other ? sherdOf(*other, catalogue) : byName(name, catalogue);
     if (!partner) return partner.error();
-    if (other == i || *partner == now.row)
-      return Error{ErrorCode::UnusableInput, "A sherd cannot join itself.", {}};
+    if (other == i || *partner == now.row) return Error::unusable("A sherd cannot join itself.");
     if (*partner)
       joins.push_back(*partner);
     else if (!other)
-      return Error{ErrorCode::UnusableInput, "There is no sherd " + name + " to join.", {}};
+      return Error::unusable("There is no sherd " + name + " to join.");
   }
   for (const std::size_t other : row.named_by) {
     const Result<SherdRow> partner = sherdOf(other, catalogue);

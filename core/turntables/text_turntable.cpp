@@ -276,7 +276,7 @@ TextDialect marlinDialect() {
 
 Result<void> TextDialect::check() const {
   const auto bad = [](const std::string& what) {
-    return Error{ErrorCode::UnusableInput, "The turntable's dialect: " + what, {}};
+    return Error::unusable("The turntable's dialect: " + what);
   };
   if (move.find("{target}") == std::string::npos && move.find("{by}") == std::string::npos)
     return bad("'move' must contain {target} or {by}.");
@@ -295,10 +295,8 @@ Result<void> TextDialect::check() const {
 }
 
 Result<TextDialect> dialectFromJson(const nlohmann::json& json) {
-  const Error unusable{
-      ErrorCode::UnusableInput,
-      "The turntable's 'dialect' must be \"marlin\" or an object with its commands.",
-      {}};
+  const Error unusable = Error::unusable(
+      "The turntable's 'dialect' must be \"marlin\" or an object with its commands.");
   if (json == "marlin") return marlinDialect();
   if (!json.is_object()) return unusable;
   TextDialect d;

@@ -39,7 +39,7 @@ catalogue::Catalogue::Clock orSystemClock(const catalogue::Catalogue::Clock& clo
 }
 
 Error refused(std::string what, const fs::path& where) {
-  return {ErrorCode::UnusableInput, std::move(what), where.string()};
+  return Error::unusable(std::move(what), where.string());
 }
 
 Result<void> checkFolder(const fs::path& folder) {

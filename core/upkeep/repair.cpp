@@ -261,8 +261,8 @@ Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress
                                      std::stop_token stop,
                                      const catalogue::Catalogue::Clock& clock) {
   if (!Project::isProject(project))
-    return Error{ErrorCode::UnusableInput,
-                 "Not an Ostraka project: this folder has no catalogue.sqlite.", project.string()};
+    return Error::unusable("Not an Ostraka project: this folder has no catalogue.sqlite.",
+                           project.string());
   if (isInUse(project / "catalogue.sqlite"))
     return Error{ErrorCode::Failed,
                  "Another program has this project open; close it there, then repair it.",

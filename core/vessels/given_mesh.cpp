@@ -75,9 +75,7 @@ TriangleMesh withHalvedEdges(TriangleMesh mesh) {
 Result<VirtualSherd> sherdOfMesh(const std::filesystem::path& file) {
   const Result<PlyContents> read = readPly(file);
   if (!read) return read.error();
-  const auto refused = [&](const char* why) {
-    return Error{ErrorCode::UnusableInput, why, file.string()};
-  };
+  const auto refused = [&](const char* why) { return Error::unusable(why, file.string()); };
   constexpr const char* kTooMany = "The mesh needs more than 500,000 triangles of 1 mm.";
   if (read->mesh.triangles.size() > kMostTriangles) return refused(kTooMany);
   VirtualSherd sherd;

@@ -255,12 +255,10 @@ Result<Layout> layOut(const std::vector<vessels::VirtualSherd>& sherds,
     Arranger arranger(sherds, options, random);
     if (arranger.front(layout) && arranger.back(layout)) return layout;
   }
-  return Error{
-      ErrorCode::UnusableInput,
-      "The " + std::to_string(sherds.size()) +
-          (options.hand_held ? " sherds do not fit on the sheet; use fewer, or a larger sheet."
-                             : " sherds do not fit on the plate; use fewer, or another seed."),
-      {}};
+  return Error::unusable("The " + std::to_string(sherds.size()) +
+                         (options.hand_held
+                              ? " sherds do not fit on the sheet; use fewer, or a larger sheet."
+                              : " sherds do not fit on the plate; use fewer, or another seed."));
 }
 
 }  // namespace ostraka::virtualrig

@@ -302,22 +302,19 @@ bool isBetter(const std::array<SizePrediction, 3>& after,
 
 Result<void> PredictOptions::check() const {
   if (width != 0 && (width < 400 || width > 8192 || width % 4 != 0))
-    return Error{ErrorCode::UnusableInput,
-                 "width must be 0, or lie between 400 and 8192 pixels and be divisible by 4.",
-                 {}};
+    return Error::unusable(
+        "width must be 0, or lie between 400 and 8192 pixels and be divisible by 4.");
   if (sherds_per_size < 1 || sherds_per_size > 4)
-    return Error{ErrorCode::UnusableInput, "sherds_per_size must lie between 1 and 4.", {}};
-  if (moves < 0 || moves > 9)
-    return Error{ErrorCode::UnusableInput, "moves must lie between 0 and 9.", {}};
-  if (work.empty()) return Error{ErrorCode::UnusableInput, "work must name a folder.", {}};
+    return Error::unusable("sherds_per_size must lie between 1 and 4.");
+  if (moves < 0 || moves > 9) return Error::unusable("moves must lie between 0 and 9.");
+  if (work.empty()) return Error::unusable("work must name a folder.");
   return {};
 }
 
 Result<Prediction> predict(const rig::Rig& rig, const PredictOptions& options, Progress& progress,
                            std::stop_token stop) {
   if (const Result<void> good = options.check(); !good) return good.error();
-  if (rig.cameras.empty())
-    return Error{ErrorCode::UnusableInput, "The rig has no camera; recalibrate it.", {}};
+  if (rig.cameras.empty()) return Error::unusable("The rig has no camera; recalibrate it.");
   PredictOptions fitting = options;
   const int most = workingWidth(rig);
   fitting.width = options.width == 0 ? most : std::min(options.width, most);

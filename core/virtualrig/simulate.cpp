@@ -234,7 +234,7 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
 }  // namespace
 
 Result<void> SimulateOptions::check() const {
-  const auto bad = [](const char* what) { return Error{ErrorCode::UnusableInput, what, {}}; };
+  const auto bad = [](const char* what) { return Error::unusable(what); };
   if (meshes.size() > 40) return bad("meshes may hold 40 files at most.");
   if (!meshes.empty() && (scans_only || near_duplicates > 0 || !radii_mm.empty()))
     return bad(

@@ -176,8 +176,8 @@ class VirtualCamera final : public Camera {
     const Result<std::vector<CameraSetting>> all = settings();
     for (const CameraSetting& setting : *all)
       if (setting.name == name && setting.value == value) return setting;
-    return Error{ErrorCode::UnusableInput,
-                 "The virtual camera has no setting " + name + " of " + value + ".", id().serial};
+    return Error::unusable("The virtual camera has no setting " + name + " of " + value + ".",
+                           id().serial);
   }
   Result<std::string> preview(std::stop_token stop) override {
     const Sight sight{place_->side(), place_->degrees()};

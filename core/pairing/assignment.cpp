@@ -211,6 +211,22 @@ Decision decide(const Evidence& e, const Chances& chances, int n_back,
   return d;
 }
 
+// Of what the best assignment leaves alone, the likeliest first; each is for a person to decide.
+std::vector<Decision> leftOver(std::span<const Evidence> evidence, const Chances& chances,
+                               int n_back, const AssignOptions& options) {
+  const double least =
+      options.lone_log_likelihood + std::log(options.ask_from / (1 - options.ask_from));
+  std::vector<const Evidence*> worth_asking;
+  for (const Evidence& e : evidence)
+    if (!e.check_failed && e.log_likelihood >= least) worth_asking.push_back(&e);
+  std::stable_sort(
+      worth_asking.begin(), worth_asking.end(),
+      [](const Evidence* a, const Evidence* b) { return a->log_likelihood > b->log_likelihood; });
+  std::vector<Decision> proposed;
+  for (const Evidence* e : worth_asking) proposed.push_back(decide(*e, chances, n_back, options));
+  return proposed;
+}
+
 Result<void> checkEvidence(std::span<const Evidence> evidence, int n_front, int n_back) {
   for (const Evidence& e : evidence) {
     if (e.front < 0 || e.back < 0 || e.front >= n_front || e.back >= n_back ||
@@ -287,6 +303,18 @@ Result<Assignment> assignPairs(std::span<const Evidence> evidence, int n_front, 
   for (int b = 0; b < n_back; ++b) {
     if (!taken[static_cast<std::size_t>(b)]) assignment.unpaired_back.push_back(b);
   }
+  for (const Decision& decision : leftOver(evidence, chances, n_back, options)) {
+    std::vector<int>&lone_fronts = assignment.unpaired_front,
+    &lone_backs = assignment.unpaired_back;
+    const auto front = std::find(lone_fronts.begin(), lone_fronts.end(), decision.front);
+    const auto back = std::find(lone_backs.begin(), lone_backs.end(), decision.back);
+    if (front == lone_fronts.end() || back == lone_backs.end()) continue;
+    lone_fronts.erase(front);
+    lone_backs.erase(back);
+    assignment.pairs.push_back(decision);
+  }
+  std::sort(assignment.pairs.begin(), assignment.pairs.end(),
+            [](const Decision& a, const Decision& b) { return a.front < b.front; });
   return assignment;
 }
 

@@ -46,6 +46,9 @@ struct Decision {
 struct AssignOptions {
   double lone_log_likelihood = 0.0;  ///< a pair must beat this to be proposed: 0 = even odds
   double flag_below = 0.99;          ///< pairs less certain than this are for a person to decide
+  /// Two scans that would both stay alone are proposed to each other, for a person to decide, if
+  /// their self-check passes and they are at least this probable.
+  double ask_from = 0.1;
   int max_alternatives = 3;
 };
 
@@ -55,7 +58,8 @@ struct Assignment {
   std::vector<int> unpaired_back;
 };
 
-/// One-to-one, of greatest total log-likelihood over the whole batch; a scan may stay alone.
+/// One-to-one, of greatest total log-likelihood over the whole batch; a scan may stay alone. What
+/// is left over is asked about rather than lost (AssignOptions::ask_from).
 /// Probabilities come from the best assignment with each other pair (or none) forced.
 /// Errors: UnusableInput for indices out of range or figures that are not finite.
 /// O(pairs * n^2) for n scans.

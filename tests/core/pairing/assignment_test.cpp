@@ -40,6 +40,23 @@ TEST(AssignPairs, LeavesScansAloneThatFitNobody) {
   EXPECT_EQ(found->unpaired_back, (std::vector<int>{1}));
 }
 
+TEST(AssignPairs, AsksAboutTwoScansThatWouldBothStayAlone) {
+  std::vector<Evidence> evidence = {pair(0, 1, 20), pair(1, 0, -1.3), pair(1, 2, -1.9),
+                                    pair(2, 2, -2)};
+  const auto found = assignPairs(evidence, 3, 3, {});
+  ASSERT_EQ(found->pairs.size(), 3u);
+  EXPECT_FALSE(found->pairs[0].ambiguous);
+  EXPECT_EQ(found->pairs[1].back, 0) << "the likelier of two";
+  EXPECT_EQ(found->pairs[2].back, 2);
+  for (const int k : {1, 2}) EXPECT_TRUE(found->pairs[k].ambiguous) << k;
+  EXPECT_LT(found->pairs[1].score, 0.5) << "less than even odds, and said so";
+  EXPECT_TRUE(found->unpaired_front.empty());
+  EXPECT_TRUE(found->unpaired_back.empty());
+  evidence[1].check_failed = true;  // an error that the registration itself has seen is no question
+  EXPECT_EQ(assignPairs(evidence, 3, 3, {})->unpaired_back, std::vector<int>{0});
+  EXPECT_EQ(assignPairs({{pair(0, 0, -2.3)}}, 1, 1, {})->pairs.size(), 0u) << "one in ten, no less";
+}
+
 TEST(AssignPairs, FlagsAPairThatAnotherPartnerExplainsNearlyAsWell) {
   const std::vector<Evidence> evidence = {pair(0, 0, 20), pair(0, 1, 19)};
   const auto found = assignPairs(evidence, 1, 2, {});

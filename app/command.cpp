@@ -1,5 +1,4 @@
 #include "command.h"
-#include "shown.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -8,6 +7,7 @@
 
 #include "base/text.h"
 #include "pairing/candidates.h"
+#include "shown.h"
 
 namespace ostraka::app {
 
@@ -45,7 +45,10 @@ void printNames(const char* title, std::span<const std::string> names) {
 
 void printJson(const nlohmann::ordered_json& value) {
   const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-  show(stdout, "%s\n", value.dump(1, ' ', false, replace).c_str());
+  std::string text = value.dump(1, ' ', false, replace);
+  // What shown() spells is no JSON; its own escapes are.
+  if (shown(text) != text) text = value.dump(1, ' ', true, replace);
+  std::puts(text.c_str());
 }
 
 int fail(const Session& session, const Error& error, WhenStopped when_stopped) {

@@ -1,8 +1,9 @@
 #include "damage.h"
-#include "shown.h"
 
 #include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "shown.h"
 
 namespace ostraka::app {
 

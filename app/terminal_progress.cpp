@@ -1,8 +1,9 @@
 #include "terminal_progress.h"
-#include "shown.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "shown.h"
 
 namespace ostraka::app {
 namespace {

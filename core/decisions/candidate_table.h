@@ -60,8 +60,8 @@ std::string sherdNumber(const std::string& front_id);
 nlohmann::ordered_json toJson(const CandidateTable& table);
 /// Errors: UnusableInput.
 Result<CandidateTable> readCandidates(const std::filesystem::path& file);
-/// The table of a processed batch. Errors: Missing when its pairs are not processed yet or by an
-/// older program, UnusableInput.
+/// The table of a processed batch. Errors: Missing when its pairs are not processed yet,
+/// UnusableInput.
 Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output);
 
 const char* name(pairing::Doubt doubt);  ///< "", "self_check", "other_partner", ...

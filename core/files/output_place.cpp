@@ -96,9 +96,14 @@ Result<void> checkNoLinkedFolder(const fs::path& folder, std::span<const std::st
     if (leadsAway(own)) return refused(own.path());
     if (which == LinkedFolders::OfTheseNames) continue;
     // Links are not entered.
+    if (!own.is_directory(failed)) continue;
     for (fs::recursive_directory_iterator at(own.path(), failed), end; !failed && at != end;
          at.increment(failed))
       if (leadsAway(*at)) return refused(at->path());
+    if (failed)
+      return Error::unusable(
+          "This folder cannot be read (" + failed.message() + "); nothing was read.",
+          own.path().string());
   }
   return {};
 }

@@ -1,7 +1,6 @@
 #include "pipeline/preflight.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 

@@ -140,7 +140,9 @@ Result<Found> foreignSchema(const fs::path& file) {
 Result<void> compared(const Found& found, const fs::path& file) {
   if (found.version > migrations().back().number) return {};
   if (found.version < 1) return notOurs(file.string());
-  const Result<Schema> ours = ourSchema(found.version);
+  static const Result<Schema> kNewest = ourSchema(migrations().back().number);
+  const Result<Schema> ours =
+      found.version == migrations().back().number ? kNewest : ourSchema(found.version);
   if (!ours) return ours.error();
   for (const auto& [part, sql] : found.schema) {
     const auto same = ours->find(part);

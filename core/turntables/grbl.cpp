@@ -399,6 +399,7 @@ Result<std::unique_ptr<devices::Turntable>> openGrbl(std::unique_ptr<devices::By
   if (!shutter.empty() && shutter != "M8" && shutter != "M7" && shutter != "M3" &&
       !shutter.starts_with("M62 P"))
     return Error::unusable("The shutter output must be M8, M7, M3 or M62 Pn.");
+  if (!(options.speed_deg_s > 0)) return LineTurntable::noSpeed();  // before anything is said to it
   return LineTurntable::open(
       std::make_unique<GrblTurntable>(std::move(channel), options, std::move(clock)),
       std::move(stop));

@@ -29,6 +29,10 @@ Error LineTurntable::lost() const {
           where_};
 }
 
+Error LineTurntable::noSpeed() {
+  return Error::unusable("The turntable's speed must be greater than 0.");
+}
+
 Result<double> LineTurntable::beginMove(double degrees) {
   halt_ = false;
   if (!std::isfinite(degrees)) return Error::unusable("The angle is not a number.", where_);
@@ -49,8 +53,7 @@ Result<void> LineTurntable::drain() {
 
 Result<std::unique_ptr<devices::Turntable>> LineTurntable::open(
     std::unique_ptr<LineTurntable> table, std::stop_token stop) {
-  if (!(table->speed_deg_s_ > 0))
-    return Error::unusable("The turntable's speed must be greater than 0.");
+  if (!(table->speed_deg_s_ > 0)) return noSpeed();
   if (Result<void> r = table->connect(std::move(stop)); !r) return r.error();
   return std::unique_ptr<devices::Turntable>(std::move(table));
 }

@@ -21,6 +21,7 @@ class LineTurntable : public devices::Turntable {
   Result<void> reopen(std::stop_token stop) override;
   void close() override { line_.channel().close(); }
 
+  static Error noSpeed();
   /// The table, connected. Errors: UnusableInput (no speed), those of connect().
   static Result<std::unique_ptr<devices::Turntable>> open(std::unique_ptr<LineTurntable> table,
                                                           std::stop_token stop);

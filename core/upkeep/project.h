@@ -47,7 +47,7 @@ class Project {
   /// The same if anything was changed since the newest copy, and that is `after` old or more.
   /// Returns whether a copy was made.
   Result<bool> backUpIfChanged(std::chrono::milliseconds after = std::chrono::hours(1)) const;
-  /// Newest first.
+  /// Newest first; those of a time that is still to come are last, and are never removed.
   std::vector<std::filesystem::path> backups() const;
 
  private:

@@ -146,6 +146,21 @@ TEST_F(CommandLine, WhatCannotBeACommandLineGetsOneSentenceThatNamesIt) {
   }
 }
 
+// A direction mark is spelled for a terminal, and stays one in JSON.
+TEST_F(CommandLine, NamesOfStrangersAreSpelledAndStillJson) {
+  const std::string named = path(
+      "\xe2\x80\xae"
+      "a\x7f"
+      "b.ply");
+  const Outcome said = run("draw '" + named + "' --output " + path("sheet"));
+  EXPECT_TRUE(says(said, "\\xe2\\x80\\xaea\\x7fb.ply")) << said.text;
+  EXPECT_FALSE(says(said, "\x7f"));
+  const Outcome json = run("--json draw '" + named + "' --output " + path("sheet"), "2>/dev/null");
+  const auto read = nlohmann::json::parse(json.text, nullptr, false);
+  ASSERT_TRUE(read.is_object()) << json.text;
+  EXPECT_NE(read.at("error").get<std::string>().find(named), std::string::npos);
+}
+
 TEST_F(CommandLine, HelpAndManualPagesSpeakOfWordsNotOfNumbersForThem) {
   const Outcome help = run("process --help");
   EXPECT_TRUE(says(help, "--dense builtin|colmap|openmvs")) << help.text;

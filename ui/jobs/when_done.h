@@ -16,7 +16,8 @@ void whenDone(JobHandle* job, QObject* context, Then then) {
                    });
 }
 
-/// The same for a job that context names: its name is empty before then is called.
+/// The same for a job that context names: its name is empty before then is called. No other job
+/// takes that name meanwhile.
 template <class T, class Then>
 void whenDone(QPointer<JobHandle>& job, QObject* context, Then then) {
   whenDone<T>(job.data(), context, [&job, then = std::move(then)](const Result<T>& result) {

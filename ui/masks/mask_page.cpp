@@ -38,8 +38,7 @@ MaskPage::MaskPage(QWidget* parent)
   previous_ = addPageAct(this, "masksPrevious", "up", tr("Previous photograph"), Qt::Key_PageUp);
   next_ = addPageAct(this, "masksNext", "down", tr("Next photograph"), Qt::Key_PageDown);
   compute_ = addPageAct(this, "masksCompute", "retry", tr("Reprocess"), Qt::Key_C);
-  previous_->setAutoRepeat(true);
-  next_->setAutoRepeat(true);
+  for (QAction* once : {back_, compute_}) once->setAutoRepeat(false);
   auto* brush = new QActionGroup(this);
   for (QAction* action : {sherd_, plate_}) {
     action->setCheckable(true);

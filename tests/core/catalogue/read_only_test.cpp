@@ -105,16 +105,5 @@ TEST_F(ReadOnlyProject, RefusesChangesInASentence) {
             0);
 }
 
-TEST_F(ReadOnlyProject, OfAnOlderVersionAsksForACopy) {
-  // The first version has none before it.
-  project_->catalogue().database().script("PRAGMA user_version = -1");
-  project_.reset();
-  EXPECT_EQ(withoutPrivileges([&] {
-              const Result<upkeep::Project> open = upkeep::Project::open(folder());
-              return !open && open.error().what.find("older Ostraka") != std::string::npos ? 0 : 1;
-            }),
-            0);
-}
-
 }  // namespace
 }  // namespace ostraka::catalogue

@@ -31,7 +31,7 @@ class Devices : public ::testing::Test {
     if (!serial.empty()) write(device / "serial", serial);
     write(device / "busnum", "1");
     write(device / "devnum", std::to_string(number));
-    write("dev/bus/usb/001/00" + std::to_string(number), "");
+    write(fs::path("dev/bus/usb/001") / ("00" + std::to_string(number)), "");
     return device;
   }
   void addInterface(const fs::path& device, const std::string& name, const std::string& kind,

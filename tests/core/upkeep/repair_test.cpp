@@ -9,6 +9,7 @@
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
+#include "store/database.h"
 #include "store/page_checksums.h"
 #include "tests/core/catalogue/flipped_bits.h"
 #include "tests/core/catalogue/small_project.h"
@@ -208,6 +209,22 @@ TEST_F(Repairing, PrefersItsOwnBackupToOneOfLater) {
   project_.reset();
   catalogue::writeBytes(file(), {});
   EXPECT_EQ(repaired().backup, newest);
+}
+
+// A stranger's view need never end: nothing is read through it.
+TEST_F(Repairing, TakesAllFromTheBackupWhereTheTablesAreNotOurs) {
+  fill(3);
+  const fs::path backup = *project_->backUp();
+  catalogue().database().script(
+      "CREATE TABLE more AS SELECT * FROM project; PRAGMA foreign_keys = OFF; DROP TABLE project; "
+      "CREATE VIEW project AS WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) "
+      "SELECT more.* FROM more WHERE (SELECT max(x) FROM c) > 0");
+  project_.reset();
+  ASSERT_FALSE(Project::open(folder()));
+  const RepairReport report = repaired();
+  EXPECT_EQ(report.backup, backup);
+  EXPECT_TRUE(report.all_from_backup);
+  EXPECT_TRUE(Project::open(folder()));
 }
 
 }  // namespace

@@ -111,8 +111,9 @@ Sentences CoreSentences::ofPipeline() {
           "There is no such segmentation network; masks are 'auto', 'given' or an ONNX file."),
       QT_TR_NOOP("The fronts are not in mm: lengths in the result, although labelled mm, are in "
                  "the fronts' own unit."),
-      QT_TR_NOOP("The pairs of this batch are not processed yet; process the batch: complete results "
-                 "are kept."),
+      QT_TR_NOOP(
+          "The pairs of this batch are not processed yet; process the batch: complete results "
+          "are kept."),
       QT_TR_NOOP("The scale is wrong: %1, so all measurements would be %2 % too small; measure the "
                  "ruler on the plate and set its true size in plate.json with 'ostraka plate "
                  "--ruler-measured', or reprint the plate at 100 %; if the plate is correct, "

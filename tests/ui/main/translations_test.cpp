@@ -115,7 +115,7 @@ class TranslationsTest : public QObject {
     QSet<QString> known;
     for (const Message& message : messagesOf(QStringLiteral("de"))) known << message.context;
     static const QRegularExpression asked(
-        QStringLiteral("translate\\(\\s*\"([^\"]+)\"|NOOP\\(\"([^\"]+)\""));
+        QStringLiteral("translate\\(\\s*\"([^\"]+)\"|TRANSLATE_NOOP\\(\"([^\"]+)\""));
     int seen = 0;
     QDirIterator files(QStringLiteral(OSTRAKA_SOURCES), {QStringLiteral("*.cpp")}, QDir::Files,
                        QDirIterator::Subdirectories);

@@ -5,12 +5,12 @@
 
 namespace ostraka::app {
 
-/// Text as a terminal may show it: names from strangers can hold characters that clear the screen,
-/// move the cursor or turn the direction of writing. Those become \xHH, byte by byte; line ends and
-/// tabs stay. Bytes that are no UTF-8 stay, too.
+/// Text that is safe to print on a terminal. Names in files of others may contain characters that
+/// clear the screen, move the cursor or reverse the direction of writing; each of their bytes is
+/// printed as \xHH. Line ends and tabs stay, and so do bytes that are not valid UTF-8.
 std::string shown(std::string_view text);
 
-/// What printf makes of it, as shown().
+/// Prints as std::fprintf does, after shown().
 [[gnu::format(printf, 2, 3)]] void show(std::FILE* out, const char* format, ...);
 
 }  // namespace ostraka::app

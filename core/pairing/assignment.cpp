@@ -304,8 +304,8 @@ Result<Assignment> assignPairs(std::span<const Evidence> evidence, int n_front, 
     if (!taken[static_cast<std::size_t>(b)]) assignment.unpaired_back.push_back(b);
   }
   for (const Decision& decision : leftOver(evidence, chances, n_back, options)) {
-    std::vector<int>&lone_fronts = assignment.unpaired_front,
-    &lone_backs = assignment.unpaired_back;
+    std::vector<int>& lone_fronts = assignment.unpaired_front;
+    std::vector<int>& lone_backs = assignment.unpaired_back;
     const auto front = std::find(lone_fronts.begin(), lone_fronts.end(), decision.front);
     const auto back = std::find(lone_backs.begin(), lone_backs.end(), decision.back);
     if (front == lone_fronts.end() || back == lone_backs.end()) continue;

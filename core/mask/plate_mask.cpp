@@ -17,6 +17,7 @@
 #include "mask/coarse_heights.h"
 #include "mask/colour_model.h"
 #include "mask/evidence.h"
+#include "mask/network_evidence.h"
 #include "mask/outline.h"
 #include "mask/plate_agreement.h"
 #include "mask/raised.h"
@@ -62,6 +63,10 @@ class PlateMasker {
       }
     }
     weighStops(stop);
+    if (const auto added =
+            addNetwork(photographs_, views_, hull_.reduction, options_.threads, stop);
+        !added)
+      return added.error();
     if (!carve(stop)) return stop.stop_requested() ? Error::cancelled() : nothingFound();
     progress.report(done += 2, total);
     result_.masks.resize(images_.size());
@@ -71,6 +76,7 @@ class PlateMasker {
       });
     };
     overViews(&PlateMasker::showHull);
+    if (!stop.stop_requested() && dropFlatThings(progress)) overViews(&PlateMasker::showHull);
     const bool lasting = plate_.sheet && still_light_;  // shadows are in the first hull, too
     if (!lasting) knowShadows(), trustHull();
     if (!stop.stop_requested() && !plate_.sheet) nameShadows(by_camera, progress);
@@ -207,26 +213,16 @@ class PlateMasker {
         const cv::Mat1f shown = heightsShown(options_.shown[stops[s][k]], photographs[k]->size());
         shown.copyTo(heights[k], shown != 0);
       }
-      for (std::size_t k = 0; k < images.size(); ++k) addHeights(views_[stops[s][k]], heights[k]);
-    });
-  }
-
-  void addHeights(ViewState& view, cv::Mat1f& odds) {
-    cv::Mat1f small;
-    if (plate_.sheet) {  // a table's grain agrees at any height along its lines
-      cv::Mat1b known;
-      cv::resize(view.plate, known, odds.size(), 0, 0, cv::INTER_NEAREST);
-      odds.setTo(0, ~known);
-    }
-    view.height_odds = odds;
-    view.log_odds += heightsInTheLight(odds, view.residual);
-    cv::resize(odds, small, view.hull.clear.size(), 0, 0, cv::INTER_AREA);
-    for (int y = 0; y < small.rows; ++y)
-      for (int x = 0; x < small.cols; ++x) {
-        const float share = std::clamp(small(y, x) / 4, 0.F, 1.F);
-        view.hull.clear(y, x) *= 1 - share;
-        view.hull.inside(y, x) = std::max(view.hull.inside(y, x), share);
+      for (std::size_t k = 0; k < images.size(); ++k) {
+        ViewState& view = views_[stops[s][k]];
+        if (plate_.sheet) {  // a table's grain agrees at any height along its lines
+          cv::Mat1b known;
+          cv::resize(view.plate, known, heights[k].size(), 0, 0, cv::INTER_NEAREST);
+          heights[k].setTo(0, ~known);
+        }
+        addHeights(view, heights[k]);
       }
+    });
   }
 
   std::pair<cv::Mat3f, int> emptyPlate(int camera, const std::vector<std::size_t>& members,
@@ -265,11 +261,8 @@ class PlateMasker {
   hull::HullView reduced(std::size_t index, const Evidence& evidence) const {
     hull::HullView view;
     view.image = &images_[index];
-    cv::Mat1f inside = evidence.log_odds.clone();
-    for (float& odds : inside) odds = odds > 2 ? 1.F : 0.F;
-    const cv::Size size(inside.cols / hull_.reduction, inside.rows / hull_.reduction);
-    cv::resize(inside, view.inside, size, 0, 0, cv::INTER_AREA);
-    cv::resize(evidence.clear, view.clear, size, 0, 0, cv::INTER_AREA);
+    view.inside = insideOf(evidence.log_odds, hull_.reduction);
+    cv::resize(evidence.clear, view.clear, view.inside.size(), 0, 0, cv::INTER_AREA);
     return view;
   }
 
@@ -300,6 +293,16 @@ class PlateMasker {
       if (!reachesTop()) break;
     }
     return groups > 0;
+  }
+
+  bool dropFlatThings(Progress& progress) {
+    const std::vector<unsigned char> flat = flatThings(views_);
+    if (flat.empty()) return false;
+    for (unsigned char& voxel : voxels_)
+      if (std::find(flat.begin(), flat.end(), voxel) != flat.end()) voxel = 0;
+    progress.note(NoteLevel::Info, "masks: labels, scale bars and other flat things left out: " +
+                                       std::to_string(flat.size()));
+    return true;
   }
 
   // The first hull holds lasting shadows; what most photographs took for shadow leaves this one.

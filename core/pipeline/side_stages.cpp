@@ -10,13 +10,13 @@
 #include "cloud/ply.h"
 #include "files/files.h"
 #include "mask/given_mask.h"
-#include "mask/network_mask.h"
 #include "mask/plate_mask.h"
 #include "pipeline/chain.h"
 #include "pipeline/mask_source.h"
 #include "pipeline/run_log.h"
 #include "pipeline/view_masks.h"
 #include "rig/turntable.h"
+#include "segmentation/network_mask.h"
 #include "stereo/colmap_adapter.h"
 #include "stereo/openmvs_adapter.h"
 #include "stereo/stereo.h"
@@ -106,7 +106,7 @@ Result<mask::MaskResult> networkMasks(const Run& run, const std::vector<cv::Mat>
   mask::MaskResult result;
   for (const cv::Mat& photograph : photographs) {
     if (run.stop.stop_requested()) return Error::cancelled();
-    Result<cv::Mat1b> mask = mask::maskByNetwork(photograph, run.options.masks);
+    Result<cv::Mat1b> mask = segmentation::maskByNetwork(photograph, run.options.masks);
     if (!mask) return mask.error();
     result.masks.push_back(std::move(*mask));
     run.progress.report(static_cast<std::int64_t>(result.masks.size()),

@@ -6,7 +6,7 @@
 
 #include "base/result.h"
 
-namespace ostraka::mask {
+namespace ostraka::segmentation {
 
 /// Width and height, pixels, at which the network takes a photograph of this size: what its file
 /// (ONNX, the bytes of `model`) fixes, else at most 1024 on the longer side, both multiples of 32.
@@ -22,4 +22,8 @@ Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
 /// Errors: UnusableInput names the model and what was expected of it.
 Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx);
 
-}  // namespace ostraka::mask
+/// What Ostraka's own network (shippedNetwork) says of a photograph (CV_8UC3, BGR): probability of
+/// sherd, 0..255, in the size that the network gives, at most 512 on the longer side.
+Result<cv::Mat1b> maskByShippedNetwork(const cv::Mat& photograph);
+
+}  // namespace ostraka::segmentation

@@ -1,4 +1,4 @@
-#include "mask/network_mask.h"
+#include "segmentation/network_mask.h"
 
 #include <gmock/gmock.h>
 
@@ -10,7 +10,7 @@
 
 #include "files/files.h"
 
-namespace ostraka::mask {
+namespace ostraka::segmentation {
 namespace {
 
 // Just enough of protocol buffers to write a network of one 1 x 1 convolution by hand.
@@ -120,5 +120,19 @@ TEST(NetworkMask, ThreeOutputChannelsAreRefused) {
   EXPECT_THAT(mask.error().sentence(), testing::HasSubstr("three.onnx"));
 }
 
+TEST(ShippedNetwork, FindsNothingOnBarePaper) {
+  for (const cv::Size size : {cv::Size(1600, 1200), cv::Size(900, 1600), cv::Size(200, 60)}) {
+    const auto says = maskByShippedNetwork(cv::Mat(size, CV_8UC3, cv::Scalar(225, 230, 235)));
+    ASSERT_TRUE(says.has_value()) << says.error().sentence();
+    EXPECT_LE(std::max(says->cols, says->rows), 512);
+    EXPECT_LT(cv::mean(*says)[0], 10);
+  }
+}
+
+TEST(ShippedNetwork, TakesColourPhotographsOnly) {
+  EXPECT_FALSE(maskByShippedNetwork(cv::Mat(60, 80, CV_8UC1, cv::Scalar(0))).has_value());
+  EXPECT_FALSE(maskByShippedNetwork(cv::Mat()).has_value());
+}
+
 }  // namespace
-}  // namespace ostraka::mask
+}  // namespace ostraka::segmentation

@@ -1,4 +1,4 @@
-#include "mask/network_mask.h"
+#include "segmentation/network_mask.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,9 @@
 
 #include "base/limits.h"
 #include "files/files.h"
+#include "segmentation/shipped_network.h"
 
-namespace ostraka::mask {
+namespace ostraka::segmentation {
 namespace {
 
 /// One field of a protocol buffer message: a number, or a run of bytes.
@@ -151,6 +152,35 @@ cv::Mat1f probabilityOf(const cv::Mat& output) {
   return sherd;
 }
 
+Result<cv::Mat1f> probability(const cv::Mat& photograph, std::string_view model,
+                              const std::string& where) {
+  if (photograph.type() != CV_8UC3 || photograph.empty())
+    return Error::unusable("The network needs an 8-bit colour photograph.");
+  const Result<cv::Size> size = networkInputSize(model, photograph.size(), where);
+  if (!size) return size.error();
+  cv::Mat output;
+  try {
+    cv::dnn::Net net = cv::dnn::readNetFromONNX(model.data(), model.size());
+    net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+    net.setInput(pictureBlob(photograph, *size));
+    output = net.forward();
+  } catch (const cv::Exception& problem) {
+    return unusable(where, "The network cannot be run (" + problem.err + ")");
+  }
+  if (output.dims != 4 || output.type() != CV_32F || output.size[0] != 1 || output.size[1] < 1 ||
+      output.size[1] > 2 || output.size[2] < 1 || output.size[3] < 1)
+    return unusable(where, "The network's output has another shape");
+  if (!cv::checkRange(output.reshape(1, 1)))
+    return unusable(where, "The network's output contains numbers that are not finite");
+  return probabilityOf(output);
+}
+
+cv::Mat1b inBytes(const cv::Mat1f& probability) {
+  cv::Mat1b mask;
+  probability.convertTo(mask, CV_8U, 255);
+  return mask;
+}
+
 }  // namespace
 
 Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
@@ -175,31 +205,19 @@ Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
 }
 
 Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx) {
-  if (photograph.type() != CV_8UC3 || photograph.empty())
-    return Error::unusable("The network needs an 8-bit colour photograph.");
   const Result<std::string> model = readFile(onnx, limits::kNetworkBytes.most);
   if (!model) return model.error();
-  const Result<cv::Size> size = networkInputSize(*model, photograph.size(), onnx.string());
-  if (!size) return size.error();
-  cv::Mat output;
-  try {
-    cv::dnn::Net net = cv::dnn::readNetFromONNX(model->data(), model->size());
-    net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
-    net.setInput(pictureBlob(photograph, *size));
-    output = net.forward();
-  } catch (const cv::Exception& problem) {
-    return unusable(onnx.string(), "The network cannot be run (" + problem.err + ")");
-  }
-  if (output.dims != 4 || output.type() != CV_32F || output.size[0] != 1 || output.size[1] < 1 ||
-      output.size[1] > 2 || output.size[2] < 1 || output.size[3] < 1)
-    return unusable(onnx.string(), "The network's output has another shape");
-  if (!cv::checkRange(output.reshape(1, 1)))
-    return unusable(onnx.string(), "The network's output contains numbers that are not finite");
-  cv::Mat1f sherd;
-  cv::resize(probabilityOf(output), sherd, photograph.size(), 0, 0, cv::INTER_LINEAR);
-  cv::Mat1b mask;
-  sherd.convertTo(mask, CV_8U, 255);
-  return mask;
+  const Result<cv::Mat1f> sherd = probability(photograph, *model, onnx.string());
+  if (!sherd) return sherd.error();
+  cv::Mat1f scaled;
+  cv::resize(*sherd, scaled, photograph.size(), 0, 0, cv::INTER_LINEAR);
+  return inBytes(scaled);
 }
 
-}  // namespace ostraka::mask
+Result<cv::Mat1b> maskByShippedNetwork(const cv::Mat& photograph) {
+  const Result<cv::Mat1f> sherd = probability(photograph, shippedNetwork(), "sherds.onnx");
+  if (!sherd) return sherd.error();
+  return inBytes(*sherd);
+}
+
+}  // namespace ostraka::segmentation

@@ -1,0 +1,9 @@
+#pragma once
+#include <string_view>
+
+namespace ostraka::segmentation {
+
+/// Ostraka's own network (resources/network), ONNX, as maskByNetwork takes it.
+std::string_view shippedNetwork();
+
+}  // namespace ostraka::segmentation

@@ -7484,6 +7484,11 @@
       <translation>%1 (%2 % der freien Platte)</translation>
     </message>
     <message>
+      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Masken: Flache Dinge, die wie Etiketten oder Maßstäbe aussehen, sind weggelassen (%1); wenn Scherben darunter sind, diese in den Masken ergänzen</translation>
+    </message>
+    <message>
       <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan der Vorderseite enthält keine Punkte.</translation>

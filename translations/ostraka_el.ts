@@ -7479,6 +7479,11 @@
       <translation>%1 (%2 % του γυμνού δίσκου)</translation>
     </message>
     <message>
+      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μάσκες: επίπεδα πράγματα που μοιάζουν με ετικέτες ή κλίμακες παραλείπονται (%1)· αν υπάρχουν όστρακα ανάμεσά τους, προσθέστε τα στις μάσκες</translation>
+    </message>
+    <message>
       <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση της μπροστινής όψης δεν περιέχει σημεία.</translation>

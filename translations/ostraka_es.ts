@@ -7479,6 +7479,11 @@
       <translation>%1 (%2 % del plato libre)</translation>
     </message>
     <message>
+      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>máscaras: se omiten cosas planas que parecen etiquetas o escalas (%1); si entre ellas hay fragmentos, añádalos a las máscaras</translation>
+    </message>
+    <message>
       <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo del anverso no contiene puntos.</translation>

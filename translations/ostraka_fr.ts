@@ -7479,6 +7479,11 @@
       <translation>%1 (%2 % du plateau nu)</translation>
     </message>
     <message>
+      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>masques : des choses plates qui ressemblent à des étiquettes ou à des échelles sont laissées de côté (%1) ; s’il y a des tessons parmi elles, les ajouter aux masques</translation>
+    </message>
+    <message>
       <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation de la face avant ne contient aucun point.</translation>

@@ -7479,6 +7479,11 @@
       <translation>%1 (բաց սկավառակի %2 %)</translation>
     </message>
     <message>
+      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դիմակներ՝ պիտակների կամ մասշտաբների նման տափակ իրերը բաց են թողնված (%1). եթե դրանց մեջ բեկորներ կան, ավելացրեք դրանք դիմակներին</translation>
+    </message>
+    <message>
       <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսի սկանում կետեր չկան։</translation>

@@ -7432,6 +7432,11 @@
       <translation>%1 (çıplak tablanın %2 %)</translation>
     </message>
     <message>
+      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>maskeler: etikete veya ölçek çubuğuna benzeyen düz şeyler dışarıda bırakıldı (%1); aralarında çanak çömlek parçası varsa maskelere ekleyin</translation>
+    </message>
+    <message>
       <source>The front scan contains no points.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüz taramasında hiç nokta yok.</translation>

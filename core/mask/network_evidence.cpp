@@ -1,5 +1,6 @@
 #include "mask/network_evidence.h"
 
+#include <algorithm>
 #include <array>
 #include <opencv2/imgproc.hpp>
 #include <vector>
@@ -12,66 +13,80 @@
 namespace ostraka::mask {
 namespace {
 
-// Means over a group's cells of what the network says, 0..255. Labels and scale bars: below 1,
-// sherds: above 170; and the share of cells that heights find in the plate: 0.5 and more, below
-// 0.2.
-constexpr double kUnseen = 25, kSeen = 128, kFlat = 0.3;
+// Labels and scale bars: the network takes no cell of them for sherd, heights find 50 % and more of
+// their cells in the plate. Sherds: 70 % and more, and below 20 % (tests/bench/RESULTS.md).
+constexpr uchar kSherd = 128;
+constexpr double kUnseen = 0.1, kSeen = 0.5, kFlat = 0.3;
 
-struct GroupMeans {
-  double cells = 0, says = 0, low = 0;
+struct GroupCells {
+  double all = 0, sherd = 0, low = 0;
+  double most_sherd = 0;  // largest share of one photograph
 };
+using Groups = std::array<GroupCells, hull::kMostGroups + 1>;
+
+Groups groupsOf(const ViewState& view) {
+  cv::Mat1f heights;
+  cv::resize(view.height_odds, heights, view.group.size(), 0, 0, cv::INTER_AREA);
+  Groups groups{};
+  for (int y = 0; y < view.group.rows; ++y)
+    for (int x = 0; x < view.group.cols; ++x) {
+      GroupCells& group = groups[view.group(y, x)];
+      group.all += 1;
+      if (view.probability(y, x) >= kSherd) group.sherd += 1;
+      if (heights(y, x) < 0) group.low += 1;
+    }
+  return groups;
+}
 
 }  // namespace
 
 Result<void> addNetwork(std::span<const cv::Mat> photographs, std::span<ViewState> views,
                         int reduction, int threads, const std::stop_token& stop) {
-  std::vector<cv::Mat1b> says(views.size());
-  std::vector<segmentation::NetworkSight> sights;
-  for (std::size_t i = 0; i < views.size(); ++i) {  // each on all processors
+  std::vector<segmentation::NetworkSample> samples;
+  for (std::size_t i = 0; i < views.size(); ++i) {
     if (stop.stop_requested()) return Error::cancelled();
-    Result<cv::Mat1b> said = segmentation::maskByShippedNetwork(photographs[i]);
-    if (!said) return said.error();
-    says[i] = std::move(*said);
+    const Result<cv::Mat1b> probability = segmentation::sherdProbability(photographs[i]);
+    if (!probability) return probability.error();
     ViewState& view = views[i];
-    cv::resize(says[i], view.says, view.hull.clear.size(), 0, 0, cv::INTER_AREA);
-    sights.push_back({view.says, view.hull.inside, view.hull.clear});
+    cv::resize(*probability, view.probability, view.hull.clear.size(), 0, 0, cv::INTER_AREA);
+    samples.push_back({view.probability, view.hull.inside, view.hull.clear});
   }
-  const auto odds = segmentation::NetworkOdds::learn(sights);
+  const auto odds = segmentation::NetworkOdds::learn(samples);
+  if (odds.none()) return {};
   parallelFor(views.size(), threads, [&](std::size_t i) {
     ViewState& view = views[i];
-    const cv::Mat1f own = odds.of(says[i], view.log_odds.size());
-    view.log_odds += own;
+    const cv::Mat1f added = odds.of(view.probability, view.log_odds.size());
+    view.log_odds += added;
     const cv::Size size = view.hull.clear.size();
     view.hull.inside =
         cv::max(insideOf(view.log_odds, reduction), sharesOf(view.height_odds, size));
-    view.hull.clear = view.hull.clear.mul(1 - sharesOf(own, size));
+    view.hull.clear = view.hull.clear.mul(1 - sharesOf(added, size));
   });
   return {};
 }
 
-std::vector<unsigned char> flatThings(std::span<const ViewState> views) {
-  std::array<GroupMeans, hull::kMostGroups + 1> groups{};
+FlatGroups findFlatGroups(std::span<const ViewState> views) {
+  Groups sums{};
   for (const ViewState& view : views) {
-    if (view.says.empty() || view.height_odds.empty()) continue;
-    cv::Mat1f heights;
-    cv::resize(view.height_odds, heights, view.group.size(), 0, 0, cv::INTER_AREA);
-    for (int y = 0; y < view.group.rows; ++y)
-      for (int x = 0; x < view.group.cols; ++x) {
-        GroupMeans& group = groups[view.group(y, x)];
-        group.cells += 1, group.says += view.says(y, x), group.low += heights(y, x) < 0 ? 1 : 0;
-      }
+    const Groups groups = groupsOf(view);
+    for (std::size_t g = 1; g < sums.size(); ++g) {
+      if (groups[g].all == 0) continue;
+      sums[g].all += groups[g].all, sums[g].sherd += groups[g].sherd, sums[g].low += groups[g].low;
+      sums[g].most_sherd = std::max(sums[g].most_sherd, groups[g].sherd / groups[g].all);
+    }
   }
-  std::vector<unsigned char> flat;
-  std::vector<double> others;
-  for (std::size_t g = 1; g < groups.size(); ++g) {
-    const auto& [cells, says, low] = groups[g];
-    if (cells == 0) continue;
-    if (says < kUnseen * cells && low > kFlat * cells)
-      flat.push_back(static_cast<unsigned char>(g));
+  FlatGroups flat;
+  std::vector<double> others;  // shares that the network takes for sherd
+  for (std::size_t g = 1; g < sums.size(); ++g) {
+    const GroupCells& group = sums[g];
+    if (group.all == 0) continue;
+    if (group.most_sherd < kUnseen && group.low > kFlat * group.all)
+      flat.numbers.push_back(static_cast<unsigned char>(g));
     else
-      others.push_back(says / cells);
+      others.push_back(group.sherd / group.all);
   }
-  if (others.empty() || medianOf(std::move(others)) < kSeen) flat.clear();
+  flat.doubtful = flat.numbers.size() > others.size();
+  if (others.empty() || medianOf(std::move(others)) < kSeen) return {};
   return flat;
 }
 

@@ -9,17 +9,21 @@
 
 namespace ostraka::mask {
 
-/// Ostraka's own network says of each photograph (CV_8UC3) where sherds are, and counts for as much
-/// as the rest of the evidence bears it out in these photographs (segmentation::NetworkOdds): in
-/// the views' log odds and in what the hull is carved from. One view per photograph, after the
-/// plate and the heights were weighed. reduction: hull::HullOptions. Errors: Cancelled.
+/// Adds the odds of Ostraka's own network, with a weight that is learnt in these photographs
+/// (segmentation::NetworkOdds), to the views' log odds and to what the hull is carved from.
+/// photographs: CV_8UC3, one per view. Call it after the plate and the heights were weighed.
+/// reduction: as in hull::HullOptions. Errors: Cancelled, and those of sherdProbability.
 Result<void> addNetwork(std::span<const cv::Mat> photographs, std::span<ViewState> views,
                         int reduction, int threads, const std::stop_token& stop);
 
-/// Numbers of the hull's groups that are no sherds: labels, scale bars, cards. They lie in the
-/// plate and the network sees nothing of a sherd in them, in any photograph, though it sees the
-/// others; where it is blind to most groups, none. views: after the hull is shown
-/// (ViewState::group).
-std::vector<unsigned char> flatThings(std::span<const ViewState> views);
+struct FlatGroups {
+  std::vector<unsigned char> numbers;  ///< of the hull's groups
+  bool doubtful = false;               ///< more than the other groups
+};
+/// Labels, scale bars, cards: groups of the hull that lie in the plate by their heights and of
+/// which the network takes nothing for sherd in any photograph. None where it has no notion of most
+/// of the other groups, and where heights are not known (one photograph at each stop of a
+/// turntable). views: after the hull is shown (ViewState::group).
+FlatGroups findFlatGroups(std::span<const ViewState> views);
 
 }  // namespace ostraka::mask

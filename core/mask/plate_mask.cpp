@@ -296,12 +296,15 @@ class PlateMasker {
   }
 
   bool dropFlatThings(Progress& progress) {
-    const std::vector<unsigned char> flat = flatThings(views_);
+    const auto [flat, doubtful] = findFlatGroups(views_);
     if (flat.empty()) return false;
     for (unsigned char& voxel : voxels_)
       if (std::find(flat.begin(), flat.end(), voxel) != flat.end()) voxel = 0;
-    progress.note(NoteLevel::Info, "masks: labels, scale bars and other flat things left out: " +
-                                       std::to_string(flat.size()));
+    const std::string text =
+        "masks: flat things that look like labels or scale bars are left out (" +
+        std::to_string(flat.size()) + "); if there are sherds among them, add them to the masks";
+    progress.note(doubtful ? NoteLevel::Warning : NoteLevel::Info, text);
+    if (doubtful) result_.warnings.push_back(text);
     return true;
   }
 

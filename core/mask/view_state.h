@@ -11,12 +11,12 @@ struct ViewState {
   cv::Mat1f log_odds;
   cv::Mat1f height_odds;  ///< half size, see weighHeights
   hull::HullView hull;
-  cv::Mat1b says;     ///< reduced: probability of sherd by the network, 0..255
-  cv::Mat1b group;    ///< reduced: which group's hull shows
-  cv::Mat1f depth;    ///< reduced: mm of hull behind it
-  cv::Mat1f below;    ///< reduced: voxels from the floor up to the hull that it shows
-  cv::Mat1b allowed;  ///< where a sherd may be
-  cv::Mat1b plate;    ///< reduced: the plate inside the markers
+  cv::Mat1b probability;  ///< reduced: of sherd by the network, 0..255
+  cv::Mat1b group;        ///< reduced: which group's hull shows
+  cv::Mat1f depth;        ///< reduced: mm of hull behind it
+  cv::Mat1f below;        ///< reduced: voxels from the floor up to the hull that it shows
+  cv::Mat1b allowed;      ///< where a sherd may be
+  cv::Mat1b plate;        ///< reduced: the plate inside the markers
 };
 
 /// Share of each cell that looks like a sherd, 0..1; so many pixels are a cell's side.

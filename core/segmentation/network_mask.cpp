@@ -214,7 +214,7 @@ Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem
   return inBytes(scaled);
 }
 
-Result<cv::Mat1b> maskByShippedNetwork(const cv::Mat& photograph) {
+Result<cv::Mat1b> sherdProbability(const cv::Mat& photograph) {
   const Result<cv::Mat1f> sherd = probability(photograph, shippedNetwork(), "sherds.onnx");
   if (!sherd) return sherd.error();
   return inBytes(*sherd);

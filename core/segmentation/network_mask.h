@@ -22,8 +22,9 @@ Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
 /// Errors: UnusableInput names the model and what was expected of it.
 Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx);
 
-/// What Ostraka's own network (shippedNetwork) says of a photograph (CV_8UC3, BGR): probability of
-/// sherd, 0..255, in the size that the network gives, at most 512 on the longer side.
-Result<cv::Mat1b> maskByShippedNetwork(const cv::Mat& photograph);
+/// Probability of sherd, 0..255, by Ostraka's own network (shippedNetwork) in a photograph
+/// (CV_8UC3, BGR), in the size that the network gives: at most 512 on the longer side. Works on all
+/// processors. Errors: UnusableInput.
+Result<cv::Mat1b> sherdProbability(const cv::Mat& photograph);
 
 }  // namespace ostraka::segmentation

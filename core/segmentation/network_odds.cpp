@@ -8,18 +8,19 @@
 namespace ostraka::segmentation {
 namespace {
 
-constexpr int kSteps = 12;            // of what the network says, one of the logit each
-constexpr float kMostWorth = 4;       // may outvote a doubt, not a certainty, as learnt colours
-constexpr float kFewestSure = 100;    // samples of either
-constexpr float kWrongShare = 2e-3F;  // share of either that is wrong in the learning itself
+constexpr int kSteps = 12;             // of the probability, each as wide as 1 in its logit
+constexpr float kMostOdds = 4;         // may outvote a doubt, not a certainty, as learnt colours
+constexpr float kFewestSure = 100;     // samples of either
+constexpr double kWrongShare = 2e-3F;  // share of either that is wrong in the learning itself
 
-float logit(int says) {
-  const float p = std::clamp(static_cast<float>(says) / 255, 1e-3F, 1 - 1e-3F);
+float logit(int probability) {
+  const float p = std::clamp(static_cast<float>(probability) / 255, 1e-3F, 1 - 1e-3F);
   return std::log(p / (1 - p));
 }
 
-int stepOf(int says) {
-  return std::clamp(static_cast<int>(std::floor(logit(says) + 0.5F * kSteps)), 0, kSteps - 1);
+int stepOf(int probability) {
+  return std::clamp(static_cast<int>(std::floor(logit(probability) + 0.5F * kSteps)), 0,
+                    kSteps - 1);
 }
 
 // The nearest values that do not fall, least squares with weights: pool adjacent violators.
@@ -48,38 +49,41 @@ void makeRising(std::array<float, kSteps>& values, const std::array<float, kStep
 
 }  // namespace
 
-NetworkOdds NetworkOdds::learn(std::span<const NetworkSight> sights) {
-  std::array<float, kSteps> sherd{}, bare{};
-  float all_sherd = 0, all_bare = 0;
+NetworkOdds NetworkOdds::learn(std::span<const NetworkSample> samples) {
+  std::array<double, kSteps> sherd{}, bare{};
+  double all_sherd = 0, all_bare = 0;
   std::array<int, 256> steps{};
-  for (int says = 0; says < 256; ++says) steps[says] = stepOf(says);
-  for (const NetworkSight& sight : sights)
-    for (int y = 0; y < sight.says.rows; ++y)
-      for (int x = 0; x < sight.says.cols; ++x) {
-        const int step = steps[sight.says(y, x)];
-        sherd[step] += sight.inside(y, x), all_sherd += sight.inside(y, x);
-        bare[step] += sight.clear(y, x), all_bare += sight.clear(y, x);
+  for (int probability = 0; probability < 256; ++probability)
+    steps[probability] = stepOf(probability);
+  for (const NetworkSample& sample : samples)
+    for (int y = 0; y < sample.probability.rows; ++y)
+      for (int x = 0; x < sample.probability.cols; ++x) {
+        const int step = steps[sample.probability(y, x)];
+        sherd[step] += sample.inside(y, x), all_sherd += sample.inside(y, x);
+        bare[step] += sample.clear(y, x), all_bare += sample.clear(y, x);
       }
   NetworkOdds odds;
   if (all_sherd < kFewestSure || all_bare < kFewestSure) return odds;
   std::array<float, kSteps> ratio{}, weights{};
   for (int i = 0; i < kSteps; ++i) {
-    const float s = sherd[i] / all_sherd + kWrongShare, b = bare[i] / all_bare + kWrongShare;
+    const auto s = static_cast<float>(sherd[i] / all_sherd + kWrongShare),
+               b = static_cast<float>(bare[i] / all_bare + kWrongShare);
     ratio[i] = std::log(s / b), weights[i] = s + b;
   }
   makeRising(ratio, weights);
-  for (int says = 0; says < 256; ++says) {
-    const float learnt = std::clamp(ratio[steps[says]], -kMostWorth, kMostWorth);
-    const float own = logit(says);
+  for (int probability = 0; probability < 256; ++probability) {
+    const float learnt = std::clamp(ratio[steps[probability]], -kMostOdds, kMostOdds);
+    const float own = logit(probability);
     if (learnt * own > 0)
-      odds.odds_[says] = std::copysign(std::min(std::abs(learnt), std::abs(own)), own);
+      odds.odds_[probability] = std::copysign(std::min(std::abs(learnt), std::abs(own)), own);
   }
   return odds;
 }
 
-cv::Mat1f NetworkOdds::of(const cv::Mat1b& says, cv::Size size) const {
-  cv::Mat1f own(says.size()), scaled;
-  std::transform(says.begin(), says.end(), own.begin(), [this](uchar v) { return of(v); });
+cv::Mat1f NetworkOdds::of(const cv::Mat1b& probability, cv::Size size) const {
+  cv::Mat1f own(probability.size()), scaled;
+  std::transform(probability.begin(), probability.end(), own.begin(),
+                 [this](uchar v) { return of(v); });
   cv::resize(own, scaled, size, 0, 0, cv::INTER_LINEAR);
   return scaled;
 }

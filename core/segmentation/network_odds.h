@@ -5,24 +5,24 @@
 
 namespace ostraka::segmentation {
 
-/// What one photograph tells of the network's word, all of one size.
-struct NetworkSight {
-  cv::Mat1b says;    ///< probability of sherd, 0..255 (maskByShippedNetwork)
-  cv::Mat1f inside;  ///< 0..1: surely sherd, as hull::HullView has it
-  cv::Mat1f clear;   ///< 0..1: surely bare plate, likewise
+/// One photograph's part in the learning, all of one size.
+struct NetworkSample {
+  cv::Mat1b probability;  ///< of sherd by the network, 0..255 (sherdProbability)
+  cv::Mat1f inside;       ///< 0..1: surely sherd, as hull::HullView has it
+  cv::Mat1f clear;        ///< 0..1: surely bare plate, likewise
 };
 
-/// log P(what the network says | sherd) / P(what it says | bare plate), by what it says. It is
-/// learnt from what other evidence is sure of in the same photographs, so that a network counts for
-/// as much as it is worth there: nothing, where it has never seen such things. Never falls with the
-/// network's probability.
+/// log P(network's probability | sherd) / P(network's probability | bare plate). It is learnt where
+/// other evidence is sure in the same photographs, so that a network without any notion of these
+/// things has no weight. Rises with the probability, and is no larger than its own log odds.
 class NetworkOdds {
  public:
   /// No odds where too little is sure of either.
-  static NetworkOdds learn(std::span<const NetworkSight> sights);
-  float of(uchar says) const { return odds_[says]; }
-  /// The odds of a photograph of this size.
-  cv::Mat1f of(const cv::Mat1b& says, cv::Size size) const;
+  static NetworkOdds learn(std::span<const NetworkSample> samples);
+  float of(uchar probability) const { return odds_[probability]; }
+  /// The odds of a photograph of this size; the probabilities may have any size.
+  cv::Mat1f of(const cv::Mat1b& probability, cv::Size size) const;
+  bool none() const { return odds_.front() == 0 && odds_.back() == 0; }
 
  private:
   std::array<float, 256> odds_{};

@@ -1,8 +1,13 @@
 #include "segmentation/shipped_network.h"
 
-// The bytes of resources/network/sherds.onnx.
+#include <cstddef>
+
+// The bytes of resources/network/sherds.onnx: as an array in C++ they would take a compiler
+// minutes.
 asm(".section .rodata\n"
     ".balign 16\n"
+    ".globl ostraka_network_begin, ostraka_network_end\n"
+    ".hidden ostraka_network_begin, ostraka_network_end\n"
     "ostraka_network_begin:\n"
     ".incbin \"" OSTRAKA_NETWORK
     "\"\n"

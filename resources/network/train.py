@@ -302,6 +302,8 @@ def main():
     device = torch.device("cuda" if torch.cuda.is_available() else "cpu")
     worlds = Worlds(options.worlds, device)
     worlds.refresh()
+    if not worlds.train or options.batch < 6:
+        arguments.error("needs worlds to train on, and six cuts at least in a batch")
     network = train(worlds, options, device)
     worlds.refresh()
     if worlds.held_out:

@@ -9,11 +9,11 @@
 #include "cloud/ply.h"
 #include "evaluate/pairs.h"
 #include "files/json.h"
-#include "segmentation/network_mask.h"
 #include "memory_file.h"
 #include "must.h"
 #include "rig/camera.h"
 #include "rig/rig.h"
+#include "segmentation/network_mask.h"
 #include "turntables/text_turntable.h"
 
 namespace ostraka::fuzz {

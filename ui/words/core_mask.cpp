@@ -29,6 +29,8 @@ Sentences CoreSentences::ofMask() {
           "masks: a shadow that the other photographs do not show falls on the plate in %1; keep "
           "people and hands out of the light, and retake these if their masks look wrong"),
       QT_TR_NOOP("%1 (%2 % of the bare plate)"),
+      QT_TR_NOOP("masks: flat things that look like labels or scale bars are left out (%1); if "
+                 "there are sherds among them, add them to the masks"),
   };
   return kAll;
 }

@@ -2,50 +2,105 @@
 
 #include <gmock/gmock.h>
 
+#include <stop_token>
+#include <vector>
+
 namespace ostraka::mask {
 namespace {
 
+using testing::ElementsAre;
+using testing::IsEmpty;
+
 struct Thing {
-  uchar says;     // of the network
-  float heights;  // odds; below 0: in the plate
+  uchar probability;   // of sherd by the network, 0..255
+  float heights;       // odds; below 0: in the plate
+  int sherd_rows = 0;  // of 10 rows that the network takes for sherd all the same
 };
+constexpr Thing kSherd{240, 3}, kLabel{0, -2}, kFlatSherd{220, -1}, kStrangeSherd{0, 3};
 
 // A view of things side by side, groups 1, 2, ...
 ViewState viewOf(const std::vector<Thing>& things) {
   const int columns = 10 * static_cast<int>(things.size());
   ViewState view;
   view.group = cv::Mat1b(10, columns, uchar{0});
-  view.says = cv::Mat1b(10, columns, uchar{0});
+  view.probability = cv::Mat1b(10, columns, uchar{0});
   view.height_odds = cv::Mat1f(20, 2 * columns, 0.F);
   for (int i = 0; i < static_cast<int>(things.size()); ++i) {
     const cv::Range place(10 * i + 1, 10 * i + 9);
     view.group.colRange(place) = static_cast<uchar>(i + 1);
-    view.says.colRange(place) = things[i].says;
+    view.probability.colRange(place) = things[i].probability;
+    view.probability(cv::Range(0, things[i].sherd_rows), place) = 240;
     view.height_odds.colRange(2 * place.start, 2 * place.end) = things[i].heights;
   }
   return view;
 }
 
-TEST(FlatThings, AreFlatAndNothingToTheNetwork) {
-  const std::vector views{viewOf({{240, 3}, {0, -2}, {220, -1}, {0, 3}})};
-  // The second is a label; the third a flat sherd, the fourth one of a kind that the network has
-  // never seen.
-  EXPECT_THAT(flatThings(views), testing::ElementsAre(2));
+TEST(FlatGroups, AreFlatAndNothingToTheNetwork) {
+  const FlatGroups found =
+      findFlatGroups(std::vector{viewOf({kSherd, kLabel, kFlatSherd, kSherd, kStrangeSherd})});
+  EXPECT_THAT(found.numbers, ElementsAre(2));
+  EXPECT_FALSE(found.doubtful);
 }
 
-TEST(FlatThings, AreNoneWhereOnePhotographShowsASherd) {
-  const std::vector views{viewOf({{240, 3}, {0, -2}}), viewOf({{240, 3}, {200, -2}})};
-  EXPECT_THAT(flatThings(views), testing::IsEmpty());
+TEST(FlatGroups, AreNoneThatOneOfTwentyPhotographsShowsAsSherds) {
+  std::vector views(19, viewOf({kSherd, kLabel}));
+  views.push_back(viewOf({kSherd, kFlatSherd}));
+  EXPECT_THAT(findFlatGroups(views).numbers, IsEmpty());
 }
 
-TEST(FlatThings, AreNoneToANetworkThatSeesNothing) {
-  const std::vector views{viewOf({{3, 3}, {0, -2}, {8, 3}})};
-  EXPECT_THAT(flatThings(views), testing::IsEmpty());
+TEST(FlatGroups, AreNoneThatASherdTouches) {
+  const Thing bar_with_sherd{0, -2, 2};
+  EXPECT_THAT(findFlatGroups(std::vector{viewOf({kSherd, bar_with_sherd})}).numbers, IsEmpty());
 }
 
-TEST(FlatThings, AreNotAllThatThereIs) {
-  const std::vector views{viewOf({{0, -2}})};
-  EXPECT_THAT(flatThings(views), testing::IsEmpty());
+TEST(FlatGroups, AreNoneToANetworkWithoutANotionOfTheOthers) {
+  EXPECT_THAT(findFlatGroups(std::vector{viewOf({kStrangeSherd, kLabel, kStrangeSherd})}).numbers,
+              IsEmpty());
+}
+
+TEST(FlatGroups, AreNotAllThatThereIs) {
+  EXPECT_THAT(findFlatGroups(std::vector{viewOf({kLabel})}).numbers, IsEmpty());
+}
+
+TEST(FlatGroups, AreDoubtfulWhereTheyAreMoreThanTheOthers) {
+  const FlatGroups found = findFlatGroups(std::vector{viewOf({kSherd, kLabel, kLabel})});
+  EXPECT_THAT(found.numbers, ElementsAre(2, 3));
+  EXPECT_TRUE(found.doubtful);
+}
+
+// A view of 64 x 64 pixels: bare paper but for a corner.
+ViewState viewOfPaper() {
+  ViewState view;
+  view.log_odds = cv::Mat1f(64, 64, -3.F);
+  view.log_odds(cv::Rect(0, 0, 32, 32)) = 3;
+  view.height_odds = cv::Mat1f(32, 32, 0.F);
+  view.hull.inside = insideOf(view.log_odds, 4);
+  view.hull.clear = 1 - view.hull.inside;
+  return view;
+}
+
+TEST(AddNetwork, ChangesNothingWhereTheNetworkHasNoNotionOfThings) {
+  // All is paper to the network; what other evidence is sure of stays.
+  const std::vector<cv::Mat> photographs(4, cv::Mat(64, 64, CV_8UC3, cv::Scalar(225, 230, 235)));
+  std::vector<ViewState> views;
+  for (int i = 0; i < 4; ++i) views.push_back(viewOfPaper());
+  ASSERT_TRUE(addNetwork(photographs, views, 4, 2, {}).has_value());
+  const ViewState before = viewOfPaper();
+  for (const ViewState& view : views) {
+    EXPECT_EQ(view.probability.size(), view.hull.clear.size());
+    EXPECT_LT(cv::norm(view.log_odds, before.log_odds, cv::NORM_INF), 0.05);
+    EXPECT_LT(cv::norm(view.hull.inside, before.hull.inside, cv::NORM_INF), 0.05);
+  }
+}
+
+TEST(AddNetwork, CanBeCancelled) {
+  const std::vector<cv::Mat> photographs(1, cv::Mat(64, 64, CV_8UC3, cv::Scalar(225, 230, 235)));
+  std::vector<ViewState> views{viewOfPaper()};
+  std::stop_source source;
+  source.request_stop();
+  const Result<void> added = addNetwork(photographs, views, 4, 1, source.get_token());
+  ASSERT_FALSE(added.has_value());
+  EXPECT_EQ(added.error().code, ErrorCode::Cancelled);
 }
 
 }  // namespace

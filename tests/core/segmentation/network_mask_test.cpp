@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -122,16 +123,16 @@ TEST(NetworkMask, ThreeOutputChannelsAreRefused) {
 
 TEST(ShippedNetwork, FindsNothingOnBarePaper) {
   for (const cv::Size size : {cv::Size(1600, 1200), cv::Size(900, 1600), cv::Size(200, 60)}) {
-    const auto says = maskByShippedNetwork(cv::Mat(size, CV_8UC3, cv::Scalar(225, 230, 235)));
-    ASSERT_TRUE(says.has_value()) << says.error().sentence();
-    EXPECT_LE(std::max(says->cols, says->rows), 512);
-    EXPECT_LT(cv::mean(*says)[0], 10);
+    const auto found = sherdProbability(cv::Mat(size, CV_8UC3, cv::Scalar(225, 230, 235)));
+    ASSERT_TRUE(found.has_value()) << found.error().sentence();
+    EXPECT_LE(std::max(found->cols, found->rows), 512);
+    EXPECT_LT(cv::mean(*found)[0], 10);
   }
 }
 
 TEST(ShippedNetwork, TakesColourPhotographsOnly) {
-  EXPECT_FALSE(maskByShippedNetwork(cv::Mat(60, 80, CV_8UC1, cv::Scalar(0))).has_value());
-  EXPECT_FALSE(maskByShippedNetwork(cv::Mat()).has_value());
+  EXPECT_FALSE(sherdProbability(cv::Mat(60, 80, CV_8UC1, cv::Scalar(0))).has_value());
+  EXPECT_FALSE(sherdProbability(cv::Mat()).has_value());
 }
 
 }  // namespace

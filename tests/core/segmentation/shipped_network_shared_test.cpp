@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
+#include <vector>
 
 #include "segmentation/network_mask.h"
 
@@ -13,28 +15,31 @@ namespace {
 namespace fs = std::filesystem;
 
 double iouOf(const cv::Mat& photograph, const cv::Mat& truth) {
-  const auto says = maskByShippedNetwork(photograph);
-  EXPECT_TRUE(says.has_value());
+  const auto probability = sherdProbability(photograph);
+  if (!probability) return 0;
   cv::Mat scaled;
-  cv::resize(*says, scaled, truth.size());
+  cv::resize(*probability, scaled, truth.size());
   const cv::Mat inside = scaled >= 128, labels = truth != 0;
   return static_cast<double>(cv::countNonZero(inside & labels)) / cv::countNonZero(inside | labels);
 }
 
-// None of these photographs was trained on. By itself the network need not be exact, only right.
+// None of these photographs was trained on. Over all of them it reaches 0.93 to 0.98 (RESULTS.md).
 class ShippedNetworkOn : public testing::TestWithParam<const char*> {};
 
 TEST_P(ShippedNetworkOn, FindsTheSherds) {
   const fs::path batch = fs::path(OSTRAKA_SHARED_DIR) / "batches" / GetParam();
+  std::vector<fs::path> photographs;
+  for (const auto& entry : fs::directory_iterator(batch / "front"))
+    photographs.push_back(entry.path());
+  std::sort(photographs.begin(), photographs.end());
+  photographs.resize(6);
   double sum = 0;
-  int count = 0;
-  for (const auto& entry : fs::directory_iterator(batch / "front")) {
-    const std::string name = "front_" + entry.path().stem().string() + ".png";
-    sum += iouOf(cv::imread(entry.path().string()),
+  for (const fs::path& photograph : photographs) {
+    const std::string name = "front_" + photograph.stem().string() + ".png";
+    sum += iouOf(cv::imread(photograph.string()),
                  cv::imread((batch / "truth/masks" / name).string(), cv::IMREAD_GRAYSCALE));
-    if (++count == 6) break;
   }
-  EXPECT_GT(sum / count, 0.9);
+  EXPECT_GT(sum / 6, 0.9);
 }
 INSTANTIATE_TEST_SUITE_P(Batches, ShippedNetworkOn, testing::Values("demo", "light", "hand"),
                          [](const auto& batch) { return std::string(batch.param); });
@@ -46,7 +51,7 @@ TEST(ShippedNetworkOnATelephonesPhotographs, FindsTheApple) {
     sum += iouOf(cv::imread((apple / "photographs" / (std::string(name) + ".jpg")).string()),
                  cv::imread((apple / "masks" / (std::string(name) + ".png")).string(),
                             cv::IMREAD_GRAYSCALE));
-  EXPECT_GT(sum / 4, 0.75);
+  EXPECT_GT(sum / 4, 0.75);  // one that knows only clay reaches 0.12
 }
 
 }  // namespace

@@ -65,7 +65,7 @@ Result<void> addNetwork(std::span<const cv::Mat> photographs, std::span<ViewStat
   return {};
 }
 
-FlatGroups findFlatGroups(std::span<const ViewState> views) {
+std::vector<unsigned char> findFlatGroups(std::span<const ViewState> views) {
   Groups sums{};
   for (const ViewState& view : views) {
     const Groups groups = groupsOf(view);
@@ -75,17 +75,16 @@ FlatGroups findFlatGroups(std::span<const ViewState> views) {
       sums[g].most_sherd = std::max(sums[g].most_sherd, groups[g].sherd / groups[g].all);
     }
   }
-  FlatGroups flat;
+  std::vector<unsigned char> flat;
   std::vector<double> others;  // shares that the network takes for sherd
   for (std::size_t g = 1; g < sums.size(); ++g) {
     const GroupCells& group = sums[g];
     if (group.all == 0) continue;
     if (group.most_sherd < kUnseen && group.low > kFlat * group.all)
-      flat.numbers.push_back(static_cast<unsigned char>(g));
+      flat.push_back(static_cast<unsigned char>(g));
     else
       others.push_back(group.sherd / group.all);
   }
-  flat.doubtful = flat.numbers.size() > others.size();
   if (others.empty() || medianOf(std::move(others)) < kSeen) return {};
   return flat;
 }

@@ -16,14 +16,10 @@ namespace ostraka::mask {
 Result<void> addNetwork(std::span<const cv::Mat> photographs, std::span<ViewState> views,
                         int reduction, int threads, const std::stop_token& stop);
 
-struct FlatGroups {
-  std::vector<unsigned char> numbers;  ///< of the hull's groups
-  bool doubtful = false;               ///< more than the other groups
-};
-/// Labels, scale bars, cards: groups of the hull that lie in the plate by their heights and of
-/// which the network takes nothing for sherd in any photograph. None where it has no notion of most
-/// of the other groups, and where heights are not known (one photograph at each stop of a
-/// turntable). views: after the hull is shown (ViewState::group).
-FlatGroups findFlatGroups(std::span<const ViewState> views);
+/// Labels, scale bars, cards: numbers of the hull's groups that lie in the plate by their heights
+/// and of which the network takes less than a tenth for sherd in each photograph. None where it has
+/// no notion of most of the other groups, and where heights are not known (one photograph at each
+/// stop of a turntable). views: after the hull is shown (ViewState::group).
+std::vector<unsigned char> findFlatGroups(std::span<const ViewState> views);
 
 }  // namespace ostraka::mask

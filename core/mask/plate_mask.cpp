@@ -296,15 +296,15 @@ class PlateMasker {
   }
 
   bool dropFlatThings(Progress& progress) {
-    const auto [flat, doubtful] = findFlatGroups(views_);
+    const std::vector<unsigned char> flat = findFlatGroups(views_);
     if (flat.empty()) return false;
     for (unsigned char& voxel : voxels_)
       if (std::find(flat.begin(), flat.end(), voxel) != flat.end()) voxel = 0;
     const std::string text =
         "masks: flat things that look like labels or scale bars are left out (" +
         std::to_string(flat.size()) + "); if there are sherds among them, add them to the masks";
-    progress.note(doubtful ? NoteLevel::Warning : NoteLevel::Info, text);
-    if (doubtful) result_.warnings.push_back(text);
+    progress.note(NoteLevel::Warning, text);
+    result_.warnings.push_back(text);
     return true;
   }
 

@@ -8,10 +8,10 @@
 namespace ostraka::segmentation {
 namespace {
 
-constexpr int kSteps = 12;             // of the probability, each as wide as 1 in its logit
-constexpr float kMostOdds = 4;         // may outvote a doubt, not a certainty, as learnt colours
-constexpr float kFewestSure = 100;     // samples of either
-constexpr double kWrongShare = 2e-3F;  // share of either that is wrong in the learning itself
+constexpr int kSteps = 12;            // of the probability, each as wide as 1 in its logit
+constexpr float kMostOdds = 4;        // may outvote a doubt, not a certainty, as learnt colours
+constexpr float kFewestSure = 100;    // samples of either
+constexpr double kWrongShare = 2e-3;  // share of either that is wrong in the learning itself
 
 float logit(int probability) {
   const float p = std::clamp(static_cast<float>(probability) / 255, 1e-3F, 1 - 1e-3F);

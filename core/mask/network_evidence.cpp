@@ -18,6 +18,16 @@ namespace {
 constexpr uchar kSherd = 128;
 constexpr double kUnseen = 0.1, kSeen = 0.5, kFlat = 0.3;
 
+// Shade: less than three quarters of the light of the bare plate. High: rather so by the heights.
+// +-50 % of these and the share: at most 0.004 of the 0.013 that batches/hand gains (RESULTS.md).
+constexpr float kDark = -0.3F, kHigh = 1;
+constexpr double kSeldom = 0.005, kFewestDark = 1000;
+constexpr float kUnlimited = 1e3F;
+
+bool isDark(const cv::Vec3f& residual) {
+  return residual[0] + residual[1] + residual[2] < 3 * kDark;
+}
+
 struct GroupCells {
   double all = 0, sherd = 0, low = 0;
   double most_sherd = 0;  // largest share of one photograph
@@ -87,6 +97,45 @@ std::vector<unsigned char> findFlatGroups(std::span<const ViewState> views) {
   }
   if (others.empty() || medianOf(std::move(others)) < kSeen) return {};
   return flat;
+}
+
+ShadeLimits learnShadeLimits(std::span<const ViewState> views, int reduction) {
+  std::array<double, 256> cells{};  // dark and high, by probability
+  double all = 0;
+  for (const ViewState& view : views) {
+    cv::Mat1f heights;
+    cv::resize(view.height_odds, heights, view.group.size(), 0, 0, cv::INTER_AREA);
+    for (int y = 0; y < view.group.rows; ++y)
+      for (int x = 0; x < view.group.cols; ++x) {
+        if (view.group(y, x) == 0 || heights(y, x) < kHigh) continue;
+        const int row = y * reduction + reduction / 2, column = x * reduction + reduction / 2;
+        if (!isDark(view.residual(row, column))) continue;
+        cells[view.probability(y, x)] += 1, all += 1;
+      }
+  }
+  ShadeLimits limits;
+  limits.fill(kUnlimited);
+  double so_far = 0;
+  for (int probability = 0; probability < 256 && all >= kFewestDark; ++probability) {
+    so_far += cells[probability];
+    if (so_far > kSeldom * all) break;
+    limits[probability] = segmentation::networkLogOdds(probability);
+  }
+  return limits;
+}
+
+void limitInShade(const ShadeLimits& limits, ViewState& view) {
+  if (limits.front() == kUnlimited) return;
+  cv::Mat1b probability;
+  cv::Mat1f heights;
+  cv::resize(view.probability, probability, view.log_odds.size(), 0, 0, cv::INTER_LINEAR);
+  cv::resize(view.height_odds, heights, view.log_odds.size(), 0, 0, cv::INTER_LINEAR);
+  for (int y = 0; y < heights.rows; ++y)
+    for (int x = 0; x < heights.cols; ++x)
+      if (isDark(view.residual(y, x))) {
+        float& odds = view.log_odds(y, x);
+        odds = std::min(odds, limits[probability(y, x)] + std::max(0.F, heights(y, x)));
+      }
 }
 
 }  // namespace ostraka::mask

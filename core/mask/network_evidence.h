@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <opencv2/core/mat.hpp>
 #include <span>
 #include <stop_token>
@@ -21,5 +22,15 @@ Result<void> addNetwork(std::span<const cv::Mat> photographs, std::span<ViewStat
 /// no notion of most of the other groups, and where heights are not known (one photograph at each
 /// stop of a turntable). views: after the hull is shown (ViewState::group).
 std::vector<unsigned char> findFlatGroups(std::span<const ViewState> views);
+
+/// In the shade under a sherd its plate has grain of its own and the clay's colour, which falls on
+/// it off the clay; only the network and the heights tell it from dark clay. For each probability
+/// of the network, 0..255: how much odds may say for a sherd where it is dark, heights left aside.
+/// That is what the network says where it hardly ever says so of what is dark and stands high, and
+/// without a limit elsewhere: a network without a notion of dark clay limits nothing.
+using ShadeLimits = std::array<float, 256>;
+/// views: after the hull is shown. reduction: as in hull::HullOptions.
+ShadeLimits learnShadeLimits(std::span<const ViewState> views, int reduction);
+void limitInShade(const ShadeLimits& limits, ViewState& view);
 
 }  // namespace ostraka::mask

@@ -77,6 +77,8 @@ class PlateMasker {
     };
     overViews(&PlateMasker::showHull);
     if (!stop.stop_requested() && dropFlatThings(progress)) overViews(&PlateMasker::showHull);
+    shade_limits_ = learnShadeLimits(views_, hull_.reduction);
+    for (ViewState& view : views_) limitInShade(shade_limits_, view);
     const bool lasting = plate_.sheet && still_light_;  // shadows are in the first hull, too
     if (!lasting) knowShadows(), trustHull();
     if (!stop.stop_requested() && !plate_.sheet) nameShadows(by_camera, progress);
@@ -311,17 +313,8 @@ class PlateMasker {
   // The first hull holds lasting shadows; what most photographs took for shadow leaves this one.
   void carveByMasks(const std::stop_token& stop) {
     std::vector<hull::HullView> views;
-    for (std::size_t i = 0; i < views_.size(); ++i) {
-      hull::HullView view{&images_[i], {}, {}};
-      const cv::Mat1b& mask = result_.masks[i];
-      cv::Mat small;
-      cv::resize(mask, small, {mask.cols / hull_.reduction, mask.rows / hull_.reduction}, 0, 0,
-                 cv::INTER_AREA);
-      small.convertTo(view.inside, CV_32F, 1 / 255.0);
-      view.clear = 1 - view.inside;
-      view.clear.setTo(0, views_[i].plate == 0);
-      views.push_back(std::move(view));
-    }
+    for (std::size_t i = 0; i < views_.size(); ++i)
+      views.push_back(hullViewOf(views_[i], result_.masks[i]));
     hull_.carving_views = std::max(2.0, kCarvingShare * static_cast<double>(views.size()));
     voxels_ = hull::carveHull(space_, views, hull_, stop);
     hull::dropSmallGroups(space_, voxels_, options_.min_sherd_area_mm2);
@@ -437,6 +430,7 @@ class PlateMasker {
       cv::threshold(view.height_odds, surely, 3, 0, cv::THRESH_TOZERO);
       view.log_odds += heightsInTheLight(surely, view.residual);
     }
+    limitInShade(shade_limits_, view);
     const cv::Mat1b cut = cutWithHull(view, cut_options, mm);
     // The plate's z axis in the camera's frame, as it shows in the picture.
     const Eigen::Vector3d z = images_[index].camera_from_plate.linear().col(2);
@@ -474,6 +468,7 @@ class PlateMasker {
   hull::HullSpace space_;
   std::vector<unsigned char> voxels_;
   hull::HullOdds hull_odds_;
+  ShadeLimits shade_limits_;
   bool still_light_ = true;   ///< on a sheet; at a stop of a rig it is
   bool masks_known_ = false;  ///< the hull is that of the masks so far
   MaskResult result_;

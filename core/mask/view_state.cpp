@@ -22,6 +22,16 @@ cv::Mat1f insideOf(const cv::Mat1f& log_odds, int reduction) {
   return small;
 }
 
+hull::HullView hullViewOf(const ViewState& view, const cv::Mat1b& mask) {
+  hull::HullView carved{view.hull.image, {}, {}};
+  cv::Mat small;
+  cv::resize(mask, small, view.hull.clear.size(), 0, 0, cv::INTER_AREA);
+  small.convertTo(carved.inside, CV_32F, 1 / 255.0);
+  carved.clear = 1 - carved.inside;
+  carved.clear.setTo(0, view.plate == 0);
+  return carved;
+}
+
 void addHeights(ViewState& view, const cv::Mat1f& odds) {
   view.height_odds = odds;
   view.log_odds += heightsInTheLight(odds, view.residual);

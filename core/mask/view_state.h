@@ -25,6 +25,9 @@ cv::Mat1f insideOf(const cv::Mat1f& log_odds, int reduction);
 /// large.
 cv::Mat1f sharesOf(const cv::Mat1f& odds, cv::Size size);
 
+/// The view as its mask has it, to carve a hull anew.
+hull::HullView hullViewOf(const ViewState& view, const cv::Mat1b& mask);
+
 /// What stands above the plate (weighHeights, half size) speaks for a sherd.
 void addHeights(ViewState& view, const cv::Mat1f& odds);
 

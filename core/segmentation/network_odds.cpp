@@ -13,13 +13,8 @@ constexpr float kMostOdds = 4;        // may outvote a doubt, not a certainty, a
 constexpr float kFewestSure = 100;    // samples of either
 constexpr double kWrongShare = 2e-3;  // share of either that is wrong in the learning itself
 
-float logit(int probability) {
-  const float p = std::clamp(static_cast<float>(probability) / 255, 1e-3F, 1 - 1e-3F);
-  return std::log(p / (1 - p));
-}
-
 int stepOf(int probability) {
-  return std::clamp(static_cast<int>(std::floor(logit(probability) + 0.5F * kSteps)), 0,
+  return std::clamp(static_cast<int>(std::floor(networkLogOdds(probability) + 0.5F * kSteps)), 0,
                     kSteps - 1);
 }
 
@@ -49,6 +44,11 @@ void makeRising(std::array<float, kSteps>& values, const std::array<float, kStep
 
 }  // namespace
 
+float networkLogOdds(int probability) {
+  const float p = std::clamp(static_cast<float>(probability) / 255, 1e-3F, 1 - 1e-3F);
+  return std::log(p / (1 - p));
+}
+
 NetworkOdds NetworkOdds::learn(std::span<const NetworkSample> samples) {
   std::array<double, kSteps> sherd{}, bare{};
   double all_sherd = 0, all_bare = 0;
@@ -73,7 +73,7 @@ NetworkOdds NetworkOdds::learn(std::span<const NetworkSample> samples) {
   makeRising(ratio, weights);
   for (int probability = 0; probability < 256; ++probability) {
     const float learnt = std::clamp(ratio[steps[probability]], -kMostOdds, kMostOdds);
-    const float own = logit(probability);
+    const float own = networkLogOdds(probability);
     if (learnt * own > 0)
       odds.odds_[probability] = std::copysign(std::min(std::abs(learnt), std::abs(own)), own);
   }

@@ -5,6 +5,9 @@
 
 namespace ostraka::segmentation {
 
+/// The network's own log odds for a probability of 0..255, within +-6.9.
+float networkLogOdds(int probability);
+
 /// One photograph's part in the learning, all of one size.
 struct NetworkSample {
   cv::Mat1b probability;  ///< of sherd by the network, 0..255 (sherdProbability)

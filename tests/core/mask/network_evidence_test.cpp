@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <stop_token>
 #include <vector>
 
@@ -58,6 +59,66 @@ TEST(FlatGroups, AreNoneToANetworkWithoutANotionOfTheOthers) {
 
 TEST(FlatGroups, AreNotAllThatThereIs) {
   EXPECT_THAT(findFlatGroups(std::vector{viewOf({kLabel})}), IsEmpty());
+}
+
+// A view of things side by side, 40 x 40 cells each, as dark as `shade` (log), of 4 x 4 pixels.
+struct Dark {
+  uchar probability;
+  float heights;  // odds
+  float shade = -1;
+};
+ViewState shadedView(const std::vector<Dark>& things) {
+  const int columns = 40 * static_cast<int>(things.size());
+  ViewState view;
+  view.group = cv::Mat1b(40, columns, uchar{1});
+  view.probability = cv::Mat1b(40, columns);
+  view.height_odds = cv::Mat1f(80, 2 * columns);
+  view.residual = cv::Mat3f(160, 4 * columns);
+  view.log_odds = cv::Mat1f(160, 4 * columns, 8.F);
+  for (int i = 0; i < static_cast<int>(things.size()); ++i) {
+    view.probability.colRange(40 * i, 40 * (i + 1)) = things[i].probability;
+    view.height_odds.colRange(80 * i, 80 * (i + 1)) = things[i].heights;
+    view.residual.colRange(160 * i, 160 * (i + 1)) = cv::Scalar::all(things[i].shade);
+  }
+  return view;
+}
+float oddsInTheMiddle(const ViewState& view, int thing) {
+  return view.log_odds(80, 160 * thing + 80);
+}
+
+constexpr Dark kDarkClay{250, 4}, kShade{5, 0.5F};
+
+TEST(ShadeLimits, AreWhatTheNetworkSaysWhereItKnowsDarkClay) {
+  ViewState view = shadedView({kDarkClay, kShade, {5, 0.5F, 0}});
+  limitInShade(learnShadeLimits(std::vector{view}, 4), view);
+  EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 0), 8);
+  EXPECT_NEAR(oddsInTheMiddle(view, 1), std::log(5.0 / 250) + 0.5, 1e-4);
+  EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 2), 8);  // in the light
+}
+
+TEST(ShadeLimits, LeaveWhatSurelyStandsHigh) {
+  ViewState view = shadedView({kDarkClay, kDarkClay, {5, 0.9F}, {0, 0}});
+  view.height_odds.colRange(2 * 80, 3 * 80) = 0.9F;  // not high enough to be learnt from
+  const ShadeLimits limits = learnShadeLimits(std::vector{view}, 4);
+  view.height_odds.colRange(2 * 80, 3 * 80) = 6;
+  limitInShade(limits, view);
+  EXPECT_GT(oddsInTheMiddle(view, 2), 2);
+  EXPECT_LT(oddsInTheMiddle(view, 3), -5);
+}
+
+TEST(ShadeLimits, AreNoneToANetworkThatOftenMissesDarkClay) {
+  // A hundredth of what is dark and stands high it takes for none.
+  ViewState view = shadedView({kDarkClay, kShade});
+  view.probability(cv::Rect(0, 0, 4, 4)) = 0;
+  const std::vector<ViewState> before{view};
+  limitInShade(learnShadeLimits(before, 4), view);
+  EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 1), 8);
+}
+
+TEST(ShadeLimits, AreNoneWhereNothingDarkStandsHigh) {
+  ViewState view = shadedView({{250, 0}, kShade});
+  limitInShade(learnShadeLimits(std::vector{view}, 4), view);
+  EXPECT_FLOAT_EQ(oddsInTheMiddle(view, 1), 8);
 }
 
 // A view of 64 x 64 pixels: bare paper but for a corner.

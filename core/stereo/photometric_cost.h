@@ -17,7 +17,6 @@ struct Plane {
 };
 
 struct CostOptions {
-  WindowShape window;
   int best_sources = 3;  ///< the cost is the mean over this many
 };
 
@@ -34,7 +33,7 @@ class PhotometricCost {
   /// False where the pixel's window shows too little of the object.
   bool moveTo(const cv::Point& pixel) {
     ray_ = frame_.ray(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
-    return cutWindow(frame_, pixel.x, pixel.y, options_.window, window_);
+    return cutWindow(frame_, pixel.x, pixel.y, window_);
   }
   const Eigen::Vector3f& ray() const { return ray_; }
   /// Sources as bits; those not in the set are left aside from now on.

@@ -1,6 +1,7 @@
 #include "stereo/window.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -70,6 +71,32 @@ OSTRAKA_CLONED void correlate(const Window& window, const std::uint32_t* packed,
   out = sum;
 }
 
+/// The places of a window and their weights, row by row.
+struct Disc {
+  static constexpr int kRadius_px = 3;
+  static constexpr float kSigma_px = 2;
+  static constexpr int kRow = 2 * kRadius_px + 1;
+  struct Place {
+    int dx, dy;
+    float weight;
+  };
+  std::array<Place, kRow * kRow> places;
+  int count = 0;
+  float weight = 0;
+
+  Disc() {
+    for (int v = -kRadius_px; v <= kRadius_px; ++v)
+      for (int u = -kRadius_px; u <= kRadius_px; ++u) {
+        const int reach = u * u + v * v;
+        if (reach > kRadius_px * kRadius_px + kRadius_px) continue;
+        const float w = std::exp(-0.5F / (kSigma_px * kSigma_px) * static_cast<float>(reach));
+        places[count++] = {u, v, w};
+        weight += w;
+      }
+  }
+};
+static_assert(Disc::kRow * Disc::kRow + Window::kLanes <= Window::kMaxSamples);
+
 /// In the order of the lanes.
 float total(const Floats& lanes) {
   return ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) +
@@ -78,41 +105,30 @@ float total(const Floats& lanes) {
 
 }  // namespace
 
-bool cutWindow(const Frame& frame, int x, int y, const WindowShape& shape, Window& window) {
+bool cutWindow(const Frame& frame, int x, int y, Window& window) {
+  static const Disc kDisc;
   window.base = frame.grey(y, x);
-  const bool centre_counts = window.base > 0;
-  if (!centre_counts) window.base = 128.0F;
-  const float by_distance = -0.5F / (shape.sigma_px * shape.sigma_px);
-  const float sigma_grey = shape.sigma_grey * window.base;
-  const float by_grey =
-      shape.sigma_grey > 0 && centre_counts ? -0.5F / (sigma_grey * sigma_grey) : 0.0F;
-  const int r = shape.radius_px;
-  const int reach2 = r * r + r;  // a disc rather than a square
+  if (window.base <= 0) window.base = 128.0F;
   int count = 0;
-  float total = 0, counted = 0;
-  for (int v = -r; v <= r; v += shape.step_px)
-    for (int u = -r; u <= r; u += shape.step_px) {
-      if (u * u + v * v > reach2) continue;
-      float w = std::exp(by_distance * static_cast<float>(u * u + v * v));
-      total += w;
-      const int px = x + u, py = y + v;
-      if (px < 0 || py < 0 || px >= frame.width || py >= frame.height) continue;
-      const float grey = frame.grey(py, px);
-      if (grey <= 0) continue;
-      const float difference = grey - window.base;
-      counted += w;
-      w *= std::exp(by_grey * difference * difference);
-      window.dx[count] = static_cast<float>(u);
-      window.dy[count] = static_cast<float>(v);
-      window.weight[count] = w;
-      window.grey[count] = difference;
-      window.total_weight = count == 0 ? w : window.total_weight + w;
-      ++count;
-    }
+  float counted = 0;
+  for (int k = 0; k < kDisc.count; ++k) {
+    const Disc::Place& place = kDisc.places[k];
+    const int px = x + place.dx, py = y + place.dy;
+    if (px < 0 || py < 0 || px >= frame.width || py >= frame.height) continue;
+    const float grey = frame.grey(py, px);
+    if (grey <= 0) continue;
+    window.dx[count] = static_cast<float>(place.dx);
+    window.dy[count] = static_cast<float>(place.dy);
+    window.weight[count] = place.weight;
+    window.grey[count] = grey - window.base;
+    counted += place.weight;
+    ++count;
+  }
+  window.total_weight = counted;
   window.samples = (count + Window::kLanes - 1) / Window::kLanes * Window::kLanes;
   for (int k = count; k < window.samples; ++k)
     window.dx[k] = window.dy[k] = window.weight[k] = window.grey[k] = 0;
-  return counted > 0.35F * total;
+  return counted > 0.35F * kDisc.weight;
 }
 
 float dissimilarity(const Window& window, const Frame& other, const AffineMap& map) {

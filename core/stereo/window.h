@@ -19,16 +19,9 @@ struct Window {
   float base = 0;  ///< the pixel's own value
 };
 
-/// How windows are cut out.
-struct WindowShape {
-  int radius_px = 3;
-  int step_px = 1;
-  float sigma_px = 2.0F;    ///< fall-off with the distance
-  float sigma_grey = 0.0F;  ///< fall-off with the difference of grey, relative; 0 = none
-};
-
-/// False where too little of the window shows the object.
-bool cutWindow(const Frame& frame, int x, int y, const WindowShape& shape, Window& window);
+/// The window around a pixel: a disc of radius 3, whose weights fall off as a Gaussian of SD 2
+/// pixels. False where too little of it shows the object.
+bool cutWindow(const Frame& frame, int x, int y, Window& window);
 
 /// Where a window's samples lie in another frame: (x0 + xx dx + xy dy, y0 + yx dx + yy dy).
 struct AffineMap {

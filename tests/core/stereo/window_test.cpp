@@ -30,7 +30,7 @@ constexpr AffineMap kSame{30, 20, 1, 0, 0, 1};
 TEST(Window, OfTheSamePictureDiffersByNothing) {
   const Frame frame = frameOf(waves);
   Window window;
-  ASSERT_TRUE(cutWindow(frame, 30, 20, {}, window));
+  ASSERT_TRUE(cutWindow(frame, 30, 20, window));
   EXPECT_NEAR(dissimilarity(window, frame, kSame), 0.0, 0.01);
 }
 
@@ -38,7 +38,7 @@ TEST(Window, DoesNotMindGainAndOffset) {
   const Frame frame = frameOf(waves);
   const Frame darker = frameOf([](double x, double y) { return 0.5 * waves(x, y) + 30; });
   Window window;
-  ASSERT_TRUE(cutWindow(frame, 30, 20, {}, window));
+  ASSERT_TRUE(cutWindow(frame, 30, 20, window));
   EXPECT_NEAR(dissimilarity(window, darker, kSame), 0.0, 0.02);
 }
 
@@ -46,7 +46,7 @@ TEST(Window, OfTheNegativeDiffersByTwo) {
   const Frame frame = frameOf(waves);
   const Frame negative = frameOf([](double x, double y) { return 250 - waves(x, y); });
   Window window;
-  ASSERT_TRUE(cutWindow(frame, 30, 20, {}, window));
+  ASSERT_TRUE(cutWindow(frame, 30, 20, window));
   EXPECT_NEAR(dissimilarity(window, negative, kSame), 2.0, 0.02);
 }
 
@@ -54,7 +54,7 @@ TEST(Window, FindsAShiftBetweenThePixels) {
   const Frame frame = frameOf(waves);
   const Frame shifted = frameOf([](double x, double y) { return waves(x - 1.4, y + 0.7); });
   Window window;
-  ASSERT_TRUE(cutWindow(frame, 30, 20, {}, window));
+  ASSERT_TRUE(cutWindow(frame, 30, 20, window));
   const float right = dissimilarity(window, shifted, {31.4F, 19.3F, 1, 0, 0, 1});
   EXPECT_LT(right, 0.02F);
   EXPECT_GT(dissimilarity(window, shifted, {31.9F, 19.3F, 1, 0, 0, 1}), right + 0.02F);
@@ -63,7 +63,7 @@ TEST(Window, FindsAShiftBetweenThePixels) {
 TEST(Window, OutsideTheOtherPictureSaysNothing) {
   const Frame frame = frameOf(waves);
   Window window;
-  ASSERT_TRUE(cutWindow(frame, 30, 20, {}, window));
+  ASSERT_TRUE(cutWindow(frame, 30, 20, window));
   EXPECT_LT(dissimilarity(window, frame, {-20, 20, 1, 0, 0, 1}), 0.0F);
   EXPECT_LT(dissimilarity(window, frame, {1e6F, -1e6F, 1, 0, 0, 1}), 0.0F);
 }

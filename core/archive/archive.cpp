@@ -154,8 +154,7 @@ Result<void> checkRestored(const fs::path& folder) {
   const Result<upkeep::Project> opened = upkeep::Project::open(folder);
   if (!opened) return opened.error();
   if (Result<void> whole = opened->catalogue().checkIntegrity(); !whole) return whole;
-  if (Result<void> good = upkeep::checkValues(opened->catalogue()); !good) return good;
-  return upkeep::checkPaths(opened->catalogue());
+  return upkeep::checkValues(opened->catalogue());
 }
 
 }  // namespace

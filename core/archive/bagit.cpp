@@ -70,17 +70,21 @@ Result<BagFile> BagWriter::add(const std::string& path, std::string_view bytes) 
 
 Result<BagFile> BagWriter::addFile(const std::string& path, const fs::path& source,
                                    std::stop_token stop) {
-  if (Result<void> free = take(path); !free) return free.error();
   Result<OpenFile> in = OpenFile::open(source);
-  if (!in) return in.error();
+  return in ? addFile(path, std::move(*in), std::move(stop)) : Result<BagFile>(in.error());
+}
+
+Result<BagFile> BagWriter::addFile(const std::string& path, OpenFile source, std::stop_token stop) {
+  if (Result<void> free = take(path); !free) return free.error();
   const fs::path to = folder_.path() / "data" / path;
   if (const Result<void> made = makeFolder(to.parent_path()); !made) return made.error();
   const File out(std::fopen(to.c_str(), "wbx"));
   if (!out) return cannotWrite(to, errno);
-  const Result<Checksum> sum = checksumOf(*in, stop, [&](std::string_view piece) -> Result<void> {
-    if (std::fwrite(piece.data(), 1, piece.size(), out.get()) == piece.size()) return {};
-    return cannotWrite(to, errno);
-  });
+  const Result<Checksum> sum =
+      checksumOf(source, stop, [&](std::string_view piece) -> Result<void> {
+        if (std::fwrite(piece.data(), 1, piece.size(), out.get()) == piece.size()) return {};
+        return cannotWrite(to, errno);
+      });
   if (!sum) return sum.error();
   if (!sync(out.get())) return cannotWrite(to, errno);
   files_.push_back({"data/" + path, sum->sha256, sum->bytes});

@@ -12,6 +12,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "files/new_folder.h"
+#include "files/open_folder.h"
 
 namespace ostraka::archive {
 
@@ -35,6 +36,7 @@ class BagWriter {
   Result<BagFile> add(const std::string& path, std::string_view bytes);
   /// Copies in pieces, hashing while it reads; stops within a piece. Errors name the source where
   /// it cannot be read, else what cannot be written.
+  Result<BagFile> addFile(const std::string& path, OpenFile source, std::stop_token stop);
   Result<BagFile> addFile(const std::string& path, const std::filesystem::path& source,
                           std::stop_token stop);
   /// A file beside data/, for finish().

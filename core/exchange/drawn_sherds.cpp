@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cloud/ply.h"
+#include "files/open_folder.h"
 #include "records/sherd.h"
 #include "sherds/measurements.h"
 #include "sherds/sherds.h"
@@ -43,6 +44,13 @@ Result<void> takeHandMeasures(const catalogue::Catalogue& catalogue, store::Sher
 
 }  // namespace
 
+Result<PlyContents> modelOf(const SherdRecord& sherd, const std::filesystem::path& project) {
+  Result<OpenFile> open = OpenFile::within(project, sherd.model_path);
+  if (!open) return open.error();
+  const Result<std::string> bytes = open->readAll();
+  return bytes ? parsePly(*bytes, open->name()) : Result<PlyContents>(bytes.error());
+}
+
 std::string leftOutAsVoid(const SherdRecord& sherd) {
   return nameOf(sherd) + " is void and was left out.";
 }
@@ -55,7 +63,7 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
   if (sherd.model_path.empty())
     return Error::unusable(
         "This sherd has no model yet, so it cannot be drawn; process its batch first.", id);
-  const Result<PlyContents> model = readPly(project / sherd.model_path);
+  const Result<PlyContents> model = modelOf(sherd, project);
   if (!model) return model.error();
   drawing::DrawingOptions how = options.drawing;
   if (Result<void> read = takeHandMeasures(catalogue, sherd.row, how.by_hand); !read)

@@ -9,6 +9,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "cloud/ply.h"
 #include "drawing/drawing.h"
 #include "records/sherd.h"
 
@@ -22,6 +23,10 @@ struct DrawSherdsOptions {
   drawing::DrawingOptions drawing;  ///< its rim counts only where the next line says so
   bool rim_from_catalogue = true;   ///< rimChoiceOf decides; what a person entered is trusted
 };
+
+/// The model that the catalogue names, read within the project and through no link.
+Result<PlyContents> modelOf(const records::SherdRecord& sherd,
+                            const std::filesystem::path& project);
 
 /// A drawing of the catalogue's model, named by the sherd's number. Where a person says rim and no
 /// stretch of the edge can be one it is drawn without, and a remark says so; another one says that

@@ -17,6 +17,7 @@
 #include "exchange/model_files.h"
 #include "exchange/views_out.h"
 #include "files/files.h"
+#include "files/open_folder.h"
 #include "metadata/metadata.h"
 #include "metadata/sherd_json.h"
 #include "model/volume_moment.h"
@@ -102,15 +103,20 @@ class Exporting {
     for (const PlannedFile& file : plan.files()) {
       if (stop_.stop_requested()) return Error::cancelled();
       progress_.report(done_++, total_);
-      std::error_code code;
-      if (!fs::is_regular_file(file.from, code)) {
-        exported_.warnings.push_back(file.from.string() + " is missing and was left out.");
+      Result<OpenFile> open = plan.open(file);
+      if (!open) {
+        std::error_code code;
+        const bool is_there =
+            fs::symlink_status(file.from, code).type() != fs::file_type::not_found;
+        exported_.warnings.push_back(is_there
+                                         ? open.error().sentence()
+                                         : file.from.string() + " is missing and was left out.");
         continue;
       }
       const bool whole = file.form == Form::Photographs || file.form == Form::Drawings;
       const Result<archive::BagFile> added =
-          whole ? bag_.addFile(file.to, file.from, stop_)
-                : addModel(file, *by_row[file.sherd], licence,
+          whole ? bag_.addFile(file.to, std::move(*open), stop_)
+                : addModel(file, std::move(*open), *by_row[file.sherd], licence,
                            scale_doubts[by_row[file.sherd]->batch]);
       if (!added) return added.error();
       written_.insert(file.form);
@@ -122,9 +128,10 @@ class Exporting {
     return {};
   }
 
-  Result<archive::BagFile> addModel(const PlannedFile& file, const records::SherdRecord& sherd,
-                                    const std::string& licence, const std::string& scale_doubts) {
-    Result<std::string> bytes = readFile(file.from);
+  Result<archive::BagFile> addModel(const PlannedFile& file, OpenFile open,
+                                    const records::SherdRecord& sherd, const std::string& licence,
+                                    const std::string& scale_doubts) {
+    Result<std::string> bytes = open.readAll();
     if (!bytes) return bytes.error();
     if (!file.sha256.empty() && sha256(*bytes) != file.sha256)
       return Error::unusable(
@@ -230,7 +237,7 @@ class Exporting {
       const auto named = named_.find(sherd.row);
       if (named == named_.end() || !named->second.contains("model_file")) continue;
       if (stop_.stop_requested()) return Error::cancelled();
-      const Result<PlyContents> model = readPly(project / sherd.model_path);
+      const Result<PlyContents> model = modelOf(sherd, project);
       if (!model) continue;  // a GLB alone
       const Eigen::Vector3d centre = model::volumeMoment(model->mesh).centre;
       for (int axis = 0; axis < 3; ++axis)

@@ -52,7 +52,11 @@ std::map<store::BatchRow, std::string> ExportPlan::viewed() const {
 void ExportPlan::want(Form form, const records::SherdRecord& sherd, const char* role,
                       const std::string& to, const std::string& from) {
   if (from.empty() || !options_.forms.contains(form)) return;
-  files_.push_back({sherd.row, role, to, project_ / from, hashes_[from], form});
+  files_.push_back({sherd.row, role, to, project_ / from, hashes_[from], form, from});
+}
+
+Result<OpenFile> ExportPlan::open(const PlannedFile& file) const {
+  return file.inside.empty() ? OpenFile::open(file.from) : OpenFile::within(project_, file.inside);
 }
 
 // Drawings are for print; tables and records keep void sherds, with their state.
@@ -93,7 +97,8 @@ Result<void> ExportPlan::photographs(store::BatchRow batch, const std::string& n
                       "photographs/" + number + "/" + inside,
                       project_ / file.path,
                       file.sha256,
-                      Form::Photographs});
+                      Form::Photographs,
+                      file.path});
   }
   return {};
 }

@@ -10,6 +10,7 @@
 #include "cloud/point_cloud.h"
 #include "exchange/export_folder.h"
 #include "exchange/model_files.h"
+#include "files/open_folder.h"
 #include "paper/sheet.h"
 #include "records/sherd.h"
 
@@ -30,6 +31,7 @@ struct PlannedFile {
   std::filesystem::path from;
   std::string sha256;  ///< as entered; empty when not known
   Form form = Form::Ply;
+  std::string inside = {};  ///< `from` as the catalogue has it; empty for what a person named
 };
 
 /// Everything that an export copies and makes, in a fixed order.
@@ -47,6 +49,9 @@ class ExportPlan {
   }
   const std::vector<PlannedFile>& files() const { return files_; }
   const std::filesystem::path& project() const { return project_; }
+  /// What the catalogue names is read within the project only, and through no link: anybody may
+  /// have written it, and an export is handed on.
+  Result<OpenFile> open(const PlannedFile& file) const;
   /// To be drawn; the records outlive the plan.
   const std::vector<const records::SherdRecord*>& drawn() const { return drawn_; }
   /// Not drawn, and why.

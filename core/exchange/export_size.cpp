@@ -6,7 +6,6 @@
 #include "exchange/export_plan.h"
 #include "exchange/lighter_model.h"
 #include "exchange/views_out.h"
-#include "files/files.h"
 #include "metadata/metadata.h"
 #include "metadata/sherd_json.h"
 #include "records/records.h"
@@ -79,8 +78,7 @@ class Sizing {
     std::set<store::SherdRow> lightened;
     for (const PlannedFile& file : plan_.files()) {
       if (stop_.stop_requested()) return Error::cancelled();
-      std::error_code code;
-      if (!fs::is_regular_file(file.from, code)) continue;  // is left out
+      if (!plan_.open(file)) continue;  // is left out
       if (made(file))
         models.push_back(file);
       else
@@ -91,7 +89,7 @@ class Sizing {
     const auto* middle =
         middleOf(models, [](const PlannedFile& file) { return bytesOf(file.from); });
     const std::map<Form, double> shares =
-        middle == nullptr ? std::map<Form, double>() : sharesOf(middle->from);
+        middle == nullptr ? std::map<Form, double>() : sharesOf(*middle);
     for (const PlannedFile& file : models) {
       const auto share = shares.find(file.form);
       const double bytes =
@@ -109,9 +107,12 @@ class Sizing {
   }
 
   // Of a PLY's bytes; nothing where it cannot be read, as the export will say.
-  std::map<Form, double> sharesOf(const fs::path& ply) const {
-    const Result<std::string> bytes = readFile(ply);
+  std::map<Form, double> sharesOf(const PlannedFile& file) const {
+    Result<OpenFile> open = plan_.open(file);
+    if (!open) return {};
+    const Result<std::string> bytes = open->readAll();
     if (!bytes) return {};
+    const fs::path& ply = file.from;
     const Result<PlyContents> read = parsePly(*bytes, ply.string());
     if (!read) return {};
     const auto of = static_cast<double>(std::max<std::size_t>(1, bytes->size()));

@@ -8,7 +8,10 @@
 #include "base/text.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
+#include "catalogue/history.h"
 #include "files/checksum.h"
+#include "files/folder_lock.h"
+#include "files/output_place.h"
 #include "metadata/metadata.h"
 #include "metadata/sherd_json.h"
 #include "records/records.h"
@@ -18,9 +21,11 @@
 #include "sherds/sherd_changes.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
+#include "store/database.h"
 #include "store/names.h"
 #include "store/values.h"
 #include "tables/import_places.h"
+#include "upkeep/file_check.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -236,7 +241,7 @@ class ReadingBack {
       } else {
         noteFolders(project_.folder() / file.to);
         if (Result<void> written = bag_.copy(from, *project, *to, stop); !written) return written;
-        written_.push_back(project_.folder() / file.to);
+        written_.push_back(file.to);
       }
       copied_.push_back(file);
     }
@@ -252,10 +257,46 @@ class ReadingBack {
                       });
   }
 
-  /// What copyFiles wrote, and the folders that it made, as far as they are empty.
+  /// What the catalogue names, the disk has lost and the export has with the same bytes. The
+  /// photographs of a batch that lies under the cameras are being replaced.
+  Result<void> putBackMissing(const std::stop_token& stop) {
+    const Result<OpenFolder> project = OpenFolder::open(project_.folder());
+    if (!project) return project.error();
+    const Result<std::vector<records::BatchRecord>> batches = Batches(project_.catalogue()).all();
+    if (!batches) return batches.error();
+    std::set<std::string> under_cameras;
+    for (const records::BatchRecord& batch : *batches)
+      if (batch.state < records::BatchState::Queued) under_cameras.insert(batch.number);
+    std::map<std::string, const archive::BagFile*> with_hash;
+    for (const archive::BagFile& file : bag_.files()) with_hash.emplace(file.sha256, &file);
+    const Result<std::vector<upkeep::KnownFile>> known = upkeep::knownFiles(project_.catalogue());
+    if (!known) return known.error();
+    for (const upkeep::KnownFile& file : *known) {
+      const auto from = with_hash.find(file.sha256);
+      if (from == with_hash.end() || (file.role == "photo" && under_cameras.contains(file.batch)))
+        continue;
+      const Result<ContainedPath> to = ContainedPath::parse(file.path);
+      if (!to) return to.error();
+      if (project->has(*to)) continue;
+      if (Result<void> put = bag_.copy(*from->second, *project, *to, stop); !put) return put;
+    }
+    return {};
+  }
+
+  /// What copyFiles wrote, as far as the catalogue does not name it by now, and the folders that it
+  /// made, as far as they are empty.
   void removeCopies() {
+    // Within a transaction: nobody can come to name a file between the question and its removal.
+    const Result<void> removed = project_.catalogue().database().inTransaction([&] {
+      std::set<std::string> named;
+      for (const records::FileRecord& file : store::valueOrThrow(Files(project_.catalogue()).all()))
+        named.insert(file.path);
+      std::error_code ignored;
+      for (const std::string& file : written_)
+        if (!named.contains(file)) fs::remove(project_.folder() / file, ignored);
+    });
+    if (!removed) return;  // files too many harm less than files that are missing
     std::error_code ignored;
-    for (const fs::path& file : written_) fs::remove(file, ignored);
     for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder)
       fs::remove(*folder, ignored);
     written_.clear();
@@ -384,9 +425,20 @@ class ReadingBack {
   std::vector<std::string> lost_joins_;
   std::vector<metadata::FileCopy> copies_;  ///< of what was entered last
   std::vector<metadata::FileCopy> copied_;
-  std::vector<fs::path> written_;
+  std::vector<std::string> written_;
   std::set<fs::path> made_;  ///< those within others behind them
 };
+
+// From where files are copied until the rows that name them are there they are nobody's: two
+// imports would take each other's copies for what was there before, or for their own. Of the whole
+// project, since two exports may hold the same batch, or want the same number.
+Result<FolderLock> holdImports(const fs::path& project, const std::stop_token& stop) {
+  const std::string_view names[] = {"imported"};
+  if (const Result<void> own = checkNoLinkedFolder(project, names, LinkedFolders::OfTheseNames);
+      !own)
+    return own.error();
+  return FolderLock::waitFor(project / names[0], stop);
+}
 
 }  // namespace
 
@@ -411,9 +463,16 @@ Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& 
       return moved ? Result<void>(Error::cancelled()) : Result<void>();
     });
   };
+  const std::int64_t before = History(project.catalogue()).length();
   if (const Result<void> fits = records(tables::ImportMode::Preview); !fits) return fits.error();
   if (mode == tables::ImportMode::Preview) return report;
   if (const auto saved = project.backUp(); !saved) return saved.error();
+  const Result<FolderLock> alone = holdImports(project.folder(), stop);
+  if (!alone) return alone.error();
+  // Another import has entered since: what is new, and where its files go, is another answer now.
+  if (History(project.catalogue()).length() != before)
+    if (const Result<void> fits = records(tables::ImportMode::Preview); !fits) return fits.error();
+  if (const Result<void> put = reading.putBackMissing(stop); !put) return put.error();
   const auto copyAndEnter = [&]() -> Result<void> {
     do {
       // Nobody who wants to write waits for files to be copied.

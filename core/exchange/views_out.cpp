@@ -6,6 +6,7 @@
 
 #include "batch/photograph.h"
 #include "decisions/mask_strokes.h"
+#include "files/open_folder.h"
 #include "pipeline/chain.h"
 #include "review/saved_views.h"
 #include "rig/camera.h"
@@ -50,6 +51,12 @@ Result<void> addBothSides(archive::BagWriter& bag, const fs::path& project,
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
     const auto views = review::savedViews(project / "results" / number, batch, side, stop);
     if (!views) return views.error();
+    // A link may lead to a picture that nobody wants to hand on.
+    for (const auto& view : *views) {
+      const fs::path photograph = fs::path(view.camera.file).lexically_relative(project);
+      const Result<OpenFile> own = OpenFile::within(project, photograph.generic_string());
+      if (!own) return own.error();
+    }
     stereo::DenseOptions options;
     std::error_code code;
     if (fs::exists(batch / "plate.json", code)) options.floor_z_mm = 0.0;

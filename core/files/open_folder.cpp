@@ -82,6 +82,13 @@ Result<OpenFile> OpenFile::open(const std::filesystem::path& path) {
   return of(std::move(file), path.string());
 }
 
+Result<OpenFile> OpenFile::within(const std::filesystem::path& folder, std::string_view path) {
+  const Result<ContainedPath> contained = ContainedPath::parse(path);
+  if (!contained) return contained.error();
+  const Result<OpenFolder> opened = OpenFolder::open(folder);
+  return opened ? opened->read(*contained) : Result<OpenFile>(opened.error());
+}
+
 Result<OpenFile> OpenFile::of(FileDescriptor file, std::string name) {
   struct stat info {};
   if (::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode))
@@ -102,6 +109,18 @@ Result<std::size_t> OpenFile::read(std::span<char> piece) {
     done += static_cast<std::size_t>(n);
   }
   return done;
+}
+
+Result<std::string> OpenFile::readAll(std::size_t max_bytes) {
+  if (static_cast<std::size_t>(bytes_) > max_bytes)
+    return Error::unusable("The file is larger than the limit of " + std::to_string(max_bytes) +
+                               " bytes; check that it is the right one.",
+                           name_);
+  std::string bytes(static_cast<std::size_t>(bytes_), '\0');
+  const Result<std::size_t> done = read(bytes);
+  if (!done) return done.error();
+  bytes.resize(*done);
+  return bytes;
 }
 
 NewFile::~NewFile() {

@@ -37,8 +37,12 @@ class OpenFile {
   /// Links on the way are followed: for names that come from a person. Never waits, not for a pipe
   /// either. Errors: UnusableInput for what is not there, not readable or no regular file.
   static Result<OpenFile> open(const std::filesystem::path& path);
+  /// For names that come from a catalogue or another file: ContainedPath and OpenFolder in one.
+  static Result<OpenFile> within(const std::filesystem::path& folder, std::string_view path);
   /// The next bytes; 0 at the end.
   Result<std::size_t> read(std::span<char> piece);
+  /// All of them; refuses files larger than max_bytes before allocating.
+  Result<std::string> readAll(std::size_t max_bytes = std::size_t{4} << 30);
   std::int64_t bytes() const { return bytes_; }  ///< when it was opened
   const std::string& name() const { return name_; }
 

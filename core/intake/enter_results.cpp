@@ -16,6 +16,7 @@
 #include "cloud/ply.h"
 #include "files/files.h"
 #include "files/json.h"
+#include "files/open_folder.h"
 #include "intake/read_results.h"
 #include "intake/results_owner.h"
 #include "intake/review_decisions.h"
@@ -308,15 +309,17 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
     std::vector<Photograph> all;
     for (const batch::Shot& shot : folder->shots) {
       if (stop.stop_requested()) throw store::Refused(Error::cancelled());
-      const std::string bytes = store::valueOrThrow(readFile(shot.file));
+      // Without following links: what they lead to is not the project's.
       Photograph p;
+      p.shot.path = relativeTo(project, shot.file);
+      OpenFile open = store::valueOrThrow(OpenFile::within(project, p.shot.path));
+      const std::string bytes = store::valueOrThrow(open.readAll());
       p.shot.batch = batch;
       p.shot.side = shot.side;
       // Of free cameras it is one camera's, photograph after photograph.
       const bool rig = folder->way == batch::Way::Rig;
       p.shot.camera = static_cast<char>(rig ? 'A' + shot.camera : 'A');
       p.shot.stop = rig ? shot.stop : shot.camera;
-      p.shot.path = relativeTo(project, shot.file);
       const batch::Exif exif = batch::exifIn(bytes);
       p.shot.exif_json = exif.json();
       p.shot.serial = exif.serial;

@@ -7,9 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "cloud/ply.h"
-#include "files/files.h"
+#include "files/checksum.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
+#include "files/open_folder.h"
 #include "sherds/kept_models.h"
 #include "sherds/sherd_columns.h"
 #include "store/values.h"
@@ -60,6 +61,7 @@ class Reading {
         stop_(std::move(stop)) {}
 
   ReadResults all() {
+    opened_.emplace(store::valueOrThrow(OpenFolder::open(project_)));
     const json pairs = store::valueOrThrow(readJson(out_ / "pairs.json"));
     const json report = store::valueOrThrow(readJson(out_ / "report.json"));
     try {
@@ -143,7 +145,7 @@ class Reading {
 
   void scansOf(const std::string& side) {
     for (const fs::path& path : scanFiles(side)) {
-      stopIfAsked();
+      file(path, "scan", {}, {});
       records::ScanRecord scan;
       scan.batch = batch_;
       scan.side = side == "front" ? batch::Side::Front : batch::Side::Back;
@@ -156,7 +158,6 @@ class Reading {
       for (const Eigen::Vector3f& point : cloud.points) sum += point.cast<double>();
       scan.plate_x_mm = sum.x() / static_cast<double>(cloud.size());
       scan.plate_y_mm = sum.y() / static_cast<double>(cloud.size());
-      file(path, "scan", {}, {});
       results_.scans.push_back(std::move(scan));
     }
   }
@@ -178,10 +179,9 @@ class Reading {
     const json& figures = s.at("figures");
     if (figures.value("model", false)) {
       stopIfAsked();
-      const fs::path made =
-          out_ / "sherds" /
+      const std::string number =
           store::valueOrThrow(store::checkedPath(s.at("number").get<std::string>()));
-      sherd.folder = store::valueOrThrow(sherds::keepModel(project_, batch_number_, made)) + "/";
+      sherd.folder = keptModel(out_ / "sherds" / number, modelHashes(number)) + "/";
       sherd.model_path = sherd.folder + "model.ply";
       sherd.preview_path = sherd.folder + "preview.png";
       const fs::path folder = project_ / sherd.folder;
@@ -200,16 +200,46 @@ class Reading {
     results_.sherds.push_back(std::move(sherd));
   }
 
+  // As the stage that made the model noted them: what was cut, emptied or exchanged since is not
+  // what was made.
+  sherds::ModelHashes modelHashes(const std::string& number) {
+    const fs::path stage = out_ / "work" / ("model_" + number) / "stage.json";
+    opened(stage);
+    return store::valueOrThrow(readJson(stage)).at("files").get<sherds::ModelHashes>();
+  }
+
+  std::string keptModel(const fs::path& made, const sherds::ModelHashes& hashes) {
+    for (const auto& [name, hash] : hashes) {
+      const fs::path path = made / name;
+      std::error_code none;
+      if (fs::symlink_status(path, none).type() != fs::file_type::not_found) opened(path);
+    }
+    return store::valueOrThrow(sherds::keepModel(project_, batch_number_, made, hashes));
+  }
+
+  // Without following links: what they lead to is not the project's. An emptied file is a lost one.
+  OpenFile opened(const fs::path& path) {
+    const ContainedPath inside =
+        store::valueOrThrow(ContainedPath::parse(relativeTo(project_, path)));
+    std::error_code none;
+    const bool is_there = fs::symlink_status(path, none).type() != fs::file_type::not_found;
+    if (is_there) {
+      OpenFile file = store::valueOrThrow(opened_->read(inside));
+      if (file.bytes() > 0) return file;
+    }
+    throw store::Refused(Error::unusable(
+        "These results of 'ostraka process' are incomplete; run it again.", path.string()));
+  }
+
   std::string file(const fs::path& path, const char* role, const std::string& front,
                    const std::string& back) {
     stopIfAsked();
-    std::error_code code;
-    if (!fs::is_regular_file(path, code)) return {};
-    const std::string bytes = store::valueOrThrow(readFile(path));
+    OpenFile open = opened(path);
+    const Checksum sum = store::valueOrThrow(checksumOf(open, stop_));
     ReadFile read;
     read.record.path = relativeTo(project_, path);
-    read.record.sha256 = sha256(bytes);
-    read.record.bytes = static_cast<std::int64_t>(bytes.size());
+    read.record.sha256 = sum.sha256;
+    read.record.bytes = sum.bytes;
     read.record.media_type = mediaTypeOf(path);
     read.record.role = role;
     read.record.batch = batch_;
@@ -231,6 +261,7 @@ class Reading {
   const fs::path& out_;
   Progress& progress_;
   std::stop_token stop_;
+  std::optional<OpenFolder> opened_;  ///< the project
   ReadResults results_;
   std::map<std::string, std::string> photographs_;  ///< of each side, where they are known
   std::int64_t total_ = 1;

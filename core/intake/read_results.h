@@ -35,7 +35,9 @@ struct ReadResults {
 };
 
 /// What a whole OUT of `ostraka process` holds for the catalogue. Everything is read and hashed
-/// before the transaction begins, which must be short; models are kept (keepModel). Throws Refused.
+/// before the transaction begins, which must be short; models are kept (keepModel) if they are as
+/// the stages that made them noted. A file that is missing, empty or a link enters nothing. Throws
+/// Refused.
 ReadResults readResults(const std::filesystem::path& project, const records::BatchRecord& batch,
                         const std::filesystem::path& out, Progress& progress, std::stop_token stop);
 

@@ -5,7 +5,9 @@
 
 #include "catalogue/catalogue.h"
 #include "files/cannot_write.h"
+#include "files/checksum.h"
 #include "files/files.h"
+#include "files/open_folder.h"
 #include "files/output_place.h"
 #include "files/scratch_folder.h"
 #include "sherds/sherd_columns.h"
@@ -46,15 +48,18 @@ Result<void> secondName(const fs::path& from, const fs::path& to) {
   return bytes ? writeFileAtomically(to, *bytes) : Result<void>(bytes.error());
 }
 
-// By the contents of its files.
-Result<std::string> nameOf(const fs::path& folder) {
+// Of a whole model, none of whose files is a link, by its files' contents.
+Result<std::string> nameOf(const fs::path& folder, ModelHashes& hashes) {
+  const Result<OpenFolder> opened = OpenFolder::open(folder);
+  if (!opened) return opened.error();
   std::string sums;
-  std::error_code failed;
   for (const char* name : kModelFiles) {
-    if (!fs::is_regular_file(folder / name, failed)) continue;
-    const Result<std::string> bytes = readFile(folder / name);
-    if (!bytes) return bytes.error();
-    sums += name + sha256(*bytes);
+    Result<OpenFile> file = opened->read(*ContainedPath::parse(name));
+    if (!file) return file.error();
+    const Result<Checksum> sum = checksumOf(*file, {});
+    if (!sum) return sum.error();
+    hashes[name] = sum->sha256;
+    sums += name + sum->sha256;
   }
   return sha256(sums).substr(0, kNameLength);
 }
@@ -75,13 +80,14 @@ Result<FolderLock> holdModels(const fs::path& project, const std::string& batch,
 }
 
 Result<std::string> keepModel(const fs::path& project, const std::string& batch,
-                              const fs::path& from) {
+                              const fs::path& from, const ModelHashes& made) {
   std::error_code failed;
-  if (!fs::is_regular_file(from / kModelFiles[0], failed))
-    return Error{ErrorCode::Missing, "This model is missing; reprocess its batch.",
-                 (from / kModelFiles[0]).string()};
+  for (const char* name : kModelFiles)
+    if (fs::symlink_status(from / name, failed).type() == fs::file_type::not_found)
+      return Error{ErrorCode::Missing, "This model is missing; reprocess its batch.",
+                   (from / name).string()};
   const fs::path all = project / folderOf(batch), unfinished = all / kUnfinished;
-  if (const Result<void> made = makeFolder(unfinished); !made) return made.error();
+  if (const Result<void> ready = makeFolder(unfinished); !ready) return ready.error();
   const struct Emptied {
     const fs::path& folder;
     ~Emptied() {
@@ -92,15 +98,19 @@ Result<std::string> keepModel(const fs::path& project, const std::string& batch,
   const Result<ScratchFolder> scratch = ScratchFolder::make("model", unfinished);
   if (!scratch) return scratch.error();
   const fs::path partial = scratch->path() / "content";  // readable for others, unlike the folder
-  if (const Result<void> made = makeFolder(partial); !made) return made.error();
+  if (const Result<void> ready = makeFolder(partial); !ready) return ready.error();
   for (const char* name : kModelFiles)
-    if (fs::is_regular_file(from / name, failed))
-      if (const Result<void> named = secondName(from / name, partial / name); !named)
-        return named.error();
+    if (const Result<void> named = secondName(from / name, partial / name); !named)
+      return named.error();
   // Of what was kept, not of what may lie in `from` by now.
-  const Result<std::string> name = nameOf(partial);
-  if (!name) return name.error();
-  if (const Result<std::string> there = nameOf(all / *name); !there || *there != *name) {
+  ModelHashes kept, earlier;
+  const Result<std::string> name = nameOf(partial, kept);
+  if (!name) return Error{name.error().code, name.error().what, from.string()};
+  for (const char* file : kModelFiles)
+    if (const auto hash = made.find(file); hash == made.end() || hash->second != kept[file])
+      return Error::unusable("These results of 'ostraka process' are incomplete; run it again.",
+                             (from / file).string());
+  if (const Result<std::string> there = nameOf(all / *name, earlier); !there || *there != *name) {
     fs::remove_all(all / *name, failed);  // damaged since
     fs::rename(partial, all / *name, failed);
     if (failed) return cannotWrite(all / *name, failed.value());

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <set>
 #include <stop_token>
 #include <string>
@@ -20,13 +21,16 @@ namespace ostraka::sherds {
 Result<FolderLock> holdModels(const std::filesystem::path& project, const std::string& batch,
                               const std::stop_token& stop);
 
+using ModelHashes = std::map<std::string, std::string>;  ///< SHA-256 by file name
+
 /// What the catalogue shows of a sherd must stay what was entered while its batch is computed
 /// again, or stops half-way: model.ply, model.glb and preview.png of `from` get a folder of the
 /// project that is named by their contents and never written into again (further names of the same
 /// bytes where the disk knows such, else copies). Returns the folder, relative to the project.
-/// Errors: Missing without a model, CannotWrite.
+/// Errors: Missing without all three, UnusableInput where one is a link or not as it was made,
+/// CannotWrite.
 Result<std::string> keepModel(const std::filesystem::path& project, const std::string& batch,
-                              const std::filesystem::path& from);
+                              const std::filesystem::path& from, const ModelHashes& made);
 
 /// Removes the folders of the batch that no sherd shows any more, the records of their files, and
 /// what a killed run left half kept; nothing that keepModel did not make.

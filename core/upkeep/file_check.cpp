@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "files/open_folder.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
 #include "store/file_header.h"
@@ -16,13 +17,16 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kLongestRound_ms = 7LL * 24 * 3600 * 1000;  // then all is looked at anew
 
-// One file as it lies there now.
-Result<std::optional<Damage>> lookAt(const KnownFile& file, const fs::path& folder,
+// One file as it lies there now. No link is followed: what it leads to is not the project's, and
+// goes along in no archive.
+Result<std::optional<Damage>> lookAt(const KnownFile& file, const OpenFolder& folder,
                                      CheckDepth depth, const std::stop_token& stop) {
-  const fs::path path = folder / file.path;
   std::error_code code;
-  if (!fs::exists(path, code) && !code) return std::optional(Damage::Missing);
-  Result<OpenFile> open = OpenFile::open(path);
+  if (fs::symlink_status(folder.path() / file.path, code).type() == fs::file_type::not_found)
+    return std::optional(Damage::Missing);
+  const Result<ContainedPath> path = ContainedPath::parse(file.path);
+  if (!path) return path.error();
+  Result<OpenFile> open = folder.read(*path);
   if (!open) return std::optional(Damage::Unreadable);
   if (depth == CheckDepth::NamesAndSizes || file.sha256.empty())
     return open->bytes() == file.bytes ? std::nullopt : std::optional(Damage::Changed);
@@ -77,6 +81,8 @@ Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue, const fs:
                                 CheckDepth depth, Progress& progress, std::stop_token stop) {
   const Result<std::vector<KnownFile>> known = knownFiles(catalogue);
   if (!known) return known.error();
+  const Result<OpenFolder> opened = OpenFolder::open(folder);
+  if (!opened) return opened.error();
   CheckedFiles result;
   result.files = static_cast<std::int64_t>(known->size());
   std::int64_t total = 0, done = 0;
@@ -92,7 +98,7 @@ Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue, const fs:
     done += file.bytes;
     const FileCheckLog::Seen* seen = log ? log->seen(file) : nullptr;
     if (seen && !seen->damage && seen->at_ms >= log->begun_ms() && seen->at_ms <= now) continue;
-    const Result<std::optional<Damage>> damage = lookAt(file, folder, depth, stop);
+    const Result<std::optional<Damage>> damage = lookAt(file, *opened, depth, stop);
     if (!damage) return damage.error();
     ++result.checked;
     if (log) log->note(file, catalogue.now(), *damage);
@@ -115,6 +121,8 @@ Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue, const fs:
   if (*pages != "ok") return store::damagedCatalogue(*pages, catalogue.database().file());
   const Result<std::vector<KnownFile>> known = knownFiles(catalogue);
   if (!known) return known.error();
+  const Result<OpenFolder> opened = OpenFolder::open(folder);
+  if (!opened) return opened.error();
   CheckedFiles result;
   result.files = static_cast<std::int64_t>(known->size());
   FileCheckLog log(folder);
@@ -134,7 +142,7 @@ Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue, const fs:
     if (done >= most_bytes) break;
     progress.report(done, most_bytes);
     done += std::max<std::int64_t>(file.bytes, 1);
-    const Result<std::optional<Damage>> damage = lookAt(file, folder, CheckDepth::Hashes, stop);
+    const Result<std::optional<Damage>> damage = lookAt(file, *opened, CheckDepth::Hashes, stop);
     if (!damage) return damage.error();
     ++result.checked;
     log.note(file, catalogue.now(), *damage);
@@ -146,8 +154,8 @@ Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue, const fs:
 Result<void> checkPaths(const catalogue::Catalogue& catalogue) {
   return catalogue.database().asResult([&] {
     store::Statement rows = catalogue.database().sql(
-        "SELECT path FROM file UNION SELECT path FROM photograph UNION SELECT path FROM scan "
-        "UNION SELECT model_path FROM sherd UNION SELECT preview_path FROM sherd");
+        "SELECT path FROM file UNION ALL SELECT path FROM photograph UNION ALL SELECT path FROM "
+        "scan UNION ALL SELECT model_path FROM sherd UNION ALL SELECT preview_path FROM sherd");
     while (rows.next()) {
       std::string path;
       rows >> path;

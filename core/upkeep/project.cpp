@@ -19,6 +19,7 @@
 #include "store/schema_check.h"
 #include "store/values.h"
 #include "upkeep/backups.h"
+#include "upkeep/file_check.h"
 
 namespace ostraka::upkeep {
 namespace {
@@ -170,6 +171,8 @@ Result<Project> Project::open(const fs::path& folder, const catalogue::Catalogue
   if (const Result<void> good = checkFolder(folder); !good) return good.error();
   Result<catalogue::Catalogue> catalogue = openCatalogue(folder, clock);
   if (!catalogue) return catalogue.error();
+  // Once for all connections: those of other threads come later, and read it for each sherd.
+  if (const Result<void> inside = checkPaths(*catalogue); !inside) return inside.error();
   if (!catalogue->readOnly())
     for (const fs::path& place : {folder, folder / "backups"})
       store::PartialFile::removeLeftovers(place);

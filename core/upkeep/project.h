@@ -25,8 +25,8 @@ class Project {
                                 const records::ProjectRecord& record,
                                 const catalogue::Catalogue::Clock& clock = {});
   /// Opens it; an older schema is brought up to date after a backup, a newer one is refused. Where
-  /// nothing can be written it is open for reading only (catalogue().readOnly()). Error: Damaged,
-  /// see catalogue/repair.h.
+  /// nothing can be written it is open for reading only (catalogue().readOnly()). Errors: Damaged,
+  /// see catalogue/repair.h; UnusableInput where the catalogue names a place outside the project.
   static Result<Project> open(const std::filesystem::path& folder,
                               const catalogue::Catalogue::Clock& clock = {});
   static bool isProject(const std::filesystem::path& folder);

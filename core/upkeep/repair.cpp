@@ -15,6 +15,7 @@
 #include "store/partial_file.h"
 #include "store/schema_check.h"
 #include "upkeep/backups.h"
+#include "upkeep/file_check.h"
 #include "upkeep/page_repair.h"
 #include "upkeep/project.h"
 #include "upkeep/row_repair.h"
@@ -122,7 +123,7 @@ class Repair {
       if (!store::checkSchema(backup)) continue;  // it may have come with a stranger's archive
       const Result<catalogue::Catalogue> catalogue =
           opened(backup, store::Database::Mode::ReadOnly);
-      if (!catalogue || !catalogue->checkIntegrity()) continue;
+      if (!catalogue || !catalogue->checkIntegrity() || !checkPaths(*catalogue)) continue;
       base_ = backup;
       break;
     }

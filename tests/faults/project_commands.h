@@ -45,6 +45,7 @@ class ProjectCommands : public exchange::ExportedProject {
     std::string bytes = *readFile(model);
     bytes.insert(bytes.find("end_header"), "comment computed again\n");
     put(model, bytes);
+    catalogue::ResultFolder::noteModel(project_->resultsFolder("B0001"), "01");
   }
   /// A copy of the project, "damaged", some pages of whose catalogue only the backup still knows;
   /// returns what the catalogue held.

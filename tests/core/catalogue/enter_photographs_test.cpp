@@ -48,6 +48,16 @@ TEST_F(EnterPhotographs, GivesEachItsPlaceAndItsChecksum) {
   EXPECT_EQ(files[0].sha256.size(), 64u);
 }
 
+TEST_F(EnterPhotographs, TakesNoLinkForAPhotograph) {
+  const std::filesystem::path file = project_->batchFolder("B0001") / "back" / "cam1_pos03.jpg";
+  std::filesystem::rename(file, folder_.path() / "private.jpg");
+  std::filesystem::create_symlink(folder_.path() / "private.jpg", file);
+  const Result<int> entered = enter();
+  ASSERT_FALSE(entered);
+  EXPECT_EQ(entered.error().where, file);
+  EXPECT_TRUE(Batches(catalogue()).photographs(batch)->empty());
+}
+
 // Orientation 6, all that this camera wrote, behind the start of the JPEG.
 std::string withExif(std::string jpeg) {
   return jpeg.insert(2, std::string("\xFF\xE1\0\x22"

@@ -75,6 +75,7 @@ class ResultFolder {
       const std::string model = "model of " + name('f', p.front) + name('b', p.back);
       for (const char* file : {"model.ply", "model.glb", "preview.png"})
         put(out_ / "sherds" / number / file, model + file);
+      noteModel(out_, number);
     }
     for (const char* side : {"front", "back"})
       std::filesystem::remove_all(out_ / "work" / ("scans_" + std::string(side)));
@@ -110,6 +111,15 @@ class ResultFolder {
              {"sherds", sherds}})
             .dump());
     put(out_ / "report.html", "<html></html>");
+  }
+
+  /// The stage that made this sherd's model left it as it lies there now.
+  static void noteModel(const std::filesystem::path& out, const std::string& number) {
+    nlohmann::ordered_json files;
+    for (const char* file : {"model.ply", "model.glb", "preview.png"})
+      files[file] = sha256(*readFile(out / "sherds" / number / file));
+    put(out / "work" / ("model_" + number) / "stage.json",
+        nlohmann::ordered_json({{"files", files}}).dump());
   }
 
  private:

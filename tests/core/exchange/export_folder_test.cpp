@@ -5,6 +5,7 @@
 #include "archive/bagit.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
+#include "exchange/drawn_sherds.h"
 #include "exported_project.h"
 #include "records/records.h"
 #include "records/sherd.h"
@@ -340,6 +341,37 @@ TEST_F(Export, WhatIsMissingIsNamedAndTheRestIsWhole) {
   ASSERT_EQ(done->warnings.size(), 2u);  // the other is about a drawing
   EXPECT_NE(done->warnings[0].find("/preview.png"), std::string::npos);
   EXPECT_TRUE(archive::checkBag(folder_.path() / "out", quiet, {}));
+}
+
+// The project may be a stranger's: what its catalogue or its links lead to is not handed on.
+TEST_F(Export, TakesNothingAlongFromOutsideTheProject) {
+  const fs::path secret = folder_.path() / "secret";
+  put(secret, "SECRET");
+  fs::remove(pictureOf(0));
+  fs::create_symlink(secret, pictureOf(0));
+  catalogue()
+      .database()
+      .sql("UPDATE sherd SET preview_path = '../secret' WHERE row = ?")
+      .with(rows[1])
+      .run();
+  catalogue()
+      .database()
+      .sql("UPDATE file SET path = ? WHERE role = 'photo'")
+      .with(secret.string())
+      .run();
+  const auto exported = exportTo("out", {Form::Pictures, Form::Photographs});
+  ASSERT_TRUE(exported) << exported.error().sentence();
+  EXPECT_EQ(exported->warnings.size(), 3u);
+  int pictures = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / "out")) {
+    if (!entry.is_regular_file()) continue;
+    EXPECT_EQ(readFile(entry.path())->find("SECRET"), std::string::npos) << entry.path();
+    pictures += entry.path().extension() == ".png" ? 1 : 0;
+  }
+  EXPECT_EQ(pictures, 1) << "the third sherd's";
+  fs::remove(modelOf(2));
+  fs::create_symlink(secret, modelOf(2));
+  EXPECT_FALSE(exchange::modelOf(*sherds::Sherds(catalogue()).get(rows[2]), project_->folder()));
 }
 
 TEST_F(Export, AModelThatIsNotTheOneEnteredStopsIt) {

@@ -24,6 +24,7 @@ class ExportedProject : public catalogue::SmallProject {
       const auto folder = project_->resultsFolder("B0001") / "sherds" / number;
       put(folder / "model.ply", formatPly(mesh, "plate_front"));
       put(folder / "model.glb", *formatGlb(mesh, {}));
+      catalogue::ResultFolder::noteModel(project_->resultsFolder("B0001"), number);
     }
     const std::string photograph = "batches/B0001/front/cam0_pos00.jpg";
     put(project_->folder() / photograph, "JPEG");

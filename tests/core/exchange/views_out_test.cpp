@@ -111,6 +111,20 @@ TEST(ViewsOut, TakeTheFilesThatAreSaidBeforeAndTheirSizeWithinATenth) {
   EXPECT_NEAR(said / is, 1, 0.1) << said << " said, " << is;
 }
 
+TEST(ViewsOut, HoldNoPictureThatALinkLeadsTo) {
+  const TemporaryFolder folder;
+  const fs::path project = folder.path() / "project";
+  putBatch(project);
+  const fs::path photograph = project / "batches/B0001/front/cam0_pos03.png";
+  fs::rename(photograph, folder.path() / "private.png");
+  fs::create_symlink(folder.path() / "private.png", photograph);
+  Result<archive::BagWriter> bag = archive::BagWriter::begin(folder.path() / "bag");
+  ASSERT_TRUE(bag);
+  const Result<void> added = addViews(*bag, project, "B0001", folder.path() / "scratch", {});
+  ASSERT_FALSE(added);
+  EXPECT_EQ(added.error().where, photograph);
+}
+
 TEST(ViewsOut, OfABatchWithoutResultsAreAnErrorThatNamesTheFile) {
   const TemporaryFolder folder;
   Result<archive::BagWriter> bag = archive::BagWriter::begin(folder.path() / "bag");

@@ -67,6 +67,17 @@ TEST_F(AnOpenFolder, FollowsNoLinkOnTheWayNorAtItsEnd) {
   EXPECT_EQ(*readFile(root_ / "outside/file.txt"), "outside");
 }
 
+TEST_F(AnOpenFolder, GivesWhatACatalogueNamesOnlyFromWithin) {
+  Result<OpenFile> file = OpenFile::within(root_ / "inside", "below/file.txt");
+  ASSERT_TRUE(file) << file.error().sentence();
+  EXPECT_EQ(*file->readAll(), "inside");
+  EXPECT_FALSE(OpenFile::within(root_ / "inside", "below/file.txt")->readAll(5)) << "too large";
+  fs::create_symlink(root_ / "outside/file.txt", root_ / "inside/link.txt");
+  for (const std::string& path : {std::string("link.txt"), std::string("../outside/file.txt"),
+                                  (root_ / "outside/file.txt").string(), std::string()})
+    EXPECT_FALSE(OpenFile::within(root_ / "inside", path)) << path;
+}
+
 TEST_F(AnOpenFolder, IsTheSameFolderWhateverTakesItsPlace) {
   const OpenFolder folder = inside();
   fs::rename(root_ / "inside", root_ / "moved");

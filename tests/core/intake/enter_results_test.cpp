@@ -105,6 +105,7 @@ TEST_F(Entering, DropsModelsThatNobodyShowsAtTheNextEntering) {
   const records::SherdRecord before = sherds().front();
   const fs::path folder = project_->resultsFolder("B0001") / "sherds/01";
   ASSERT_TRUE(writeFileAtomically(folder / "model.ply", "a better one"));
+  out.noteModel(project_->resultsFolder("B0001"), "01");
   enter();
   const records::SherdRecord after = *sherds::Sherds(catalogue()).get(before.row);
   EXPECT_EQ(*readFile(project_->folder() / after.model_path), "a better one");

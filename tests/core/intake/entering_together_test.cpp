@@ -64,10 +64,12 @@ TEST_F(EnteringTogether, NoneOfThreeProcessesTakesAModelFromAnother) {
   for (int round = 0; round < 4; ++round) {
     out.length_mm = 50 + round;
     out.write();
-    for (const char* number : {"01", "02", "03"})
+    for (const char* number : {"01", "02", "03"}) {
       ASSERT_TRUE(writeFileAtomically(
           project_->resultsFolder("B0001") / "sherds" / number / "model.ply",
           std::string("model ") + number + " of round " + std::to_string(round)));
+      out.noteModel(project_->resultsFolder("B0001"), number);
+    }
     std::vector<pid_t> processes;
     for (int i = 0; i < 3; ++i)
       if (const pid_t child = ::fork(); child == 0)

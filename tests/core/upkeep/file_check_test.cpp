@@ -92,6 +92,22 @@ TEST_F(FileCheck, FindsWhatIsMissingAndWhatHasAnotherSizeByNamesAlone) {
   }
 }
 
+// The same bytes, but not the project's: no archive takes them along.
+TEST_F(FileCheck, CountsALinkAsDamageWhereverItLeads) {
+  fs::rename(at("batches/B0001/front"), folder_.path() / "front");
+  fs::create_directory_symlink(folder_.path() / "front", at("batches/B0001/front"));
+  fs::rename(at("models/B0001/aa/model.ply"), folder_.path() / "model.ply");
+  fs::create_symlink(folder_.path() / "model.ply", at("models/B0001/aa/model.ply"));
+  for (const CheckDepth depth : {CheckDepth::NamesAndSizes, CheckDepth::Hashes}) {
+    const CheckedFiles checked = check(depth);
+    ASSERT_EQ(checked.damaged.size(), 2u);
+    EXPECT_EQ(checked.damaged[0].file.path, "batches/B0001/front/cam0_pos00.jpg");
+    EXPECT_EQ(checked.damaged[1].file.path, "models/B0001/aa/model.ply");
+    EXPECT_EQ(checked.damaged[1].damage, Damage::Unreadable);
+  }
+  EXPECT_EQ(share(1 << 20).damaged.size(), 2u);
+}
+
 TEST_F(FileCheck, LeavesOutTheResultsOfABatchThatIsBeingComputed) {
   flipBit("results/B0001/work/scans_front/f001.ply");
   ASSERT_TRUE(catalogue::Batches(catalogue()).setState(batch, records::BatchState::Queued, anna));

@@ -58,6 +58,26 @@ TEST_F(ProjectFolder, IsNotOpenedWhereABatchLeadsOutOfIt) {
   EXPECT_TRUE(Project::open(folder_.path() / "project")) << "what was taken once stays open";
 }
 
+// Of a project that a stranger hands over: its export would take along what lies there.
+TEST_F(ProjectFolder, IsNotOpenedWhereAPathOfTheCatalogueLeadsOutOfIt) {
+  const store::SherdRow sherd = numbered(context12);
+  const fs::path folder = project_->folder();
+  for (const char* path : {"../secret.txt", "/etc/hostname", "models/../../secret.txt"}) {
+    SCOPED_TRACE(path);
+    catalogue()
+        .database()
+        .sql("UPDATE sherd SET preview_path = ? WHERE row = ?")
+        .with(std::string(path), sherd)
+        .run();
+    const Result<Project> opened = Project::open(folder);
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().code, ErrorCode::UnusableInput);
+    EXPECT_NE(opened.error().what.find(path), std::string::npos) << opened.error().sentence();
+  }
+  catalogue().database().sql("UPDATE sherd SET preview_path = ''").run();
+  EXPECT_TRUE(Project::open(folder));
+}
+
 TEST_F(ProjectFolder, AFolderThatHoldsSomethingIsNotTaken) {
   std::ofstream(folder_.path() / "file") << "x";
   records::ProjectRecord record;

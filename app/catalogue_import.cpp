@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::size_t kMostChangesSaid = 20;
+constexpr std::size_t kMostSaid = 20;
 
 struct ImportArguments {
   fs::path project, source, refusals;
@@ -107,23 +107,35 @@ ordered_json changesJson(const std::vector<tables::ChangedValue>& changes) {
 }
 
 void printChanges(const std::vector<tables::ChangedValue>& changes) {
-  for (std::size_t i = 0; i < std::min(changes.size(), kMostChangesSaid); ++i)
+  for (std::size_t i = 0; i < std::min(changes.size(), kMostSaid); ++i)
     show(stderr, "%s, %s: '%s' becomes '%s'\n", changes[i].name.c_str(), changes[i].field.c_str(),
          changes[i].old_value.c_str(), changes[i].new_value.c_str());
-  if (changes.size() > kMostChangesSaid)
-    show(stderr, "%zu more values change; --json lists all.\n", changes.size() - kMostChangesSaid);
+  if (changes.size() > kMostSaid)
+    show(stderr, "%zu more values change; --json lists all.\n", changes.size() - kMostSaid);
+}
+
+void printRefusal(const tables::Refusal& refusal, const std::string& remedy) {
+  show(stderr, "line %d, %s '%s': %s%s\n", refusal.line, refusal.column.c_str(),
+       refusal.value.c_str(), refusal.reason.c_str(), remedy.c_str());
+}
+
+void printRefusals(const tables::ImportReport& report) {
+  const std::size_t refused = std::min(report.refusals.size(), kMostSaid),
+                    asked = std::min(report.questions.size(), kMostSaid);
+  for (std::size_t i = 0; i < refused; ++i) printRefusal(report.refusals[i], {});
+  for (std::size_t i = 0; i < asked; ++i)
+    printRefusal(
+        report.questions[i],
+        " Not entered; --confirm " + std::to_string(report.questions[i].line) + " enters the row.");
+  if (const std::size_t more = report.refusals.size() + report.questions.size() - refused - asked;
+      more > 0)
+    show(stderr, "%zu more rows are refused or to confirm; --refusals and --json list all.\n",
+         more);
 }
 
 void printReport(const tables::ImportReport& report) {
   printMapping(report.mapping);
-  for (const auto* list : {&report.refusals, &report.questions})
-    for (const tables::Refusal& refusal : *list)
-      show(stderr, "line %d, %s '%s': %s%s\n", refusal.line, refusal.column.c_str(),
-           refusal.value.c_str(), refusal.reason.c_str(),
-           list == &report.questions
-               ? (" Not entered; --confirm " + std::to_string(refusal.line) + " enters the row.")
-                     .c_str()
-               : "");
+  printRefusals(report);
   printChanges(report.changed_values);
   for (const std::string& warning : report.warnings) show(stderr, "%s\n", warning.c_str());
 }

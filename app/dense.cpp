@@ -193,10 +193,8 @@ int disagree(Session& session, const stereo::Agreement& agreement, ordered_json 
 
 int runDense(const DenseArguments& arguments, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
-  if (!arguments.output.has_filename() || fs::is_directory(arguments.output))
-    return fail(session, {ErrorCode::UnusableInput, "The output must be a PLY file.",
-                          arguments.output.string()});
-  if (const Result<void> good = checkOutputPlace(arguments.output); !good)
+  if (const Result<void> good = checkOutputFile(arguments.output, {".ply"}, {arguments.cameras});
+      !good)
     return fail(session, good.error());
   Result<std::vector<stereo::View>> views = readViews(arguments, session);
   if (!views) return fail(session, views.error());

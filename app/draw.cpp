@@ -9,7 +9,6 @@
 #include "command.h"
 #include "drawing/drawing.h"
 #include "drawing/drawing_files.h"
-#include "files/output_place.h"
 #include "shown.h"
 
 namespace ostraka::app {
@@ -71,7 +70,7 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     return fail(session, {ErrorCode::UnusableInput,
                           "Give one --id for each model, in the same order, or none.",
                           {}});
-  if (const Result<void> good = checkOutputPlace(arguments.output); !good)
+  if (const Result<void> good = checkSheetsFile(arguments.output, arguments.models); !good)
     return fail(session, good.error());
   std::vector<SherdDrawing> drawings;
   ordered_json list = ordered_json::array();

@@ -4,8 +4,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/text.h"
 #include "command.h"
+#include "files/output_place.h"
 #include "rig/plate_print.h"
 #include "shown.h"
 
@@ -19,10 +19,8 @@ enum class PaperChoice { A4, A3, Whole };
 
 int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem::path& output,
              const Session& session) {
-  if (lowerCase(output.extension().string()) != ".pdf")
-    return fail(session,
-                {ErrorCode::UnusableInput,
-                 "The plate is written as a PDF; name a file that ends in .pdf.", output.string()});
+  if (const Result<void> good = checkOutputFile(output, {".pdf"}); !good)
+    return fail(session, good.error());
   options.paper.reset();
   if (paper != PaperChoice::Whole) options.paper = paper == PaperChoice::A4 ? Paper::A4 : Paper::A3;
   const Result<PlatePrint> print = rig::writePlatePrint(output, options);

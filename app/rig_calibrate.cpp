@@ -56,9 +56,19 @@ ordered_json asJson(const CalibrationReport& report, const std::string& output, 
           {"exit_status", status}};
 }
 
+// What describes the targets: a rig of the same name would take its place.
+std::vector<std::filesystem::path> descriptionsIn(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  for (const char* side : {"", "front", "back"})
+    for (const char* name : {"plate.json", "board.json", "scale.json"})
+      files.push_back(folder / side / name);
+  return files;
+}
+
 int runCalibrate(const std::filesystem::path& folder, const std::filesystem::path& output,
                  const CalibrationOptions& options, Session& session) {
-  if (const Result<void> good = checkOutputPlace(output); !good) return fail(session, good.error());
+  if (const Result<void> good = checkOutputFile(output, {".json"}, descriptionsIn(folder)); !good)
+    return fail(session, good.error());
   session.progress.begin("calibration", 1.0);
   const Result<CalibrationReport> report =
       calibration::calibrateFolder(folder, options, session.progress, session.stop);

@@ -7339,6 +7339,11 @@
       <translation>Das steht in mehr als einer Zeile der Tabelle, in den Zeilen %1.</translation>
     </message>
     <message>
+      <source>This appears in more than one row of the table, in the lines %1 and %2 more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das steht in mehr als einer Zeile der Tabelle, in den Zeilen %1 und %2 weiteren.</translation>
+    </message>
+    <message>
       <source>Check the unit: %1 is unusual for a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Einheit prüfen: %1 ist für eine Scherbe ungewöhnlich.</translation>
@@ -7534,6 +7539,11 @@
       <translation>Die Scans haben zu wenige Punkte, die miteinander übereinstimmen, für ein Modell.</translation>
     </message>
     <message>
+      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Modell ist %1 mm groß, mehr als jedes Gefäß, also hat es wohl eine andere Einheit; es in mm exportieren.</translation>
+    </message>
+    <message>
       <source>Edge %1 is used more than once in the same direction.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kante %1 kommt in derselben Richtung mehr als einmal vor.</translation>
@@ -7667,6 +7677,21 @@
       <source>Its id is missing or used twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ihre ID fehlt oder kommt zweimal vor.</translation>
+    </message>
+    <message>
+      <source>It replaces more than %1 decisions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie ersetzt mehr als %1 Entscheidungen.</translation>
+    </message>
+    <message>
+      <source>It replaces a decision twice, or one that does not come before it in the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie ersetzt eine Entscheidung zweimal oder eine, die in der Datei nicht vor ihr steht.</translation>
+    </message>
+    <message>
+      <source>A batch can have at most %1 decisions; move this file elsewhere, or restore a copy of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Durchgang kann höchstens %1 Entscheidungen haben; diese Datei woandershin verschieben oder eine Kopie von ihr zurücklegen.</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -9112,6 +9137,21 @@
       <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser Ort gehört zum Projekt „%1“; einen Ort außerhalb wählen.</translation>
+    </message>
+    <message>
+      <source>The name of this output must end in %1; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Name dieser Ausgabedatei muss auf %1 enden; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+      <source>This is a folder, not a file; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ist ein Ordner, keine Datei; einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+      <source>This output is one of the input files, which it would overwrite; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ausgabe ist eine der Eingabedateien und würde sie überschreiben; einen anderen Namen wählen.</translation>
     </message>
     <message>
       <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>

@@ -7334,6 +7334,11 @@
       <translation>Αυτό υπάρχει σε περισσότερες από μία γραμμές του πίνακα, στις γραμμές %1.</translation>
     </message>
     <message>
+      <source>This appears in more than one row of the table, in the lines %1 and %2 more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό υπάρχει σε περισσότερες από μία γραμμές του πίνακα, στις γραμμές %1 και σε %2 ακόμη.</translation>
+    </message>
+    <message>
       <source>Check the unit: %1 is unusual for a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ελέγξτε τη μονάδα: %1 είναι ασυνήθιστο για όστρακο.</translation>
@@ -7529,6 +7534,11 @@
       <translation>Οι σαρώσεις έχουν πολύ λίγα σημεία που συμφωνούν μεταξύ τους για ένα μοντέλο.</translation>
     </message>
     <message>
+      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το μοντέλο έχει μέγεθος %1 mm, μεγαλύτερο από κάθε αγγείο, άρα η μονάδα του φαίνεται να είναι άλλη· εξαγάγετέ το σε mm.</translation>
+    </message>
+    <message>
       <source>Edge %1 is used more than once in the same direction.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η ακμή %1 χρησιμοποιείται πάνω από μία φορά προς την ίδια κατεύθυνση.</translation>
@@ -7662,6 +7672,21 @@
       <source>Its id is missing or used twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αναγνωριστικό της λείπει ή χρησιμοποιείται δύο φορές.</translation>
+    </message>
+    <message>
+      <source>It replaces more than %1 decisions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αντικαθιστά περισσότερες από %1 αποφάσεις.</translation>
+    </message>
+    <message>
+      <source>It replaces a decision twice, or one that does not come before it in the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αντικαθιστά δύο φορές μια απόφαση, ή μια απόφαση που δεν βρίσκεται πριν από αυτήν στο αρχείο.</translation>
+    </message>
+    <message>
+      <source>A batch can have at most %1 decisions; move this file elsewhere, or restore a copy of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια παρτίδα μπορεί να έχει το πολύ %1 αποφάσεις· μετακινήστε αυτό το αρχείο, ή επαναφέρετε ένα αντίγραφό του.</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -9107,6 +9132,21 @@
       <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η θέση ανήκει στο έργο «%1»· επιλέξτε μια θέση έξω από αυτό.</translation>
+    </message>
+    <message>
+      <source>The name of this output must end in %1; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όνομα αυτού του αρχείου εξόδου πρέπει να τελειώνει σε %1· επιλέξτε άλλο όνομα.</translation>
+    </message>
+    <message>
+      <source>This is a folder, not a file; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό είναι φάκελος, όχι αρχείο· επιλέξτε άλλο όνομα.</translation>
+    </message>
+    <message>
+      <source>This output is one of the input files, which it would overwrite; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η έξοδος είναι ένα από τα αρχεία εισόδου και θα το αντικαθιστούσε· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
       <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>

@@ -7334,6 +7334,11 @@
       <translation>Esto está en más de una fila de la tabla, en las líneas %1.</translation>
     </message>
     <message>
+      <source>This appears in more than one row of the table, in the lines %1 and %2 more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esto está en más de una fila de la tabla, en las líneas %1 y %2 más.</translation>
+    </message>
+    <message>
       <source>Check the unit: %1 is unusual for a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comprobar la unidad: %1 es inusual para un fragmento.</translation>
@@ -7529,6 +7534,11 @@
       <translation>Los escaneos tienen muy pocos puntos que concuerden entre sí para un modelo.</translation>
     </message>
     <message>
+      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este modelo mide %1 mm, más que cualquier vasija, así que su unidad parece ser otra; expórtelo en mm.</translation>
+    </message>
+    <message>
       <source>Edge %1 is used more than once in the same direction.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La arista %1 se usa más de una vez en el mismo sentido.</translation>
@@ -7662,6 +7672,21 @@
       <source>Its id is missing or used twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Su identificador falta o se usa dos veces.</translation>
+    </message>
+    <message>
+      <source>It replaces more than %1 decisions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sustituye más de %1 decisiones.</translation>
+    </message>
+    <message>
+      <source>It replaces a decision twice, or one that does not come before it in the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sustituye dos veces una decisión, o una que no está antes que ella en el archivo.</translation>
+    </message>
+    <message>
+      <source>A batch can have at most %1 decisions; move this file elsewhere, or restore a copy of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una tanda puede tener como máximo %1 decisiones; mueva este archivo a otro lugar, o restablezca una copia.</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -9107,6 +9132,21 @@
       <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este lugar pertenece al proyecto «%1»; elija un lugar fuera de él.</translation>
+    </message>
+    <message>
+      <source>The name of this output must end in %1; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El nombre de este archivo de salida debe terminar en %1; elija otro nombre.</translation>
+    </message>
+    <message>
+      <source>This is a folder, not a file; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es una carpeta, no un archivo; elija otro nombre.</translation>
+    </message>
+    <message>
+      <source>This output is one of the input files, which it would overwrite; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta salida es uno de los archivos de entrada y lo sobrescribiría; elija otro nombre.</translation>
     </message>
     <message>
       <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>

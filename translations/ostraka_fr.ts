@@ -7334,6 +7334,11 @@
       <translation>Cela figure dans plus d’une ligne du tableau, aux lignes %1.</translation>
     </message>
     <message>
+      <source>This appears in more than one row of the table, in the lines %1 and %2 more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cela figure dans plus d’une ligne du tableau, aux lignes %1 et dans %2 autres.</translation>
+    </message>
+    <message>
       <source>Check the unit: %1 is unusual for a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vérifier l’unité : %1 est inhabituel pour un tesson.</translation>
@@ -7529,6 +7534,11 @@
       <translation>Les numérisations ont trop peu de points qui s’accordent pour faire un modèle.</translation>
     </message>
     <message>
+      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce modèle mesure %1 mm, plus que tout récipient : son unité semble être une autre ; exportez-le en mm.</translation>
+    </message>
+    <message>
       <source>Edge %1 is used more than once in the same direction.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’arête %1 sert plus d’une fois dans le même sens.</translation>
@@ -7662,6 +7672,21 @@
       <source>Its id is missing or used twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Son identifiant manque ou est utilisé deux fois.</translation>
+    </message>
+    <message>
+      <source>It replaces more than %1 decisions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle remplace plus de %1 décisions.</translation>
+    </message>
+    <message>
+      <source>It replaces a decision twice, or one that does not come before it in the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle remplace deux fois une décision, ou une décision qui ne la précède pas dans le fichier.</translation>
+    </message>
+    <message>
+      <source>A batch can have at most %1 decisions; move this file elsewhere, or restore a copy of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un lot peut avoir au plus %1 décisions ; déplacez ce fichier, ou remettez-en une copie.</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -9107,6 +9132,21 @@
       <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cet emplacement appartient au projet « %1 » ; choisissez un emplacement en dehors.</translation>
+    </message>
+    <message>
+      <source>The name of this output must end in %1; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nom de ce fichier de sortie doit se terminer par %1 ; choisissez un autre nom.</translation>
+    </message>
+    <message>
+      <source>This is a folder, not a file; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>C’est un dossier, pas un fichier ; choisissez un autre nom.</translation>
+    </message>
+    <message>
+      <source>This output is one of the input files, which it would overwrite; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette sortie est l’un des fichiers d’entrée, qu’elle écraserait ; choisissez un autre nom.</translation>
     </message>
     <message>
       <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>

@@ -7334,6 +7334,11 @@
       <translation>Սա աղյուսակի մեկից ավելի տողում կա՝ %1 տողերում։</translation>
     </message>
     <message>
+      <source>This appears in more than one row of the table, in the lines %1 and %2 more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա աղյուսակի մեկից ավելի տողում կա՝ %1 տողերում և ևս %2-ում։</translation>
+    </message>
+    <message>
       <source>Check the unit: %1 is unusual for a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ստուգեք միավորը․ %1-ը բեկորի համար անսովոր է։</translation>
@@ -7529,6 +7534,11 @@
       <translation>Սկաններում մոդելի համար շատ քիչ են իրար համապատասխանող կետերը։</translation>
     </message>
     <message>
+      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս մոդելի չափը %1 մմ է՝ ցանկացած անոթից մեծ. դրա միավորը կարծես ուրիշ է. արտահանեք այն մմ-ով։</translation>
+    </message>
+    <message>
       <source>Edge %1 is used more than once in the same direction.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 կողը նույն ուղղությամբ օգտագործված է մեկից ավելի անգամ։</translation>
@@ -7662,6 +7672,21 @@
       <source>Its id is missing or used twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դրա նույնացուցիչը բացակայում է կամ օգտագործված է երկու անգամ։</translation>
+    </message>
+    <message>
+      <source>It replaces more than %1 decisions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն փոխարինում է %1-ից ավելի որոշում։</translation>
+    </message>
+    <message>
+      <source>It replaces a decision twice, or one that does not come before it in the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն երկու անգամ փոխարինում է մի որոշում կամ այնպիսին, որը ֆայլում իրենից առաջ չէ։</translation>
+    </message>
+    <message>
+      <source>A batch can have at most %1 decisions; move this file elsewhere, or restore a copy of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակը կարող է ունենալ առավելագույնը %1 որոշում. տեղափոխեք այս ֆայլը կամ ետ դրեք դրա պատճենը։</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -9107,6 +9132,21 @@
       <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս տեղը պատկանում է «%1» նախագծին. ընտրեք դրանից դուրս մի տեղ։</translation>
+    </message>
+    <message>
+      <source>The name of this output must end in %1; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ելքային ֆայլի անունը պետք է ավարտվի %1-ով. ընտրեք այլ անուն։</translation>
+    </message>
+    <message>
+      <source>This is a folder, not a file; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա պանակ է, ոչ թե ֆայլ. ընտրեք այլ անուն։</translation>
+    </message>
+    <message>
+      <source>This output is one of the input files, which it would overwrite; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ելքը մուտքային ֆայլերից մեկն է և կվերագրեր այն. ընտրեք այլ անուն։</translation>
     </message>
     <message>
       <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>

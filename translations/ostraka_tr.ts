@@ -7287,6 +7287,11 @@
       <translation>Bu, tablonun birden fazla satırında var; satırlar: %1.</translation>
     </message>
     <message>
+      <source>This appears in more than one row of the table, in the lines %1 and %2 more.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu, tablonun birden fazla satırında var; satırlar: %1 ve %2 tane daha.</translation>
+    </message>
+    <message>
       <source>Check the unit: %1 is unusual for a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Birimi denetleyin: %1 bir parça için olağan dışı.</translation>
@@ -7482,6 +7487,11 @@
       <translation>Taramalarda bir model için birbiriyle uyuşan çok az nokta var.</translation>
     </message>
     <message>
+      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu model %1 mm büyüklüğünde, her kaptan daha büyük; birimi başka görünüyor: mm olarak dışa aktarın.</translation>
+    </message>
+    <message>
       <source>Edge %1 is used more than once in the same direction.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ayrıtı aynı yönde birden çok kez kullanılmış.</translation>
@@ -7615,6 +7625,21 @@
       <source>Its id is missing or used twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kimliği eksik ya da iki kez kullanılmış.</translation>
+    </message>
+    <message>
+      <source>It replaces more than %1 decisions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 karardan fazlasının yerine geçiyor.</translation>
+    </message>
+    <message>
+      <source>It replaces a decision twice, or one that does not come before it in the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir kararın iki kez ya da dosyada kendisinden önce gelmeyen bir kararın yerine geçiyor.</translation>
+    </message>
+    <message>
+      <source>A batch can have at most %1 decisions; move this file elsewhere, or restore a copy of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir partinin en çok %1 kararı olabilir; bu dosyayı başka yere taşıyın ya da bir kopyasını geri koyun.</translation>
     </message>
     <message>
       <source>Correct it, or restore a copy of the file.</source>
@@ -9060,6 +9085,21 @@
       <source>This location belongs to the project &apos;%1&apos;; choose a location outside it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu konum &apos;%1&apos; projesine ait; onun dışında bir konum seçin.</translation>
+    </message>
+    <message>
+      <source>The name of this output must end in %1; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu çıktı dosyasının adı %1 ile bitmeli; başka bir ad seçin.</translation>
+    </message>
+    <message>
+      <source>This is a folder, not a file; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir klasör, dosya değil; başka bir ad seçin.</translation>
+    </message>
+    <message>
+      <source>This output is one of the input files, which it would overwrite; choose another name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu çıktı, girdi dosyalarından biri ve onun üzerine yazardı; başka bir ad seçin.</translation>
     </message>
     <message>
       <source>This location belongs to the project &apos;%1&apos;; choose a folder directly in &apos;%2&apos;, or one outside the project.</source>

@@ -45,6 +45,14 @@ inline constexpr Limit kFaces{"Faces of a PLY file", 200'000'000, "faces",
                               "they take 2.4 GB of memory"};
 inline constexpr Limit kFaceCorners{"Corners of a face", 1000, "corners",
                                     "each becomes a triangle; scanners write 3 or 4"};
+inline constexpr Limit kDecisions{"Decisions about a batch", 10'000, "decisions",
+                                  "a person takes a few for each sherd"};
+inline constexpr Limit kDecisionReplaces{"Decisions that one decision replaces", 1000, "decisions",
+                                         "no more scans lie on a plate"};
+inline constexpr Limit kModelExtent_mm{"Length, width or height of a model that is drawn", 2000,
+                                       "mm", "the largest storage jars; more is another unit"};
+inline constexpr Limit kRasterPixels{"Pixels that a model is drawn with", 100'000'000, "pixels",
+                                     "they take 1.4 GB of memory; a larger picture is coarser"};
 inline constexpr Limit kManifestBytes{"Manifest of an archive or an export", 256 * kMiB, "bytes",
                                       "that of a million files is shorter"};
 inline constexpr Limit kTableBytes{"Table (CSV)", 256 * kMiB, "bytes",
@@ -56,11 +64,11 @@ inline constexpr Limit kTableFieldBytes{"Field of a table", kMiB, "bytes",
 inline constexpr Limit kValueBytes{"Text of a field in the catalogue", kMiB, "bytes",
                                    "a remark of 500 pages"};
 
-inline constexpr Limit kAll[] = {kFileBytes,     kJsonBytes,    kJsonDepth,       kPlateMarkers,
-                                 kPlateReach_mm, kBoardSquares, kRigCameras,      kRigStops,
-                                 kImageSide,     kImagePixels,  kImageBytes,      kNetworkBytes,
-                                 kVertices,      kFaces,        kFaceCorners,     kManifestBytes,
-                                 kTableBytes,    kTableRows,    kTableFieldBytes, kValueBytes};
+inline constexpr Limit kAll[] = {
+    kFileBytes,    kJsonBytes,     kJsonDepth,   kPlateMarkers, kPlateReach_mm,    kBoardSquares,
+    kRigCameras,   kRigStops,      kImageSide,   kImagePixels,  kImageBytes,       kNetworkBytes,
+    kVertices,     kFaces,         kFaceCorners, kDecisions,    kDecisionReplaces, kModelExtent_mm,
+    kRasterPixels, kManifestBytes, kTableBytes,  kTableRows,    kTableFieldBytes,  kValueBytes};
 
 }  // namespace limits
 }  // namespace ostraka

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
+#include <unordered_set>
 
+#include "base/limits.h"
 #include "base/text.h"
 #include "base/uuid.h"
 #include "decisions/candidate_table.h"
@@ -134,9 +137,32 @@ void takeAlong(PairDecision& decision, const PairDecision& replaced, const Candi
       decision.scans.push_back(scan);
 }
 
+Error tooMany(const std::string& where) {
+  return Error::unusable("A batch can have at most " + std::to_string(limits::kDecisions.most) +
+                             " decisions; move this file elsewhere, or restore a copy of it.",
+                         where);
+}
+
+using Places = std::unordered_map<std::string_view, std::size_t>;  // in the list, by id
+
+// A list grows at its end: what is replaced stands above, and once is enough.
+Result<void> checkedIn(const Places& earlier, const PairDecision& d) {
+  if (!isUuid(d.id) || earlier.contains(d.id))
+    return Error::unusable("Its id is missing or used twice.");
+  std::unordered_set<std::string_view> replaced;
+  for (const std::string& id : d.replaces)
+    if (!earlier.contains(id) || !replaced.insert(id).second)
+      return Error::unusable(
+          "It replaces a decision twice, or one that does not come before it in the file.");
+  return {};
+}
+
 Result<void> checked(const PairDecision& d) {
   const auto bad = [](const char* what) { return Error::unusable(what); };
   if (d.by.empty()) return bad("A decision needs the name of the person who makes it.");
+  if (d.replaces.size() > limits::kDecisionReplaces.most)
+    return Error::unusable("It replaces more than " +
+                           std::to_string(limits::kDecisionReplaces.most) + " decisions.");
   const std::size_t n = d.scans.size();
   const auto side = [&](std::size_t i) { return d.scans[i].side; };
   switch (d.kind) {
@@ -174,9 +200,12 @@ Decisions followed(const Decisions& all, const fs::path& output) {
   if (!report) return {};
   const auto ids = report->find("decisions");
   if (ids == report->end() || !ids->is_array()) return {};
+  std::unordered_set<std::string_view> named;
+  for (const json& id : *ids)
+    if (id.is_string()) named.insert(id.get_ref<const std::string&>());
   Decisions found;
   for (const PairDecision& d : all)
-    if (std::find(ids->begin(), ids->end(), d.id) != ids->end()) found.push_back(d);
+    if (named.contains(d.id)) found.push_back(d);
   return found;
 }
 
@@ -223,23 +252,20 @@ int resolved(const ScanRef& ref, const std::vector<ScanRef>& scans) {
 }
 
 Decisions standing(const Decisions& all) {
-  const auto indexOf = [&](const std::string& id) {
-    const auto found = std::find_if(all.begin(), all.end(), withId(id));
-    return found == all.end() ? -1 : static_cast<int>(found - all.begin());
-  };
+  Places places;
+  std::vector<std::vector<std::size_t>> replaced(all.size());
   std::vector<bool> holds(all.size(), false);
   for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const std::string& id : all[i].replaces)
+      if (const auto found = places.find(id); found != places.end())
+        replaced[i].push_back(found->second);
+    places.emplace(all[i].id, i);
     const bool withdrawal = all[i].kind == DecisionKind::Withdraw;
     holds[i] = !withdrawal;
-    for (const std::string& replaced : all[i].replaces) {
-      const int j = indexOf(replaced);
-      if (j < 0) continue;
-      holds[static_cast<std::size_t>(j)] = false;
+    for (const std::size_t j : replaced[i]) {
+      holds[j] = false;
       if (!withdrawal) continue;
-      for (const std::string& before : all[static_cast<std::size_t>(j)].replaces)
-        if (const int k = indexOf(before); k >= 0)
-          holds[static_cast<std::size_t>(k)] =
-              all[static_cast<std::size_t>(k)].kind != DecisionKind::Withdraw;
+      for (const std::size_t k : replaced[j]) holds[k] = all[k].kind != DecisionKind::Withdraw;
     }
   }
   Decisions kept;
@@ -261,22 +287,26 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
   const Result<json> value = parseJson(text, where);
   if (!value) return value.error();
   Decisions decisions;
+  Places places;
   try {
     if (wholeAt(*value, "format") > kFormat)
       return Error::unusable("A newer version of Ostraka wrote these decisions; use that version.",
                              where);
-    for (const json& entry : value->at("decisions")) {
+    const json& entries = value->at("decisions");
+    if (entries.size() > limits::kDecisions.most) return tooMany(where);
+    decisions.reserve(entries.size());  // their ids stay in place
+    for (const json& entry : entries) {
       Result<PairDecision> decision = decisionFrom(entry, where);
       if (!decision) return decision.error();
       Result<void> valid = checked(*decision);
-      if (valid && (!isUuid(decision->id) || has(decisions, decision->id)))
-        valid = Error::unusable("Its id is missing or used twice.");
+      if (valid) valid = checkedIn(places, *decision);
       if (!valid)
         return Error::unusable("Decision " + std::to_string(decisions.size() + 1) +
                                    " cannot be used. " + valid.error().what +
                                    " Correct it, or restore a copy of the file.",
                                where);
       decisions.push_back(std::move(*decision));
+      places.emplace(decisions.back().id, decisions.size() - 1);
     }
   } catch (const json::exception& refused) {
     return unusableJson(
@@ -301,6 +331,7 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
                  output.string()};
   Result<Decisions> decisions = readDecisions(output);
   if (!decisions) return decisions.error();
+  if (decisions->size() >= limits::kDecisions.most) return tooMany(fileIn(output).string());
   const Decisions holding = standing(*decisions);
   if (decision.kind == DecisionKind::Withdraw) {
     for (const std::string& id : decision.replaces)
@@ -316,6 +347,7 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
       if (std::find(decision.replaces.begin(), decision.replaces.end(), other.id) !=
           decision.replaces.end())
         takeAlong(decision, other, *now);
+    if (const Result<void> valid = checked(decision); !valid) return valid.error();
   }
   using namespace std::chrono;
   decision.id = newId(duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count());

@@ -276,6 +276,7 @@ Result<void> DrawingOptions::check() const {
 Result<SherdDrawing> drawSherd(const TriangleMesh& mesh, const std::string& id,
                                const DrawingOptions& options) {
   if (const Result<void> good = options.check(); !good) return good.error();
+  if (const Result<void> good = model::checkExtent(mesh, id); !good) return good.error();
   std::string why;
   if (mesh.triangles.empty() || !model::isClosedManifold(mesh, &why))
     return Error::unusable("A drawing needs a closed model" +

@@ -62,8 +62,8 @@ struct SherdDrawing {
   std::vector<std::string> hints;    ///< what could be drawn otherwise
 };
 
-/// mesh: closed, outward, mm. Errors: UnusableInput (options, a mesh without faces; RimChoice::Yes
-/// where no stretch of the edge can be a lip).
+/// mesh: closed, outward, mm. Errors: UnusableInput (options, a mesh without faces, one
+/// larger than any vessel; RimChoice::Yes where no stretch of the edge can be a lip).
 Result<SherdDrawing> drawSherd(const TriangleMesh& mesh, const std::string& id,
                                const DrawingOptions& options);
 

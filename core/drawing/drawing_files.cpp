@@ -1,5 +1,6 @@
 #include "drawing/drawing_files.h"
 
+#include "base/text.h"
 #include "files/files.h"
 #include "files/output_place.h"
 
@@ -9,7 +10,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool isSvg(const fs::path& file) {
-  return file.extension() == ".svg" || file.extension() == ".SVG";
+  return lowerCase(file.extension().string()) == ".svg";
 }
 
 fs::path sheetOf(const fs::path& file, std::size_t index) {
@@ -21,8 +22,12 @@ fs::path sheetOf(const fs::path& file, std::size_t index) {
 
 }  // namespace
 
+Result<void> checkSheetsFile(const fs::path& file, const std::vector<fs::path>& inputs) {
+  return checkOutputFile(file, {".pdf", ".svg"}, inputs);
+}
+
 Result<std::vector<fs::path>> writeSheets(const fs::path& file, const std::vector<Page>& pages) {
-  if (const Result<void> good = checkOutputPlace(file); !good) return good.error();
+  if (const Result<void> good = checkSheetsFile(file); !good) return good.error();
   if (!isSvg(file)) {
     if (const Result<void> r = writeFileAtomically(file, formatPdf(pages, file.stem().string()));
         !r)

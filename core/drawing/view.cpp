@@ -77,11 +77,13 @@ Canvas render(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model
     box.extend(options.scale * Vector2d(q.y(), -q.z()));
   }
   Canvas canvas;
-  canvas.per_mm = options.pixels_per_mm * kOversampling;
   canvas.corner = box.min() - Vector2d(1, 1);
-  const Vector2d size = (box.sizes() + Vector2d(2, 2)) * options.pixels_per_mm;
-  const int columns = kOversampling * static_cast<int>(std::ceil(size.x())),
-            rows = kOversampling * static_cast<int>(std::ceil(size.y()));
+  const model::Raster raster =
+      model::rasterOver(box.sizes() + Vector2d(2, 2), options.pixels_per_mm * kOversampling);
+  canvas.per_mm = raster.per_mm;
+  const auto whole = [](int fine) { return (fine + kOversampling - 1) / kOversampling; };
+  const int columns = kOversampling * whole(raster.columns),
+            rows = kOversampling * whole(raster.rows);
   canvas.depth = cv::Mat1f(rows, columns, -1e18f);
   canvas.shade = cv::Mat1f(rows, columns, 1.f);
   const std::vector<Vector3f> normals = model::vertexNormals(mesh);

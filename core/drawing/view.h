@@ -13,7 +13,7 @@ enum class Surface {
 
 struct ViewOptions {
   double scale = 1;           ///< mm on paper per mm
-  double pixels_per_mm = 12;  ///< on paper; about 300 dots per inch
+  double pixels_per_mm = 12;  ///< on paper; about 300 dots per inch, fewer where it is very large
   Surface surface = Surface::Relief;
 };
 

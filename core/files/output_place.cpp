@@ -1,7 +1,9 @@
 #include "files/output_place.h"
 
-#include <string>
+#include <algorithm>
 #include <system_error>
+
+#include "base/text.h"
 
 namespace ostraka {
 namespace {
@@ -76,6 +78,25 @@ Result<void> checkOutputPlace(const fs::path& target, std::string_view filled) {
                              "'; choose a folder directly in '" + folder.string() +
                              "', or one outside the project.",
                          target.string());
+}
+
+Result<void> checkOutputFile(const fs::path& file, const std::vector<std::string>& endings,
+                             const std::vector<fs::path>& inputs) {
+  const std::string ending = lowerCase(file.extension().string());
+  if (std::find(endings.begin(), endings.end(), ending) == endings.end())
+    return Error::unusable(
+        "The name of this output must end in " + joined(endings, ", ") + "; choose another name.",
+        file.string());
+  if (Result<void> good = checkOutputPlace(file); !good) return good;
+  std::error_code failed;
+  if (fs::is_directory(file, failed))
+    return Error::unusable("This is a folder, not a file; choose another name.", file.string());
+  for (const fs::path& input : inputs)
+    if (fs::equivalent(file, input, failed))
+      return Error::unusable(
+          "This output is one of the input files, which it would overwrite; choose another name.",
+          file.string());
+  return {};
 }
 
 Result<void> checkNoLinkedFolder(const fs::path& folder, std::span<const std::string_view> names,

@@ -1,7 +1,9 @@
 #pragma once
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 
@@ -13,6 +15,13 @@ namespace ostraka {
 /// filled: the folder of a project, as "results", in which a command makes one folder, and that
 /// alone is no harm: PROJECT/results/NAME. Error: UnusableInput.
 Result<void> checkOutputPlace(const std::filesystem::path& target, std::string_view filled = {});
+
+/// The same of a file that a command is told to write: it must have one of these endings (".pdf",
+/// capitals or not), so that no other file goes by a slip of the pen, be no folder, and be none of
+/// the files that the command reads, by whatever name. Error: UnusableInput.
+Result<void> checkOutputFile(const std::filesystem::path& file,
+                             const std::vector<std::string>& endings,
+                             const std::vector<std::filesystem::path>& inputs = {});
 
 enum class LinkedFolders { OfTheseNames, AndBelow };
 /// Refuses links that have taken the place of folders that the program fills and empties: what lies

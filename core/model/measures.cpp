@@ -4,6 +4,8 @@
 #include <numeric>
 #include <opencv2/imgproc.hpp>
 
+#include "base/limits.h"
+#include "base/text.h"
 #include "model/model.h"
 #include "model/ray_grid.h"
 #include "model/volume_moment.h"
@@ -116,14 +118,14 @@ std::vector<double> thicknesses(const TriangleMesh& mesh, const Vector3d& across
 // Area of the gaps that the faces leave within their outline, each at least `kLeastHole_mm2`: a
 // gap as small lies between the faces of one rough edge. places: the vertices in the sherd's plane.
 double holesBetween(const TriangleMesh& mesh, const std::vector<Vector2d>& places) {
-  constexpr double kPitch_mm = 0.25, kLeastHole_mm2 = 1;
+  constexpr double kPerMm = 4, kLeastHole_mm2 = 1;
   Vector2d low = places[0], high = places[0];
   for (const Vector2d& p : places) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  const Eigen::Array2i size = ((high - low) / kPitch_mm).array().ceil().cast<int>() + 3;
-  cv::Mat1b shown(size[1], size[0], uchar{0});
+  const Raster raster = rasterOver(high - low, kPerMm);
+  cv::Mat1b shown(raster.rows + 3, raster.columns + 3, uchar{0});
   constexpr int kShift = 6;
   const auto pixel = [&](int v) {
-    const Vector2d at = ((places[static_cast<std::size_t>(v)] - low) / kPitch_mm).array() + 1;
+    const Vector2d at = ((places[static_cast<std::size_t>(v)] - low) * raster.per_mm).array() + 1;
     return cv::Point(cvRound(at[0] * (1 << kShift)), cvRound(at[1] * (1 << kShift)));
   };
   for (const auto& t : mesh.triangles) {
@@ -135,13 +137,35 @@ double holesBetween(const TriangleMesh& mesh, const std::vector<Vector2d>& place
   const int around = labels.at<int>(0, 0);
   double sum = 0;
   for (int k = 1; k < parts; ++k) {
-    const double area = stats.at<int>(k, cv::CC_STAT_AREA) * kPitch_mm * kPitch_mm;
+    const double area = stats.at<int>(k, cv::CC_STAT_AREA) / (raster.per_mm * raster.per_mm);
     if (k != around && area >= kLeastHole_mm2) sum += area;
   }
   return sum;
 }
 
 }  // namespace
+
+Result<void> checkExtent(const TriangleMesh& mesh, const std::string& where) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3f& v : mesh.vertices) box.extend(v.cast<double>());
+  const double extent_mm = mesh.vertices.empty() ? 0 : box.sizes().maxCoeff();
+  if (extent_mm <= static_cast<double>(limits::kModelExtent_mm.most)) return {};
+  return Error::unusable("This model is " + fixed(extent_mm, 0) +
+                             " mm large, more than any vessel, so its unit seems to be another; "
+                             "export it in mm.",
+                         where);
+}
+
+Raster rasterOver(const Vector2d& size_mm, double per_mm) {
+  constexpr double kPixels = limits::kRasterPixels.most, kSide = limits::kImageSide.most;
+  if (!size_mm.allFinite()) return {1, 1, per_mm};
+  Raster raster;
+  raster.per_mm =
+      std::min({per_mm, std::sqrt(kPixels / size_mm.prod()), kSide / size_mm.maxCoeff()});
+  raster.columns = static_cast<int>(std::ceil(size_mm.x() * raster.per_mm));
+  raster.rows = static_cast<int>(std::ceil(size_mm.y() * raster.per_mm));
+  return raster;
+}
 
 Measures measure(const TriangleMesh& mesh) {
   Measures m;

@@ -73,6 +73,18 @@ Result<TriangleMesh> decimated(const TriangleMesh& mesh, double max_deviation_mm
 /// degenerate in its indices, none is repeated. `why` says in words what is wrong first.
 bool isClosedManifold(const TriangleMesh& mesh, std::string* why = nullptr);
 
+/// What is larger than any vessel (limits::kModelExtent_mm) is in another unit than mm; a raster
+/// over it would take all memory. where: names it in the error. Error: UnusableInput.
+Result<void> checkExtent(const TriangleMesh& mesh, const std::string& where);
+
+/// The pixels over a rectangle: per_mm of them to a mm, or fewer where those would be more than
+/// limits::kRasterPixels or a side longer than limits::kImageSide.
+struct Raster {
+  int columns = 0, rows = 0;
+  double per_mm = 1;
+};
+Raster rasterOver(const Eigen::Vector2d& size_mm, double per_mm);
+
 /// Outward unit normals per vertex, weighted by the triangles' angles.
 std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh);
 

@@ -33,7 +33,9 @@ RayGrid::RayGrid(const TriangleMesh& mesh) : mesh_(mesh), edge_(1) {
   }
   // About 2^21 cubes at most, and none finer than the triangles make sense of.
   const Eigen::Array3f box = (high - low_).array() + 1e-3f;
-  edge_ = std::max(1.0f, std::cbrt(box.prod() / 2e6f));
+  edge_ = std::max({1.0f, std::cbrt(box.prod() / 2e6f), box.maxCoeff() / 1e5f});
+  // A flat or thin box of another unit has far more of them than its volume says.
+  while (((box / edge_).cast<double>().floor() + 1).prod() > 1e7) edge_ *= 1.25f;
   size_ = (box / edge_).floor().cast<int>() + 1;
   start_.assign(static_cast<std::size_t>(size_.prod()) + 1, 0);
   for (const auto& t : mesh.triangles)

@@ -1,6 +1,7 @@
 // Sherds of a table or of records, each row whole or not at all.
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include "base/text.h"
 #include "base/uuid.h"
@@ -39,6 +40,15 @@ const SherdField* fieldNamed(const std::string& name) {
 std::string valueOf(const ImportRow& row, const std::string& name) {
   const auto found = row.values.find(name);
   return found == row.values.end() || found->second == kClear ? std::string() : found->second;
+}
+
+// A sentence a row: one that named all rows would make them grow with the square.
+std::string inTheLines(const std::vector<std::string>& lines) {
+  constexpr std::size_t kMostNamed = 10;
+  const std::size_t named = std::min(lines.size(), kMostNamed);
+  const std::string first = joined(std::span(lines).first(named), ", ");
+  return named == lines.size() ? first
+                               : first + " and " + std::to_string(lines.size() - named) + " more";
 }
 
 class Importing {
@@ -129,7 +139,7 @@ class Importing {
           same != lines_.end() && same->second.size() > 1)
         return refuse(refusal, column, value,
                       "This appears in more than one row of the table, in the lines " +
-                          joined(same->second, ", ") + ".");
+                          inTheLines(same->second) + ".");
     SherdRow by_uuid, by_number;
     if (!uuid.empty()) {
       if (!isUuid(uuid)) return refuse(refusal, "uuid", uuid, "Not a uuid.");

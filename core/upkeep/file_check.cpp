@@ -97,14 +97,24 @@ Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue, const fs:
     progress.report(done, total);
     done += file.bytes;
     const FileCheckLog::Seen* seen = log ? log->seen(file) : nullptr;
-    if (seen && !seen->damage && seen->at_ms >= log->begun_ms() && seen->at_ms <= now) continue;
+    // Before it is read: what is written meanwhile shows the next time.
+    const std::string stamp = log ? FileCheckLog::stampOf(folder / file.path) : std::string();
+    if (seen && !seen->damage && seen->at_ms >= log->begun_ms() && seen->at_ms <= now &&
+        !stamp.empty() && seen->stamp == stamp)
+      continue;
     const Result<std::optional<Damage>> damage = lookAt(file, *opened, depth, stop);
     if (!damage) return damage.error();
     ++result.checked;
-    if (log) log->note(file, catalogue.now(), *damage);
+    if (log) log->note(file, catalogue.now(), *damage, stamp);
     if (*damage) result.damaged.push_back({file, **damage});
   }
   if (log) log->end(catalogue.now());
+  if (const std::int64_t earlier = result.files - result.checked; earlier > 0)
+    progress.note(NoteLevel::Info,
+                  "check: " + std::to_string(result.checked) + " files were read now; " +
+                      std::to_string(earlier) +
+                      " were read by the interrupted check that this one continued, and nobody has "
+                      "written to them since");
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "upkeep/file_check_log.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <iterator>
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 constexpr const char* kLog = "file-checks.txt";
 constexpr std::size_t kMostLogBytes = std::size_t{256} << 20;
 constexpr std::size_t kSpareLines = 1000;
+constexpr const char* kNoStamp = "-";
 constexpr const char* kFindings[] = {"missing", "changed", "unreadable", "whole"};
 
 const char* finding(std::optional<Damage> damage) {
@@ -24,8 +26,8 @@ const char* finding(std::optional<Damage> damage) {
 }
 
 std::string lineOf(const std::string& path, const FileCheckLog::Seen& seen) {
-  return std::to_string(seen.at_ms) + " " + finding(seen.damage) + " " + seen.sha256 + " " + path +
-         "\n";
+  return std::to_string(seen.at_ms) + " " + finding(seen.damage) + " " + seen.sha256 + " " +
+         (seen.stamp.empty() ? kNoStamp : seen.stamp) + " " + path + "\n";
 }
 
 std::string roundLine(const char* what, std::int64_t at_ms) {
@@ -51,14 +53,15 @@ FileCheckLog::FileCheckLog(const fs::path& project) : path_(project / kLog) {
 void FileCheckLog::read(const std::string& line) {
   std::istringstream words(line);
   std::int64_t at_ms = 0;
-  std::string what, hash, path;
+  std::string what, hash, stamp, path;
   if (!(words >> at_ms >> what)) return;
   if (what == "begin") begun_ms_ = at_ms;
   if (what == "end") begun_ms_ = 0;
-  if (!(words >> hash) || !std::getline(words >> std::ws, path)) return;
+  if (!(words >> hash >> stamp) || !std::getline(words >> std::ws, path)) return;
   for (std::size_t i = 0; i < std::size(kFindings); ++i)
     if (what == kFindings[i])
-      seen_[path] = {at_ms, hash, i < 3 ? std::optional(static_cast<Damage>(i)) : std::nullopt};
+      seen_[path] = {at_ms, hash, i < 3 ? std::optional(static_cast<Damage>(i)) : std::nullopt,
+                     stamp == kNoStamp ? std::string() : stamp};
 }
 
 void FileCheckLog::write(const std::string& line) {
@@ -82,9 +85,20 @@ const FileCheckLog::Seen* FileCheckLog::seen(const KnownFile& file) const {
   return found != seen_.end() && found->second.sha256 == file.sha256 ? &found->second : nullptr;
 }
 
-void FileCheckLog::note(const KnownFile& file, std::int64_t at_ms, std::optional<Damage> damage) {
+std::string FileCheckLog::stampOf(const fs::path& file) {
+  struct stat now {};
+  if (::lstat(file.c_str(), &now) != 0 || !S_ISREG(now.st_mode)) return {};
+  const auto time = [](const timespec& t) {
+    return std::to_string(t.tv_sec) + "." + std::to_string(t.tv_nsec);
+  };
+  return std::to_string(now.st_size) + "," + std::to_string(now.st_ino) + "," + time(now.st_mtim) +
+         "," + time(now.st_ctim);
+}
+
+void FileCheckLog::note(const KnownFile& file, std::int64_t at_ms, std::optional<Damage> damage,
+                        const std::string& stamp) {
   if (file.sha256.empty()) return;
-  Seen& seen = seen_[file.path] = {at_ms, file.sha256, damage};
+  Seen& seen = seen_[file.path] = {at_ms, file.sha256, damage, stamp};
   write(lineOf(file.path, seen));
 }
 

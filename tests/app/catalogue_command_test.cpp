@@ -91,6 +91,19 @@ TEST_F(CatalogueCommand, ImportsWithAPreviewAndSaysWhatItRefuses) {
   EXPECT_EQ(run("import " + at("p") + " " + at("nothing.csv")), 2);
 }
 
+TEST_F(CatalogueCommand, PrintsTheFirstRefusalsAndCountsTheOthers) {
+  std::string table = "number,site,trench,context,part\n";
+  for (int i = 0; i < 50; ++i) table += "X-" + std::to_string(i) + ",ARM1,T3,0012,wing\n";
+  put("many.csv", table);
+  const std::string told = words(import("many.csv") + "--refusals " + at("why.csv"));
+  EXPECT_NE(told.find("line 21, part 'wing'"), std::string::npos) << told;
+  EXPECT_EQ(told.find("line 22, "), std::string::npos) << told;
+  EXPECT_NE(told.find("30 more rows"), std::string::npos) << told;
+  EXPECT_NE(bytesOf("why.csv").find("\n51,part,wing,"), std::string::npos);
+  EXPECT_EQ(run(import("many.csv")), 1);
+  EXPECT_EQ(said_["refusals"].size(), 50u);
+}
+
 TEST_F(CatalogueCommand, WhatItExportsAndArchivesComesBack) {
   run("import " + at("p") + " " + at("sherds.csv") + " --make-places --enter");
   EXPECT_EQ(run("export " + at("p") + " -o " + at("out") + " --filter part:rim --forms csv,json"),

@@ -123,7 +123,10 @@ TEST_F(CommandLine, WhatCannotBeACommandLineGetsOneSentenceThatNamesIt) {
       {"completion tcsh", {"SHELL takes bash, zsh, fish; not 'tcsh'"}},
       {"process A -o", {"--output needs a value"}},
       {"plate -o x.pdf --diameter wide", {"--diameter takes a number; not 'wide'"}},
-      {"plate -o x.txt", {"x.txt", "ends in .pdf"}},
+      {"plate -o x.txt", {"x.txt", "must end in .pdf"}},
+      {"draw x.ply -o x.ply", {"x.ply", "must end in .pdf, .svg"}},
+      {"dense . --cameras x.json -o x.json", {"x.json", "must end in .ply"}},
+      {"rig calibrate . -o photo.jpg", {"photo.jpg", "must end in .json"}},
       {"catalogue new -o x --cod KL3",
        {"'--cod' is not an option of ostraka catalogue new; the nearest is '--code'"}},
       {"process A -o x --zzzzzzzz 3", {"'--zzzzzzzz' is not an option of ostraka process. See"}},
@@ -248,6 +251,21 @@ TEST_F(CommandLine, PlateWritesItsPdfAndTheFilesThatDescribeItIntoAnyFolder) {
   const Outcome small = run("plate -o " + path("x.pdf") + " --diameter 60");
   EXPECT_EQ(small.status, 2);
   EXPECT_TRUE(says(small, "Fewer than six markers")) << small.text;
+}
+
+TEST_F(CommandLine, NoOutputIsWrittenOverAnInput) {
+  fs::create_directories(folder_ / "front");
+  for (const char* name : {"board.json", "front/plate.json", "m.pdf"}) write(name, "{}");
+  for (const std::string& command :
+       {"rig calibrate " + folder_.string() + " -o " + path("board.json"),
+        "rig calibrate " + folder_.string() + " -o " + path("front/../front/plate.json"),
+        "draw " + path("m.pdf") + " -o " + path("m.pdf")}) {
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 2) << command;
+    EXPECT_TRUE(says(outcome, "one of the input files")) << outcome.text;
+  }
+  for (const char* name : {"board.json", "front/plate.json", "m.pdf"})
+    EXPECT_EQ(fs::file_size(path(name)), 2u) << name;
 }
 
 TEST_F(CommandLine, CalibrateSaysWhatIsMissingInAFolderWithoutABoard) {

@@ -151,6 +151,10 @@ Sentences CoreSentences::ofBase() {
       QT_TR_NOOP("This location belongs to the archive or export '%1', which new files would make "
                  "invalid; choose a location outside it."),
       QT_TR_NOOP("This location belongs to the project '%1'; choose a location outside it."),
+      QT_TR_NOOP("The name of this output must end in %1; choose another name."),
+      QT_TR_NOOP("This is a folder, not a file; choose another name."),
+      QT_TR_NOOP("This output is one of the input files, which it would overwrite; choose another "
+                 "name."),
       QT_TR_NOOP("This location belongs to the project '%1'; choose a folder directly in '%2', or "
                  "one outside the project."),
       QT_TR_NOOP(

@@ -56,6 +56,7 @@ Sentences CoreSentences::ofExchange() {
       QT_TR_NOOP("No sherds to export; select some first."),
       QT_TR_NOOP("The row has neither a number nor a uuid."),
       QT_TR_NOOP("This appears in more than one row of the table, in the lines %1."),
+      QT_TR_NOOP("This appears in more than one row of the table, in the lines %1 and %2 more."),
       QT_TR_NOOP("Check the unit: %1 is unusual for a sherd."),
       QT_TR_NOOP("Check the unit: %1 is far from the other values of this column."),
       QT_TR_NOOP("Not a uuid."),

@@ -13,6 +13,9 @@ Sentences CoreSentences::ofModel() {
       QT_TR_NOOP("The deviation of a simplified mesh must be above 0 mm."),
       QT_TR_NOOP("The scan is too large for a model at this spacing; use a larger spacing."),
       QT_TR_NOOP("The scans contain too few points that agree with each other for a model."),
+      QT_TR_NOOP(
+          "This model is %1 mm large, more than any vessel, so its unit seems to be another; "
+          "export it in mm."),
       QT_TR_NOOP("Edge %1 is used more than once in the same direction."),
       QT_TR_NOOP("Edge %1 has a face on one side only."),
       QT_TR_NOOP("Vertex %1 belongs to no face."),

@@ -43,6 +43,11 @@ Sentences CoreSentences::ofPipeline() {
       QT_TR_NOOP("A newer version of Ostraka wrote these decisions; use that version."),
       QT_TR_NOOP("Decision %1 cannot be used."),
       QT_TR_NOOP("Its id is missing or used twice."),
+      QT_TR_NOOP("It replaces more than %1 decisions."),
+      QT_TR_NOOP("It replaces a decision twice, or one that does not come before it in the file."),
+      QT_TR_NOOP(
+          "A batch can have at most %1 decisions; move this file elsewhere, or restore a copy "
+          "of it."),
       QT_TR_NOOP("Correct it, or restore a copy of the file."),
       QT_TR_NOOP("Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it."),
       QT_TR_NOOP("This decision is no longer in effect."),

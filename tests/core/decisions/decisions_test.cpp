@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/limits.h"
 #include "base/uuid.h"
 #include "decisions/candidate_table.h"
 #include "files/files.h"
@@ -214,6 +215,59 @@ TEST_F(DecisionsOf, WithoutAnIdOfTheirOwnAreNamed) {
     EXPECT_NE(refused.error().sentence().find("Decision 2"), std::string::npos)
         << refused.error().sentence();
   }
+}
+
+// The text of decisions that each set front 1 aside; what each replaces, by places that begin at 1.
+std::string asides(const std::vector<std::vector<std::size_t>>& replaced) {
+  const auto id = [](std::size_t place) {
+    const std::string digits = std::to_string(place);
+    return "0190a0b0-0000-7000-8000-" + std::string(12 - digits.size(), '0') + digits;
+  };
+  nlohmann::json list = nlohmann::json::array();
+  for (std::size_t i = 0; i < replaced.size(); ++i) {
+    nlohmann::json ids = nlohmann::json::array();
+    for (const std::size_t place : replaced[i]) ids.push_back(id(place));
+    list.push_back({{"id", id(i + 1)},
+                    {"replaces", ids},
+                    {"kind", "aside"},
+                    {"at", ""},
+                    {"by", "AP"},
+                    {"scans", {{{"side", "front"}, {"id", "f001"}, {"place_mm", {1, 2}}}}}});
+  }
+  return nlohmann::json({{"format", 1}, {"unit", "mm"}, {"decisions", list}}).dump();
+}
+
+TEST_F(DecisionsOf, ReplaceOnlyEarlierOnesAndEachOnce) {
+  const Result<Decisions> fine = parseDecisions(asides({{}, {}, {1, 2}}), "decisions.json");
+  ASSERT_TRUE(fine.has_value()) << fine.error().sentence();
+  EXPECT_EQ(standing(*fine).size(), 1u);
+  const std::vector<std::vector<std::vector<std::size_t>>> wrong = {
+      {{}, {}, {1, 1}}, {{}, {2}}, {{2}, {}}, {{}, {77}}};
+  for (const auto& lists : wrong) {
+    const Result<Decisions> refused = parseDecisions(asides(lists), "decisions.json");
+    ASSERT_FALSE(refused.has_value()) << asides(lists);
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+    EXPECT_NE(refused.error().sentence().find("decisions.json"), std::string::npos)
+        << refused.error().sentence();
+  }
+}
+
+TEST_F(DecisionsOf, AreNoMoreThanAPersonTakes) {
+  const std::vector<std::vector<std::size_t>> most(limits::kDecisions.most);
+  ASSERT_TRUE(writeFileAtomically(out_ / "decisions.json", asides(most)).has_value());
+  ASSERT_TRUE(readDecisions(out_).has_value());
+  const Result<PairDecision> one_more = appendDecision(out_, pair(1, 1));
+  ASSERT_FALSE(one_more.has_value()) << "the file could not be read any more";
+  EXPECT_EQ(one_more.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(readDecisions(out_)->size(), most.size());
+  const std::vector<std::vector<std::size_t>> more(limits::kDecisions.most + 1);
+  EXPECT_FALSE(parseDecisions(asides(more), "decisions.json").has_value());
+
+  std::vector<std::vector<std::size_t>> lists(limits::kDecisionReplaces.most + 2);
+  for (std::size_t i = 1; i <= limits::kDecisionReplaces.most; ++i) lists.back().push_back(i);
+  EXPECT_TRUE(parseDecisions(asides(lists), "decisions.json").has_value());
+  lists.back().push_back(limits::kDecisionReplaces.most + 1);
+  EXPECT_FALSE(parseDecisions(asides(lists), "decisions.json").has_value());
 }
 
 TEST_F(DecisionsOf, AreNotAboutASideThatWasPhotographedAgain) {

@@ -36,6 +36,17 @@ TEST_F(Sheets, AreAFileEachInSvgAndOneInPdf) {
   EXPECT_TRUE(write("plates.pdf", 1).has_value());
 }
 
+TEST_F(Sheets, TakeTheNameOfNoOtherFile) {
+  ASSERT_TRUE(writeFileAtomically(folder_ / "model.ply", "a model").has_value());
+  const auto refused = write("model.ply", 1);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(refused.error().where, (folder_ / "model.ply").string());
+  EXPECT_EQ(textOf("model.ply"), "a model");
+  EXPECT_FALSE(checkSheetsFile(folder_ / "plates.pdf.txt").has_value());
+  EXPECT_TRUE(checkSheetsFile(folder_ / "plates.Pdf").has_value());
+}
+
 // Who was asked, was asked for plates.svg alone.
 TEST_F(Sheets, OverwriteNoFurtherSheetAndLeaveNoneOfALongerRun) {
   ASSERT_TRUE(writeFileAtomically(folder_ / "plates-2.svg", "another's").has_value());

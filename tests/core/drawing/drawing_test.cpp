@@ -155,6 +155,16 @@ TEST(Drawing, RefusesAnOpenModel) {
   EXPECT_THAT(drawing.error().sentence(), HasSubstr("closed model"));
 }
 
+// Its picture at 300 dots per inch would have 14,000 million pixels.
+TEST(Drawing, RefusesAModelInAnotherUnit) {
+  TriangleMesh micrometres = wallSherd().sherd.mesh;
+  for (Eigen::Vector3f& v : micrometres.vertices) v *= 1000;
+  const auto drawing = drawSherd(micrometres, "ARM1-7", {});
+  ASSERT_FALSE(drawing.has_value());
+  EXPECT_EQ(drawing.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(drawing.error().sentence(), HasSubstr("export it in mm"));
+}
+
 TEST(Plates, HoldAllDrawingsInTheirOrderWithoutOverlap) {
   SherdDrawing one;
   one.box = Eigen::AlignedBox2d(Eigen::Vector2d(-5, -10), Eigen::Vector2d(75, 50));

@@ -53,6 +53,25 @@ TEST_F(OutputPlaces, AreRefusedInAProjectAndInAnArchive) {
   }
 }
 
+// Whatever name an input goes by, and where nothing is there yet.
+TEST_F(OutputPlaces, OfAFileHaveItsEndingAndAreNoInput) {
+  const fs::path model = beside / "model.ply", link = beside / "link.ply";
+  std::ofstream(model) << "ply";
+  fs::create_symlink(model, link);
+  fs::create_directories(beside / "folder.ply");
+  EXPECT_TRUE(checkOutputFile(beside / "new.ply", {".ply"}, {model}));
+  EXPECT_TRUE(checkOutputFile(beside / "new.PLY", {".pdf", ".ply"}, {model}));
+  EXPECT_TRUE(checkOutputFile(model, {".ply"}, {beside / "other.ply"}));
+  for (const fs::path& wrong : {beside / "new.pdf", beside / "new", beside / "", model,
+                                beside / "folder.ply/../model.ply", link, beside / "folder.ply"}) {
+    const Result<void> checked = checkOutputFile(wrong, {".ply"}, {beside / "other.ply", model});
+    ASSERT_FALSE(checked) << wrong;
+    EXPECT_EQ(checked.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(checked.error().where, wrong.string());
+  }
+  EXPECT_FALSE(checkOutputFile(project / "new.ply", {".ply"}));
+}
+
 TEST_F(OutputPlaces, AreGoodEverywhereElse) {
   for (const char* place : {"beside", "beside/new", "not/there/yet", "Grabung ü 10", "archive2/"})
     allowed(root / place);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/limits.h"
 #include "model/contouring.h"
 #include "model/model.h"
 #include "shapes.h"
@@ -20,6 +21,39 @@ TEST(Measures, ATurnedBoxHasItsSidesAreaVolumeAndCentre) {
   EXPECT_NEAR(m.area_mm2, 2 * (600 + 150 + 100), 1e-2);
   EXPECT_NEAR(m.volume_mm3, 3000, 1e-2);
   EXPECT_LT((m.centroid - Eigen::Vector3d(40, -20, 7)).norm(), 1e-4);
+}
+
+// Of any size, also one that no int holds in pixels.
+TEST(Measures, ARasterHasNoMorePixelsThanTheLimit) {
+  const Raster usual = rasterOver({50.2, 40}, 24);
+  EXPECT_EQ(usual.columns, 1205);
+  EXPECT_EQ(usual.rows, 960);
+  EXPECT_EQ(usual.per_mm, 24);
+  for (const Eigen::Vector2d& size : {Eigen::Vector2d(1e3, 1e3), Eigen::Vector2d(1e8, 1e8),
+                                      Eigen::Vector2d(1e12, 1), Eigen::Vector2d(1, 1e30)}) {
+    const Raster raster = rasterOver(size, 24);
+    EXPECT_LT(raster.per_mm, 24) << size.transpose();
+    // A pixel that is begun counts whole.
+    EXPECT_LE((raster.columns - 1.0) * (raster.rows - 1.0), 1.001 * limits::kRasterPixels.most);
+    EXPECT_LE(std::max(raster.columns, raster.rows), 1 + static_cast<int>(limits::kImageSide.most));
+    EXPECT_GE(std::min(raster.columns, raster.rows), 1);
+  }
+}
+
+TEST(Measures, AModelInAnotherUnitTakesNoMoreMemoryThanOneInMillimetres) {
+  const Measures thin = measure(boxMesh({1e8F, 1, 1}));
+  EXPECT_NEAR(thin.length_mm, 1e8, 100);
+  EXPECT_EQ(thin.holes_mm2, 0);
+}
+
+TEST(Measures, AModelLargerThanAnyVesselIsRefused) {
+  EXPECT_TRUE(checkExtent(boxMesh({1999, 900, 30}), "7").has_value());
+  for (const float size : {2001.F, 1e8F, 1e30F}) {
+    const Result<void> refused = checkExtent(boxMesh({5, size, 5}), "7");
+    ASSERT_FALSE(refused.has_value()) << size;
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(refused.error().where, "7");
+  }
 }
 
 // A plate of 24 x 18 x 4 mm on a grid: many small faces. taken: where it is positive, nothing is

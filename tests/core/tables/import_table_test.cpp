@@ -105,6 +105,19 @@ TEST_F(Import, EachRefusalSaysRowColumnValueAndReason) {
   EXPECT_TRUE(*sherds::Sherds(catalogue()).byNumber("Y-2")) << "the other rows enter";
 }
 
+// Of 40 rows with one number each is refused; a list of all of them in each would be 1,600.
+TEST_F(Import, ARefusalNamesTheFirstOfManyRowsThatAreAlike) {
+  std::string table = "number,site,trench,context\n";
+  for (int i = 0; i < 40; ++i) table += "Y-1,ARM1,T3,0012\n";
+  const ImportReport report = import(table);
+  ASSERT_EQ(report.refused, 40);
+  for (const Refusal& refusal : report.refusals)
+    EXPECT_EQ(
+        refusal.reason,
+        "This appears in more than one row of the table, in the lines 2, 3, 4, 5, 6, 7, 8, 9, "
+        "10, 11 and 30 more.");
+}
+
 TEST_F(Import, RefusalsAreATableThemselves) {
   const ImportReport report = import("number,context\n=cmd,0012\n");
   const Result<CsvTable> table = parseCsv(refusalsCsv(report), "r.csv");

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <fstream>
 
 #include "catalogue/batches.h"
@@ -29,6 +30,8 @@ class FileCheck : public catalogue::SmallProject {
   fs::path at(const std::string& path) const { return project_->folder() / path; }
   void enter(const std::string& path, const std::string& role, const std::string& bytes) {
     ASSERT_TRUE(writeFileAtomically(at(path), bytes));
+    // So that what is written to it later has another time for sure.
+    fs::last_write_time(at(path), fs::last_write_time(at(path)) - std::chrono::hours(1));
     records::FileRecord file;
     file.path = path;
     file.role = role;
@@ -174,7 +177,55 @@ TEST_F(FileCheck, LooksAgainAtAFileThatWasEnteredAnewMeanwhile) {
       checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, last, stop.get_token()));
   enter("batches/B0001/front/cam0_pos00.jpg", "photo", "another");
   flipBit("models/B0001/aa/model.ply");
-  EXPECT_EQ(check().checked, 2) << "the new photograph and the scan that was not reached";
+  const CheckedFiles rest = check();
+  EXPECT_EQ(rest.checked, 3) << "the new photograph, the model, the scan that was not reached";
+  EXPECT_EQ(rest.damaged.size(), 1u);
+}
+
+// Of the same size and time of writing, as a copy that keeps times.
+TEST_F(FileCheck, LooksAgainAtAFileThatAnotherTookThePlaceOf) {
+  std::stop_source stop;
+  StoppingAt last(4, stop);
+  ASSERT_FALSE(
+      checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, last, stop.get_token()));
+  const fs::path model = at("models/B0001/aa/model.ply"), before = at("before.ply");
+  fs::rename(model, before);
+  fs::copy_file(before, model);
+  flipBit("models/B0001/aa/model.ply");
+  fs::last_write_time(model, fs::last_write_time(before));
+  const CheckedFiles rest = check();
+  EXPECT_EQ(rest.checked, 2);
+  EXPECT_EQ(rest.damaged.size(), 1u);
+}
+
+// A project from elsewhere may say anything of its own files.
+TEST_F(FileCheck, BelievesNoLogOfAnotherComputer) {
+  std::string log = std::to_string(now_ms - 2) + " begin\n";
+  for (const KnownFile& file : catalogue::valueIn(knownFiles(catalogue())))
+    for (const char* stamp : {"", "- ", "3000,1,1.0,1.0 "})
+      log += std::to_string(now_ms - 1) + " whole " + file.sha256 + " " + stamp + file.path + "\n";
+  ASSERT_TRUE(writeFileAtomically(at("file-checks.txt"), log));
+  flipBit("models/B0001/aa/model.ply");
+  const CheckedFiles checked = check();
+  EXPECT_EQ(checked.checked, 4);
+  EXPECT_EQ(checked.damaged.size(), 1u);
+}
+
+TEST_F(FileCheck, SaysHowManyFilesItReadNowAndHowManyEarlier) {
+  struct Notes final : Progress {
+    void report(std::int64_t, std::int64_t) override {}
+    void note(NoteLevel, std::string_view text) override { said += text; }
+    std::string said;
+  } notes;
+  std::stop_source stop;
+  StoppingAt third(3, stop);
+  ASSERT_FALSE(
+      checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, third, stop.get_token()));
+  ASSERT_TRUE(checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, notes, {}));
+  EXPECT_THAT(notes.said, testing::HasSubstr("2 files were read now; 2 were read"));
+  notes.said.clear();
+  ASSERT_TRUE(checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, notes, {}));
+  EXPECT_EQ(notes.said, "");
 }
 
 TEST_F(FileCheck, OfAShareTakesTheLongestUncheckedInTurn) {

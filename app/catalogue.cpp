@@ -108,18 +108,28 @@ int runEnter(const Options& options, Session& session) {
   if (!project) return fail(session, project.error());
   const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.batch);
   if (!batch) return fail(session, batch.error());
+  // It reads the whole catalogue: a damaged one, and a full disk, are found before anything is
+  // entered.
+  if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
   session.progress.begin("enter", 1.0);
   const auto entered = intake::enterResults(project->catalogue(), project->folder(), batch->row,
                                             project->resultsFolder(options.batch), kCommandLine,
                                             session.progress, session.stop);
   if (!entered) return fail(session, entered.error());
-  if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
+  session.finishProgress();
+  std::vector<std::string> warnings;
+  if (const auto saved = project->backUp(); !saved)
+    warnings.push_back("The results are entered, but the backup afterwards failed. " +
+                       saved.error().sentence());
+  for (const std::string& warning : warnings) show(stderr, "%s\n", warning.c_str());
+  const int status = entered->open > 0 ? PersonMustDecide : warnings.empty() ? Whole : NotWhole;
   return said(session,
               {{"batch", options.batch},
                {"new_sherds", entered->new_sherds},
                {"models", entered->models},
                {"open", entered->open},
-               {"exit_status", entered->open > 0 ? PersonMustDecide : Whole}},
+               {"warnings", warnings},
+               {"exit_status", status}},
               options.batch + ": " + std::to_string(entered->new_sherds) + " new sherds, " +
                   std::to_string(entered->models) + " models, " + std::to_string(entered->open) +
                   " want a person.");
@@ -244,7 +254,10 @@ int runRepair(const Options& options, Session& session) {
                             " were taken from a backup, " + std::to_string(report->pages_lost) +
                             " of " + std::to_string(report->pages) + " were lost";
   const std::string words =
-      whole ? "The catalogue is whole; nothing was changed."
+      whole                 ? "The catalogue is whole; nothing was changed."
+      : report->interrupted ? "An earlier repair was interrupted and is now finished. Check the "
+                              "catalogue for missing changes; the damaged file is kept: " +
+                                  report->damaged.string()
       : report->all_from_backup
           ? "Nothing in the damaged file could be read. The catalogue is that of " + backup +
                 " again; the damaged file is kept: " + report->damaged.string()
@@ -254,13 +267,15 @@ int runRepair(const Options& options, Session& session) {
   return said(session,
               {{"damaged", report->damaged.string()},
                {"backup", backup},
+               {"interrupted", report->interrupted},
                {"all_from_backup", report->all_from_backup},
                {"pages", report->pages},
                {"pages_by_bit", report->pages_by_bit},
                {"pages_by_backup", report->pages_by_backup},
                {"pages_lost", report->pages_lost},
                {"rows", rows},
-               {"exit_status", lost > 0 || report->all_from_backup ? NotWhole : Whole}},
+               {"exit_status",
+                lost > 0 || report->all_from_backup || report->interrupted ? NotWhole : Whole}},
               words);
 }
 

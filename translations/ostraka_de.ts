@@ -9209,6 +9209,11 @@
         <translation>eine Seite wurde verändert</translation>
     </message>
     <message>
+        <source>its repair was interrupted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>seine Reparatur wurde unterbrochen</translation>
+    </message>
+    <message>
         <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>seine Seiten widersprechen sich</translation>
@@ -9574,6 +9579,11 @@
         <source>Nothing in the damaged file could be read: it is that of %1 again. Look what is missing since.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>In der beschädigten Datei war nichts lesbar: Es gilt wieder der Stand von %1. Sehen Sie nach, was seither fehlt.</translation>
+    </message>
+    <message>
+        <source>An earlier repair was interrupted and is now finished. Check the catalogue for missing changes.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Eine frühere Reparatur wurde unterbrochen und ist jetzt abgeschlossen. Prüfen Sie, ob im Katalog Änderungen fehlen.</translation>
     </message>
     <message>
         <source>Everything in it is as it was.</source>

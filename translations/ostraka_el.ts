@@ -9204,6 +9204,11 @@
         <translation>μια σελίδα άλλαξε</translation>
     </message>
     <message>
+        <source>its repair was interrupted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>η επισκευή του διακόπηκε</translation>
+    </message>
+    <message>
         <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>οι σελίδες του δεν ταιριάζουν μεταξύ τους</translation>
@@ -9569,6 +9574,11 @@
         <source>Nothing in the damaged file could be read: it is that of %1 again. Look what is missing since.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Τίποτα δεν μπορούσε να διαβαστεί στο κατεστραμμένο αρχείο: ισχύει πάλι αυτό του %1. Δείτε τι λείπει από τότε.</translation>
+    </message>
+    <message>
+        <source>An earlier repair was interrupted and is now finished. Check the catalogue for missing changes.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Μια προηγούμενη επισκευή διακόπηκε και τώρα ολοκληρώθηκε. Ελέγξτε αν λείπουν αλλαγές από τον κατάλογο.</translation>
     </message>
     <message>
         <source>Everything in it is as it was.</source>

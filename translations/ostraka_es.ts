@@ -9204,6 +9204,11 @@
         <translation>se modificó una página</translation>
     </message>
     <message>
+        <source>its repair was interrupted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>su reparación se interrumpió</translation>
+    </message>
+    <message>
         <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>sus páginas no concuerdan</translation>
@@ -9569,6 +9574,11 @@
         <source>Nothing in the damaged file could be read: it is that of %1 again. Look what is missing since.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>No se pudo leer nada del archivo dañado: vuelve a ser el de %1. Mire qué falta desde entonces.</translation>
+    </message>
+    <message>
+        <source>An earlier repair was interrupted and is now finished. Check the catalogue for missing changes.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Una reparación anterior se interrumpió y ahora ha terminado. Compruebe si faltan cambios en el catálogo.</translation>
     </message>
     <message>
         <source>Everything in it is as it was.</source>

@@ -9204,6 +9204,11 @@
         <translation>une page a été modifiée</translation>
     </message>
     <message>
+        <source>its repair was interrupted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>sa réparation a été interrompue</translation>
+    </message>
+    <message>
         <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>ses pages ne concordent pas</translation>
@@ -9569,6 +9574,11 @@
         <source>Nothing in the damaged file could be read: it is that of %1 again. Look what is missing since.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Rien n’était lisible dans le fichier endommagé : c’est de nouveau celui de %1. Voyez ce qui manque depuis.</translation>
+    </message>
+    <message>
+        <source>An earlier repair was interrupted and is now finished. Check the catalogue for missing changes.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Une réparation précédente a été interrompue et est maintenant terminée. Vérifiez s’il manque des modifications dans le catalogue.</translation>
     </message>
     <message>
         <source>Everything in it is as it was.</source>

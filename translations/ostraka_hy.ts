@@ -9204,6 +9204,11 @@
         <translation>մի էջ փոխվել է</translation>
     </message>
     <message>
+        <source>its repair was interrupted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>նրա վերականգնումն ընդհատվել է</translation>
+    </message>
+    <message>
         <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>նրա էջերն իրար չեն համապատասխանում</translation>
@@ -9569,6 +9574,11 @@
         <source>Nothing in the damaged file could be read: it is that of %1 again. Look what is missing since.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Վնասված ֆայլում ոչինչ հնարավոր չեղավ կարդալ. կրկին գործում է %1-ը։ Նայեք, թե ինչ է պակասում այդ ժամանակից։</translation>
+    </message>
+    <message>
+        <source>An earlier repair was interrupted and is now finished. Check the catalogue for missing changes.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նախորդ վերականգնումն ընդհատվել էր և այժմ ավարտված է։ Ստուգեք՝ արդյոք կատալոգում փոփոխություններ չեն պակասում։</translation>
     </message>
     <message>
         <source>Everything in it is as it was.</source>

@@ -9157,6 +9157,11 @@
         <translation>bir sayfa değişmiş</translation>
     </message>
     <message>
+        <source>its repair was interrupted</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>onarımı yarıda kalmış</translation>
+    </message>
+    <message>
         <source>its pages are inconsistent</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>sayfaları birbirini tutmuyor</translation>
@@ -9520,6 +9525,11 @@
         <source>Nothing in the damaged file could be read: it is that of %1 again. Look what is missing since.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Bozuk dosyada hiçbir şey okunamadı: yine %1 içindeki geçerli. O zamandan beri neyin eksik olduğuna bakın.</translation>
+    </message>
+    <message>
+        <source>An earlier repair was interrupted and is now finished. Check the catalogue for missing changes.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Önceki bir onarım yarıda kalmıştı ve şimdi tamamlandı. Katalogda eksik değişiklik olup olmadığını denetleyin.</translation>
     </message>
     <message>
         <source>Everything in it is as it was.</source>

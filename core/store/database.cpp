@@ -226,6 +226,9 @@ Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode
     }
   });
   if (!prepared) return prepared.error();
+  // Asked for now that this connection keeps a repair from beginning.
+  if (std::error_code none; fs::exists(fs::symlink_status(repairedBeside(file), none)))
+    return damagedCatalogue("its repair was interrupted", file);
   return database;
 }
 
@@ -297,6 +300,10 @@ static bool isFullAt(const fs::path& folder) {
 
 static Error errorAt(const SqlFailure& failure, const fs::path& file) {
   if (failure.code == SQLITE_IOERR_DATA) return damagedCatalogue("a page was changed", file);
+  // A repair has put another file in its place.
+  if (failure.code == SQLITE_READONLY_DBMOVED)
+    return {ErrorCode::Failed, "Another program is using the catalogue; close it, then try again.",
+            file.string()};
   const int kind = failure.code & 0xFF;
   if (kind == SQLITE_FULL ||
       ((kind == SQLITE_CANTOPEN || kind == SQLITE_IOERR) && isFullAt(file.parent_path())))

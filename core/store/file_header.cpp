@@ -34,6 +34,10 @@ Error damagedCatalogue(const std::string& why, const fs::path& file) {
           file.string()};
 }
 
+fs::path repairedBeside(const fs::path& file) {
+  return file.string() + ".repaired";
+}
+
 // Through SQLite: a process that closes a file of its own loses SQLite's locks on it.
 Result<void> checkHeader(const fs::path& file) {
   Header header{};

@@ -3,21 +3,21 @@
 #include <endian.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
+#include <optional>
+
+#include "store/wal_content.h"
 
 namespace ostraka::store {
 namespace {
 
 constexpr std::size_t kSummed = kPageBytes - kReservedBytes;
 
-// sqlite.org/fileformat2.html, section 4: a WAL is a header of 32 bytes, then frames of a header of
-// 24 and a page. Each frame's header holds the page's number, and a checksum over all frames so
-// far.
-constexpr sqlite3_int64 kWalHeader = 32, kFrameHeader = 24;
+constexpr sqlite3_int64 kWalHeader = kWalHeaderBytes, kFrameHeader = kFrameHeaderBytes;
 constexpr sqlite3_int64 kFrame = kFrameHeader + static_cast<sqlite3_int64>(kPageBytes);
-constexpr int kFrameSummed = 8, kFrameChecksum = 16, kHeaderChecksum = 24;
 
 // A step that loses nothing: for each word another result, for each state another one. No single
 // bit becomes a single bit: the product alone leaves the top bit one, and in the next word there
@@ -68,12 +68,27 @@ bool isPageOfWal(int amount, sqlite3_int64 offset) {
          (offset - kWalHeader - kFrameHeader) % kFrame == 0;
 }
 
+// SQLite reads the header alone when it is about to look which frames count, and nobody writes.
+int lookAtWal(sqlite3_file* system) {
+  sqlite3_int64 bytes = 0;
+  if (const int code = methodsOf(system).xFileSize(system, &bytes); code != SQLITE_OK) return code;
+  int failed = SQLITE_OK;
+  const ReadAt read = [&](unsigned char* to, std::size_t count, std::int64_t from) {
+    const int code = methodsOf(system).xRead(system, to, static_cast<int>(count), from);
+    if (code != SQLITE_OK && code != SQLITE_IOERR_SHORT_READ) failed = code;
+    return code == SQLITE_OK;
+  };
+  const bool damaged = readWal(read, bytes).damaged;
+  return damaged ? SQLITE_IOERR_DATA : failed;
+}
+
 int readPage(sqlite3_file* file, void* buffer, int amount, sqlite3_int64 offset) {
   sqlite3_file* system = below(file);
   if (const int code = methodsOf(system).xRead(system, buffer, amount, offset); code != SQLITE_OK)
     return code;
   const bool wal = isWal(file);
   std::uint32_t number = 0;
+  if (wal && offset == 0 && amount == kWalHeader) return lookAtWal(system);
   if (!wal && isPageOfDatabase(amount, offset)) {
     number = static_cast<std::uint32_t>(offset / amount) + 1;
   } else if (wal && isPageOfWal(amount, offset)) {
@@ -89,17 +104,6 @@ int readPage(sqlite3_file* file, void* buffer, int amount, sqlite3_int64 offset)
                                                                         : SQLITE_IOERR_DATA;
 }
 
-// The words of both checksums of a WAL; s0 and s1 as section 4.2 names them.
-void addToWalChecksum(const unsigned char* bytes, std::size_t count, bool big_endian,
-                      std::uint32_t& s0, std::uint32_t& s1) {
-  for (std::size_t i = 0; i < count; i += 8) {
-    std::array<std::uint32_t, 2> x{};
-    std::memcpy(x.data(), bytes + i, 8);
-    s0 += (big_endian ? be32toh(x[0]) : le32toh(x[0])) + s1;
-    s1 += (big_endian ? be32toh(x[1]) : le32toh(x[1])) + s0;
-  }
-}
-
 // SQLite summed the frame before the page got its checksum, so it is summed again, from what the
 // disk holds of the frame before it.
 int writeWalPage(sqlite3_file* system, unsigned char* page, sqlite3_int64 offset) {
@@ -113,20 +117,23 @@ int writeWalPage(sqlite3_file* system, unsigned char* page, sqlite3_int64 offset
   std::array<unsigned char, 4> magic{};
   int code = read(header.data(), kFrameHeader, frame);
   if (code == SQLITE_OK)
-    code = read(before.data(), 8, first ? kHeaderChecksum : frame - kFrame + kFrameChecksum);
+    code = read(before.data(), 8,
+                first ? static_cast<sqlite3_int64>(kWalHeaderChecksumAt)
+                      : frame - kFrame + static_cast<sqlite3_int64>(kFrameChecksumAt));
   if (code == SQLITE_OK) code = read(magic.data(), 4, 0);
   if (code != SQLITE_OK) return code;
   storeChecksum(page, bigEndian(header.data()));
   const bool big_endian = (magic[3] & 1) != 0;
   std::uint32_t s0 = bigEndian(before.data()), s1 = bigEndian(before.data() + 4);
-  addToWalChecksum(header.data(), kFrameSummed, big_endian, s0, s1);
+  addToWalChecksum(header.data(), kFrameSummedBytes, big_endian, s0, s1);
   addToWalChecksum(page, kPageBytes, big_endian, s0, s1);
   std::array<unsigned char, 8> sums{};
   putBigEndian(sums.data(), s0);
   putBigEndian(sums.data() + 4, s1);
   code = methodsOf(system).xWrite(system, page, static_cast<int>(kPageBytes), offset);
   if (code != SQLITE_OK) return code;
-  return methodsOf(system).xWrite(system, sums.data(), 8, frame + kFrameChecksum);
+  return methodsOf(system).xWrite(system, sums.data(), 8,
+                                  frame + static_cast<sqlite3_int64>(kFrameChecksumAt));
 }
 
 // The reserved bytes are set in SQLite's own copy of the page, as SQLite's checksum VFS does it: a
@@ -138,6 +145,20 @@ int writePage(sqlite3_file* file, const void* buffer, int amount, sqlite3_int64 
   if (!isWal(file) && isPageOfDatabase(amount, offset))
     storeChecksum(page, static_cast<std::uint32_t>(offset / amount) + 1);
   return methodsOf(system).xWrite(system, buffer, amount, offset);
+}
+
+// Whoever waited while the file was replaced would read the old one with the new one's WAL, and
+// write the new WAL into the old file.
+int lockFile(sqlite3_file* file, int level) {
+  sqlite3_file* system = below(file);
+  const int code = methodsOf(system).xLock(system, level);
+  if (code != SQLITE_OK || level != SQLITE_LOCK_SHARED) return code;
+  int moved = 0;
+  if (methodsOf(system).xFileControl(system, SQLITE_FCNTL_HAS_MOVED, &moved) != SQLITE_OK ||
+      moved == 0)
+    return SQLITE_OK;
+  methodsOf(system).xUnlock(system, SQLITE_LOCK_NONE);
+  return SQLITE_READONLY_DBMOVED;
 }
 
 // Everything else is the system's.
@@ -155,7 +176,7 @@ constexpr sqlite3_io_methods kMethods = {
     passed<&M::xTruncate, sqlite3_int64>,
     passed<&M::xSync, int>,
     passed<&M::xFileSize, sqlite3_int64*>,
-    passed<&M::xLock, int>,
+    lockFile,
     passed<&M::xUnlock, int>,
     passed<&M::xCheckReservedLock, int*>,
     passed<&M::xFileControl, int, void*>,
@@ -209,6 +230,32 @@ std::uint64_t storedChecksum(const unsigned char* page) {
 void storeChecksum(unsigned char* page, std::uint32_t number) {
   const std::uint64_t sum = htole64(pageChecksum(page, number));
   std::memcpy(page + kSummed, &sum, 8);
+}
+
+bool turnBackOneBit(unsigned char* page, std::uint32_t number) {
+  const std::uint64_t wanted = storedChecksum(page);
+  if (std::all_of(page, page + kPageBytes, [](unsigned char byte) { return byte == 0; }))
+    return false;  // never written: no page is one bit from that
+  std::optional<std::size_t> found;
+  const auto turn = [page](std::size_t bit) {
+    page[bit / 8] ^= static_cast<unsigned char>(1 << bit % 8);
+  };
+  for (std::size_t bit = 0; bit < 8 * (kPageBytes - kReservedBytes); ++bit) {
+    turn(bit);
+    const bool fits = pageChecksum(page, number) == wanted;
+    turn(bit);
+    if (!fits) continue;
+    if (found) return false;
+    found = bit;
+  }
+  const std::uint64_t wrong = wanted ^ pageChecksum(page, number);
+  const bool of_the_checksum = (wrong & (wrong - 1)) == 0;
+  if (of_the_checksum == found.has_value()) return false;
+  if (found)
+    turn(*found);
+  else
+    storeChecksum(page, number);
+  return true;
 }
 
 const char* checkedPagesVfs() {

@@ -18,10 +18,16 @@ inline bool isWholePage(const unsigned char* page, std::uint32_t number) {
   return storedChecksum(page) == pageChecksum(page, number);
 }
 
+/// Turns back the one bit whose turning makes the page what its checksum says, and says whether
+/// there is one. Where two do, neither is proven. 10 ms.
+bool turnBackOneBit(unsigned char* page, std::uint32_t number);
+
 /// Name of the VFS (SQLite's way to files) that lies over the system's: it writes each page, of the
 /// database and of its WAL, with the checksum, and reads no page without the right one
-/// (SQLITE_IOERR_DATA). For databases whose pages reserve these bytes from the beginning on.
-/// SQLite's own checksum VFS (ext/misc/cksumvfs.c) showed the way.
+/// (SQLITE_IOERR_DATA), nor a WAL that is damaged before the end of what was saved. A file that has
+/// been replaced under its name it does not lock (SQLITE_READONLY_DBMOVED). For databases whose
+/// pages reserve these bytes from the beginning on. SQLite's own checksum VFS (ext/misc/cksumvfs.c)
+/// showed the way.
 const char* checkedPagesVfs();
 
 }  // namespace ostraka::store

@@ -10,6 +10,7 @@
 #include "files/cannot_write.h"
 #include "files/files.h"
 #include "store/page_checksums.h"
+#include "store/wal_content.h"
 
 namespace ostraka::upkeep {
 namespace {
@@ -66,31 +67,34 @@ std::uint32_t pageNumberAt(const Page& page, std::size_t at) {
          std::uint32_t{page[at + 2]} << 8 | page[at + 3];
 }
 
-// The one bit whose turning makes the page what its checksum says. Where two do, neither is proven.
-bool turnBackOneBit(Page& page, std::uint32_t number) {
-  const std::uint64_t wanted = store::storedChecksum(page.data());
-  if (std::all_of(page.begin(), page.end(), [](unsigned char byte) { return byte == 0; }))
-    return false;  // never written: no page is one bit from that
-  std::optional<std::size_t> found;
-  const auto turn = [&page](std::size_t bit) {
-    page[bit / 8] ^= static_cast<unsigned char>(1 << bit % 8);
+// Pages come as the frames hold them, the damaged ones too, which are then repaired as all others:
+// what the file holds of them is older, and looks whole.
+Result<void> putDamagedWalInto(const fs::path& path, PageRepair& repair) {
+  const fs::path wal = path.string() + "-wal";
+  std::error_code failed;
+  const std::uintmax_t bytes = fs::file_size(wal, failed);
+  if (failed) return {};
+  std::ifstream in(wal, std::ios::binary);
+  const auto read = [&in](unsigned char* to, std::size_t count, std::int64_t from) {
+    in.clear();
+    in.seekg(from);
+    return static_cast<bool>(
+        in.read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(count)));
   };
-  for (std::size_t bit = 0; bit < 8 * (store::kPageBytes - store::kReservedBytes); ++bit) {
-    turn(bit);
-    const bool fits = store::pageChecksum(page.data(), number) == wanted;
-    turn(bit);
-    if (!fits) continue;
-    if (found) return false;
-    found = bit;
+  const store::WalContent content = store::readWal(read, static_cast<std::int64_t>(bytes));
+  if (!content.damaged) return {};
+  repair.wal_damaged = true;
+  PageFile file(path, std::ios::in | std::ios::out);
+  const std::size_t most = file.pages() + content.frames.size();
+  for (const store::WalFrame& frame : content.frames) {
+    Page page{};
+    if (frame.page == 0 || frame.page > most || !read(page.data(), page.size(), frame.at))
+      ++repair.wal_pages_lost;
+    else if (!file.write(frame.page, page))
+      return file.cannotBeWritten();
   }
-  const std::uint64_t wrong = wanted ^ store::pageChecksum(page.data(), number);
-  const bool of_the_checksum = (wrong & (wrong - 1)) == 0;
-  if (of_the_checksum == found.has_value()) return false;
-  if (found)
-    turn(*found);
-  else
-    store::storeChecksum(page.data(), number);
-  return true;
+  fs::remove(wal, failed);
+  return failed ? Result<void>(cannotWrite(wal, failed.value())) : Result<void>();
 }
 
 // The root of the schema and, where it has inner cells, the leaves below it.
@@ -111,13 +115,14 @@ std::vector<std::uint32_t> schemaPages(const Page& root) {
 }  // namespace
 
 Result<PageRepair> repairPages(const fs::path& path, std::span<const fs::path> backups) {
-  PageFile file(path, std::ios::in | std::ios::out);
   PageRepair repair;
+  if (Result<void> put = putDamagedWalInto(path, repair); !put) return put.error();
+  PageFile file(path, std::ios::in | std::ios::out);
   std::uint32_t pages = file.pages();
   for (std::uint32_t number = 1; number <= pages; ++number) {
     Page page = file.read(number);
     bool whole = store::isWholePage(page.data(), number);
-    if (!whole && repair.lost.size() < kMostTried && turnBackOneBit(page, number)) {
+    if (!whole && repair.lost.size() < kMostTried && store::turnBackOneBit(page.data(), number)) {
       whole = true;
       ++repair.by_bit;
       if (!file.write(number, page)) return file.cannotBeWritten();

@@ -1,8 +1,11 @@
 #include "upkeep/repair.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <map>
 #include <optional>
@@ -11,6 +14,7 @@
 #include "files/cannot_write.h"
 #include "files/files.h"
 #include "store/database.h"
+#include "store/file_header.h"
 #include "store/migrations.h"
 #include "store/partial_file.h"
 #include "store/schema_check.h"
@@ -26,6 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const kWal = "-wal";
+const std::string kDamaged = "catalogue-damaged-";  // and the time
 
 std::int64_t systemTime() {
   return std::int64_t{std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -33,21 +38,41 @@ std::int64_t systemTime() {
                           .count()};
 }
 
-// Every connection of another process holds a lock of SQLite's range; nobody of this process may
-// have one, since closing the file here would drop it.
-bool isInUse(const fs::path& file) {
-  const int fd = ::open(file.c_str(), O_RDWR | O_CLOEXEC);
-  if (fd < 0) return false;
-  constexpr off_t kPendingByte = 0x40000000;
-  struct flock lock {};
-  lock.l_type = F_WRLCK;
-  lock.l_whence = SEEK_SET;
-  lock.l_start = kPendingByte;
-  lock.l_len = 512;
-  const bool used = ::fcntl(fd, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
-  ::close(fd);
-  return used;
-}
+// All of SQLite's range, as long as this lives: nobody has the catalogue open, and whoever opens it
+// waits. Of the open file, not of the process, so that copying the file does not drop it.
+class ExclusiveLock {
+ public:
+  static Result<ExclusiveLock> take(const fs::path& file) {
+    ExclusiveLock lock(::open(file.c_str(), O_RDWR | O_CLOEXEC));
+    if (lock.fd_ < 0) return cannotWrite(file, errno);
+    constexpr off_t kPendingByte = 0x40000000;
+    struct flock range {};
+    range.l_type = F_WRLCK;
+    range.l_whence = SEEK_SET;
+    range.l_start = kPendingByte;
+    range.l_len = 512;
+    const bool taken = ::fcntl(lock.fd_, F_OFD_SETLK, &range) == 0;
+    if (!taken && errno != EAGAIN && errno != EACCES) return cannotWrite(file, errno);
+    // Another repair may have replaced the file between the two.
+    struct stat held {};
+    struct stat named {};
+    if (!taken || ::fstat(lock.fd_, &held) != 0 || ::stat(file.c_str(), &named) != 0 ||
+        held.st_dev != named.st_dev || held.st_ino != named.st_ino)
+      return Error{ErrorCode::Failed,
+                   "Another program has this project open; close it there, then repair it.",
+                   file.parent_path().string()};
+    return lock;
+  }
+  ~ExclusiveLock() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  ExclusiveLock(ExclusiveLock&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  ExclusiveLock& operator=(ExclusiveLock&&) = delete;
+
+ private:
+  explicit ExclusiveLock(int fd) : fd_(fd) {}
+  int fd_;
+};
 
 class Repair {
  public:
@@ -55,12 +80,20 @@ class Repair {
          catalogue::Catalogue::Clock clock)
       : project_(std::move(project)),
         file_(project_ / "catalogue.sqlite"),
+        repaired_(store::repairedBeside(file_)),
         progress_(progress),
         stop_(std::move(stop)),
         clock_(std::move(clock)) {}
 
   Result<RepairReport> run() {
+    const Result<ExclusiveLock> alone = ExclusiveLock::take(file_);
+    if (!alone) return alone.error();
     std::error_code failed;
+    if (fs::exists(fs::symlink_status(repaired_, failed))) {
+      const Result<bool> ended = endInterrupted();
+      if (!ended) return ended.error();
+      if (*ended) return report_;
+    }
     Result<store::PartialFile> fresh = store::PartialFile::beside(file_);
     if (!fresh) return fresh.error();
     Result<store::PartialFile> copy = store::PartialFile::beside(file_);
@@ -76,18 +109,21 @@ class Repair {
     report_.pages = pages->pages;
     report_.pages_by_bit = pages->by_bit;
     report_.pages_by_backup = pages->by_backup;
-    report_.pages_lost = static_cast<int>(pages->lost.size());
+    report_.pages_lost = static_cast<int>(pages->lost.size()) + pages->wal_pages_lost;
     progress_.report(1, 4);
     if (stop_.stop_requested()) return Error::cancelled();
-    bool provable = pages->lost.empty();
+    bool provable = report_.pages_lost == 0;
     if (provable) {
       const Result<bool> whole = isWhole(copy->path());
       if (!whole) return whole.error();
       provable = *whole;
     }
-    if (provable && pages->by_bit + pages->by_backup == 0) return report_;
+    if (provable && pages->by_bit + pages->by_backup == 0 && !pages->wal_damaged) return report_;
     if (!provable)
       if (Result<void> made = makeFrom(copy->path(), *pages, *fresh); !made) return made.error();
+    if (pages->wal_pages_lost > 0)
+      report_.rows.push_back(
+          {file_.filename().string() + kWal, 0, {}, {}, RepairedRow::From::Nowhere});
     progress_.report(3, 4);
     if (stop_.stop_requested()) return Error::cancelled();
     if (Result<void> put = putInPlace(provable ? *copy : *fresh); !put) return put.error();
@@ -224,8 +260,9 @@ class Repair {
     }
   }
 
-  // A copy lies among the backups first, and the damaged file beside the project's: killed at any
-  // moment, everything is there. Its WAL must not be left to the new file.
+  // A copy lies among the backups first, and the damaged file with its WAL beside the project's.
+  // Then the repaired file gets the name that the next opening and the next repair look for: killed
+  // before that, nothing is changed; killed after it, the next repair ends this one.
   Result<void> putInPlace(store::PartialFile& made) {
     {
       const Result<catalogue::Catalogue> catalogue =
@@ -235,21 +272,61 @@ class Repair {
       if (!saved) return saved.error();
     }
     std::error_code failed;
-    report_.damaged = project_ / ("catalogue-damaged-" + timeStamp(clock_()) + ".sqlite");
+    report_.damaged = damagedCopy();
+    const fs::path wal = file_.string() + kWal, damaged_wal = report_.damaged.string() + kWal;
     fs::copy_file(file_, report_.damaged, failed);
-    const fs::path wal = file_.string() + kWal;
-    if (!failed && fs::exists(wal)) {
-      fs::copy_file(wal, report_.damaged.string() + kWal, failed);
-      if (!failed) fs::remove(wal, failed);
-    }
+    const bool has_wal = fs::exists(wal);
+    if (!failed && has_wal) fs::copy_file(wal, damaged_wal, failed);
     if (failed) return cannotWrite(report_.damaged, failed.value());
     if (Result<void> synced = syncFile(report_.damaged); !synced) return synced;
-    std::error_code ignored;
-    fs::remove(file_.string() + "-shm", ignored);
-    return made.become(file_, store::PartialFile::Existing::Replaced);
+    if (has_wal)
+      if (Result<void> synced = syncFile(damaged_wal); !synced) return synced;
+    if (Result<void> ready = made.become(repaired_, store::PartialFile::Existing::Replaced); !ready)
+      return ready;
+    return replaceDamaged();
   }
 
-  fs::path project_, file_;
+  // The damaged file and its WAL were kept before the repaired one got this name. False where what
+  // bears it is no whole catalogue; then it is kept as damaged, too.
+  Result<bool> endInterrupted() {
+    if (fs::is_regular_file(fs::symlink_status(repaired_))) {
+      const Result<bool> whole = isWhole(repaired_);
+      if (!whole) return whole;
+      if (*whole) {
+        std::error_code ignored;
+        for (const fs::directory_entry& entry : fs::directory_iterator(project_, ignored))
+          if (isDamagedCopy(entry.path()))
+            report_.damaged = std::max(report_.damaged, entry.path());
+        report_.interrupted = true;
+        if (Result<void> replaced = replaceDamaged(); !replaced) return replaced.error();
+        return true;
+      }
+    }
+    std::error_code failed;
+    fs::rename(repaired_, damagedCopy(), failed);
+    if (failed) return cannotWrite(repaired_, failed.value());
+    return false;
+  }
+
+  // Its WAL must not be left to the new file, not even by a power cut between the two.
+  Result<void> replaceDamaged() {
+    std::error_code failed;
+    fs::remove(file_.string() + kWal, failed);
+    if (failed) return cannotWrite(file_, failed.value());
+    syncFolder(project_);
+    for (const fs::path& of : {file_, repaired_}) fs::remove(of.string() + "-shm", failed);
+    fs::rename(repaired_, file_, failed);
+    if (failed) return cannotWrite(file_, failed.value());
+    syncFolder(project_);
+    return {};
+  }
+
+  fs::path damagedCopy() const { return project_ / (kDamaged + timeStamp(clock_()) + ".sqlite"); }
+  static bool isDamagedCopy(const fs::path& file) {
+    return file.filename().string().starts_with(kDamaged) && file.extension() == ".sqlite";
+  }
+
+  fs::path project_, file_, repaired_;
   Progress& progress_;
   std::stop_token stop_;
   catalogue::Catalogue::Clock clock_;
@@ -266,10 +343,6 @@ Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress
   if (!Project::isProject(project))
     return Error::unusable("Not an Ostraka project: this folder has no catalogue.sqlite.",
                            project.string());
-  if (isInUse(project / "catalogue.sqlite"))
-    return Error{ErrorCode::Failed,
-                 "Another program has this project open; close it there, then repair it.",
-                 project.string()};
   store::PartialFile::removeLeftovers(project);
   return Repair(fs::absolute(project), progress, std::move(stop), clock ? clock : systemTime).run();
 }

@@ -26,6 +26,7 @@ struct RepairedRow {
 
 struct RepairReport {
   int pages = 0, pages_by_bit = 0, pages_by_backup = 0, pages_lost = 0;
+  bool interrupted = false;       ///< an earlier repair was ended, of which only `damaged` is known
   bool all_from_backup = false;   ///< nothing of the damaged file could be read
   std::filesystem::path backup;   ///< whose rows were taken; empty: none were needed
   std::filesystem::path damaged;  ///< where the damaged file lies now; empty: nothing was damaged
@@ -34,8 +35,9 @@ struct RepairReport {
 
 /// Makes a damaged catalogue whole: pages that their own checksums prove, then row by row from the
 /// newest whole backup and the history. Writes the new catalogue beside it, checks it, backs it up,
-/// keeps the damaged file and renames. Nobody may have the project open. A whole catalogue is left
-/// as it is. Errors: in use, no whole backup where one is needed, CannotWrite, Cancelled; then
+/// keeps the damaged file and renames. Nobody may have the project open, and nobody can open it
+/// meanwhile. A repair that was killed is ended by the next one. A whole catalogue is left as it
+/// is. Errors: in use, no whole backup where one is needed, CannotWrite, Cancelled; then
 /// everything is as it was.
 Result<RepairReport> repairCatalogue(const std::filesystem::path& project, Progress& progress,
                                      std::stop_token stop,

@@ -12,11 +12,13 @@
 
 #include <string>
 
+#include "catalogue/batches.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/files.h"
 #include "catalogue/settings.h"
 #include "files/files.h"
 #include "records/sherd.h"
+#include "tests/core/catalogue/result_folder.h"
 #include "upkeep/project.h"
 
 namespace {
@@ -288,6 +290,36 @@ TEST_F(CatalogueCommand, ThatIsInterruptedIsNotWhole) {
   ASSERT_EQ(::waitpid(program, &status, 0), program);
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 1);
+}
+
+// A batch of the project, with results of two sherds.
+void makeResults(const fs::path& project) {
+  auto opened = upkeep::Project::open(project);
+  ASSERT_TRUE(opened);
+  ASSERT_TRUE(catalogue::Batches(opened->catalogue()).add({}, {}));
+  catalogue::ResultFolder(opened->resultsFolder("B0001"), 2);
+}
+
+TEST_F(CatalogueCommand, BacksUpBeforeAndAfterResultsAreEntered) {
+  makeResults(folder_ / "p");
+  EXPECT_EQ(run("enter " + at("p") + " B0001"), 0) << said_;
+  EXPECT_EQ(said_["new_sherds"], 2);
+  EXPECT_EQ(said_["warnings"].size(), 0u);
+  EXPECT_EQ(upkeep::Project::open(folder_ / "p")->backups().size(), 2u);
+}
+
+// Whichever page is damaged, also one that entering does not read.
+TEST_F(CatalogueCommand, EntersNothingIntoADamagedCatalogue) {
+  constexpr std::size_t kPage = 4096;
+  makeResults(folder_ / "p");
+  const std::string whole = bytesOf("p/catalogue.sqlite");
+  for (std::size_t at_byte = 0; at_byte < whole.size(); at_byte += 6 * kPage) {
+    std::string bytes = whole;
+    for (std::size_t i = 2000; i < 2040; ++i) bytes[at_byte + i] ^= 0x5A;
+    put("p/catalogue.sqlite", bytes);
+    EXPECT_EQ(run("enter " + at("p") + " B0001"), 2) << "page " << at_byte / kPage + 1;
+    EXPECT_EQ(bytesOf("p/catalogue.sqlite"), bytes) << "page " << at_byte / kPage + 1;
+  }
 }
 
 TEST_F(CatalogueCommand, NamesTheFormsWithoutAnyFile) {

@@ -49,7 +49,11 @@ QString wordsOf(const RepairReport& report) {
                  .arg(backup);
   QStringList rows;
   for (const RepairedRow& row : report.rows) rows << wordsOf(row, backup);
-  if (rows.isEmpty() && !report.all_from_backup)
+  if (report.interrupted)
+    words << CatalogueRepair::tr(
+        "An earlier repair was interrupted and is now finished. Check the catalogue for missing "
+        "changes.");
+  if (rows.isEmpty() && !report.all_from_backup && !report.interrupted)
     words << CatalogueRepair::tr("Everything in it is as it was.");
   words << rows.mid(0, kMostRows);
   const std::filesystem::path list = report.damaged.string() + ".txt";

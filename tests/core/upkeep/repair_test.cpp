@@ -1,10 +1,12 @@
 #include "upkeep/repair.h"
 
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <random>
+#include <utility>
 
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
@@ -199,6 +201,171 @@ TEST_F(Repairing, AProjectThatAnotherProgramHasOpenIsNotRepaired) {
   ::close(ready[1]);
   ASSERT_FALSE(report);
   EXPECT_NE(report.error().what.find("has this project open"), std::string::npos);
+}
+
+// A damaged catalogue with a backup, and later transactions in the WAL of a killed process.
+class KilledRepair : public Repairing {
+ protected:
+  void SetUp() override {
+    fill(60);
+    ASSERT_TRUE(project_->backUp());
+    const store::SherdRow changed = *sherds::Sherds(catalogue()).byNumber("ARM1-T3-0012-0003");
+    const std::string uuid = sherds::Sherds(catalogue()).get(changed)->id;
+    ASSERT_TRUE(set(changed, "vessel", "V3"));
+    project_.reset();
+    const int status = inAnotherProcess([&] {
+      project_ = std::make_unique<Project>(*Project::open(folder()));
+      numbered(context13);
+      return 0;
+    });
+    ASSERT_EQ(status, 0);
+    ASSERT_EQ(destroyPagesWith({"V3", uuid}), 1);
+    ASSERT_TRUE(fs::exists(file().string() + "-wal"));
+    fs::copy(folder(), damaged_, fs::copy_options::recursive);
+  }
+  void damageAgain() const {
+    fs::remove_all(folder());
+    fs::copy(damaged_, folder(), fs::copy_options::recursive);
+  }
+  // Its exit status; it ends without closing anything, as a killed one does.
+  template <class Work>
+  static int inAnotherProcess(Work work) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(work());
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::size_t sherds() const {
+    const Project open = catalogue::valueIn(Project::open(folder()));
+    EXPECT_TRUE(open.catalogue().checkIntegrity());
+    return sherds::Sherds(open.catalogue()).rows({}, {})->size();
+  }
+  const fs::path damaged_ = folder_.path() / "damaged";
+};
+
+TEST_F(KilledRepair, IsEndedByTheNextOnceTheRepairedFileIsReady) {
+  repaired();
+  const std::string made = catalogue::bytesOf(file());
+  for (const bool wal_is_left : {true, false}) {
+    const auto kill = [&] {  // before or after it removed the WAL
+      catalogue::writeBytes(file(), catalogue::bytesOf(damaged_ / "catalogue.sqlite"));
+      const std::string wal = file().string() + "-wal";
+      fs::remove(wal);
+      if (wal_is_left) fs::copy_file(damaged_ / "catalogue.sqlite-wal", wal);
+      catalogue::writeBytes(file().string() + ".repaired", made);
+    };
+    kill();
+    const Result<Project> open = Project::open(folder());
+    ASSERT_FALSE(open);
+    EXPECT_EQ(open.error().code, ErrorCode::Damaged);
+    kill();
+    const RepairReport report = repaired();
+    EXPECT_TRUE(report.interrupted);
+    EXPECT_TRUE(fs::exists(report.damaged)) << report.damaged;
+    EXPECT_EQ(catalogue::bytesOf(file()), made);
+    EXPECT_FALSE(fs::exists(file().string() + "-wal"));
+    EXPECT_FALSE(fs::exists(file().string() + ".repaired"));
+    EXPECT_EQ(sherds(), 61u);
+  }
+}
+
+TEST_F(KilledRepair, LosesNothingWhereverTheRepairReadsTheClock) {
+  int readings = 0;
+  ASSERT_TRUE(repairCatalogue(folder(), quiet_, {}, [&] { return now_ms + ++readings; }));
+  ASSERT_EQ(sherds(), 61u);
+  for (int last = std::max(1, readings - 4); last <= readings; ++last) {
+    damageAgain();
+    const int status = inAnotherProcess([&] {
+      int read = 0;
+      const auto clock = [&]() -> std::int64_t {
+        if (++read == last) ::_exit(9);
+        return now_ms + read;
+      };
+      return repairCatalogue(folder(), quiet_, {}, clock) ? 0 : 1;
+    });
+    ASSERT_EQ(status, 9) << last;
+    const Result<RepairReport> again = repairCatalogue(folder(), quiet_, {});
+    ASSERT_TRUE(again) << again.error().sentence();
+    EXPECT_EQ(sherds(), 61u) << last;
+  }
+}
+
+TEST_F(KilledRepair, ARepairedFileThatIsNotWholeIsSetAside) {
+  catalogue::writeBytes(file().string() + ".repaired", std::string(8192, 'x'));
+  ASSERT_FALSE(Project::open(folder()));
+  const RepairReport report = repaired();
+  EXPECT_FALSE(report.interrupted);
+  EXPECT_FALSE(fs::exists(file().string() + ".repaired"));
+  EXPECT_EQ(sherds(), 61u);
+}
+
+// Who asks to open it meanwhile waits and is refused, or comes after it; no saved sherd is lost.
+TEST_F(KilledRepair, NobodyWritesWhileItRuns) {
+  int go[2], saved[2];
+  ASSERT_EQ(::pipe(go), 0);
+  ASSERT_EQ(::pipe(saved), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    char byte = 0;
+    bool added = ::read(go[0], &byte, 1) == 1;
+    {
+      Result<Project> open = Project::open(folder());
+      added = added && open && sherds::Sherds(open->catalogue()).add({}, anna).has_value();
+    }
+    if (added) added = ::write(saved[1], "x", 1) == 1;
+    ::_exit(added ? 0 : 1);
+  }
+  bool saved_meanwhile = false, told = false;
+  const Result<RepairReport> report = repairCatalogue(folder(), quiet_, {}, [&] {
+    if (!std::exchange(told, true)) {  // it has copied the damaged file
+      EXPECT_EQ(::write(go[1], "x", 1), 1);
+      struct pollfd answer {
+        saved[0], POLLIN, 0
+      };
+      saved_meanwhile = ::poll(&answer, 1, 700) == 1;
+    }
+    return now_ms += 1;
+  });
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  for (const int end : {go[0], go[1], saved[0], saved[1]}) ::close(end);
+  ASSERT_TRUE(report) << report.error().sentence();
+  EXPECT_FALSE(saved_meanwhile);
+  EXPECT_EQ(sherds(), WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 62u : 61u);
+}
+
+TEST_F(Repairing, WhatFollowsADamagedPageOfTheWalIsKept) {
+  project_.reset();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    project_ = std::make_unique<Project>(*Project::open(folder()));
+    fill(4);
+    ::_exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+  const fs::path wal = file().string() + "-wal";
+  const std::string main = catalogue::bytesOf(file()), whole = catalogue::bytesOf(wal);
+  const std::string content = *catalogue::contentOf(folder());
+  // A page that a later transaction saved again, and more than one bit of it.
+  const std::size_t frame = store::kPageBytes + 24, frames = (whole.size() - 32) / frame;
+  const auto pageOf = [&](std::size_t i) { return whole.substr(32 + i * frame, 4); };
+  std::size_t damaged = frames / 4;
+  const auto isSavedAgain = [&] {
+    for (std::size_t i = damaged + 1; i < frames; ++i)
+      if (pageOf(i) == pageOf(damaged)) return true;
+    return false;
+  };
+  while (damaged < frames && !isSavedAgain()) ++damaged;
+  ASSERT_LT(damaged, frames);
+  std::string bytes = whole;
+  for (std::size_t i = 100; i < 140; ++i) bytes[32 + damaged * frame + 24 + i] ^= 0x5A;
+  catalogue::writeBytes(file(), main);
+  catalogue::writeBytes(wal, bytes);
+  ASSERT_FALSE(catalogue::contentOf(folder()));
+  const RepairReport report = repaired();
+  EXPECT_EQ(*catalogue::contentOf(folder()), content);
+  EXPECT_EQ(catalogue::bytesOf(report.damaged.string() + "-wal"), bytes) << "it is kept";
 }
 
 TEST_F(Repairing, PrefersItsOwnBackupToOneOfLater) {

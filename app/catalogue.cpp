@@ -121,7 +121,7 @@ int runEnter(const Options& options, Session& session) {
   if (const auto saved = project->backUp(); !saved)
     warnings.push_back("The results are entered, but the backup afterwards failed. " +
                        saved.error().sentence());
-  for (const std::string& warning : warnings) show(stderr, "%s\n", warning.c_str());
+  for (const std::string& warning : warnings) show(stderr, "ostraka: %s\n", warning.c_str());
   const int status = entered->open > 0 ? PersonMustDecide : warnings.empty() ? Whole : NotWhole;
   return said(session,
               {{"batch", options.batch},
@@ -207,7 +207,12 @@ int runCheck(const Options& options, Session& session) {
   session.finishProgress();
   printDamage(checked->damaged);
   const bool good = checked->damaged.empty();
-  const std::string files = std::to_string(checked->files);
+  std::string files = std::to_string(checked->files);
+  if (const std::int64_t earlier = checked->files - checked->checked; earlier > 0)
+    files += " files (" + std::to_string(checked->checked) + " read now, " +
+             std::to_string(earlier) + " by the check that this one continued)";
+  else
+    files += " files";
   return said(session,
               {{"whole", good},
                {"backup", backup},
@@ -215,8 +220,8 @@ int runCheck(const Options& options, Session& session) {
                {"checked", checked->checked},
                {"damaged", damageJson(checked->damaged)},
                {"exit_status", good ? Whole : NotWhole}},
-              (good ? "The catalogue and its " + files + " files are whole; "
-                    : "Damaged files: " + std::to_string(checked->damaged.size()) + " of " + files +
+              (good ? "The catalogue and its " + files + " are whole; "
+                    : "Damaged: " + std::to_string(checked->damaged.size()) + " of " + files +
                           "; put them back from a copy. The catalogue itself is whole; ") +
                   (backup.empty() ? "this project can only be read, so no backup was made."
                                   : "a backup was made: " + backup));

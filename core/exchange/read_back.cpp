@@ -134,7 +134,9 @@ class ReadingBack {
         folder_(folder),
         bag_(bag),
         provenance_(provenance),
-        name_(store::slug(archive::folderNamed(folder).filename().string())) {}
+        name_(store::slug(archive::folderNamed(folder).filename().string())) {
+    if (name_ == "lock") name_ += "-export";  // imported/lock is holdImports'
+  }
 
   /// All records, read before anything is changed.
   Result<void> records() {
@@ -277,7 +279,9 @@ class ReadingBack {
         continue;
       const Result<ContainedPath> to = ContainedPath::parse(file.path);
       if (!to) return to.error();
-      if (project->has(*to)) continue;
+      std::error_code failed;  // what lies behind a link is not lost
+      if (project->has(*to) || fs::exists(project_.folder() / file.path, failed) || failed)
+        continue;
       if (Result<void> put = bag_.copy(*from->second, *project, *to, stop); !put) return put;
     }
     return {};

@@ -312,7 +312,7 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
       // Without following links: what they lead to is not the project's.
       Photograph p;
       p.shot.path = relativeTo(project, shot.file);
-      OpenFile open = store::valueOrThrow(OpenFile::within(project, p.shot.path));
+      OpenFile open = store::valueOrThrow(OpenFile::within(project, onDiskIn(project, shot.file)));
       const std::string bytes = store::valueOrThrow(open.readAll());
       p.shot.batch = batch;
       p.shot.side = shot.side;

@@ -20,12 +20,15 @@ namespace ostraka::intake {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+std::string onDiskIn(const fs::path& project, const fs::path& file) {
+  return fs::absolute(file)
+      .lexically_normal()
+      .lexically_relative(fs::absolute(project).lexically_normal())
+      .generic_string();
+}
+
 std::string relativeTo(const fs::path& project, const fs::path& file) {
-  const std::string text = fs::absolute(file)
-                               .lexically_normal()
-                               .lexically_relative(fs::absolute(project).lexically_normal())
-                               .generic_string();
-  const Result<std::string> path = store::checkedPath(text);
+  const Result<std::string> path = store::checkedPath(onDiskIn(project, file));
   if (!path) store::refuse("This file is outside the project's folder.", file.string());
   return *path;
 }

@@ -43,6 +43,8 @@ ReadResults readResults(const std::filesystem::path& project, const records::Bat
 
 /// Relative to the project with '/', as records hold it; throws Refused outside it.
 std::string relativeTo(const std::filesystem::path& project, const std::filesystem::path& file);
+/// Likewise as the disk spells it: letters with accents may be composed otherwise.
+std::string onDiskIn(const std::filesystem::path& project, const std::filesystem::path& file);
 std::string mediaTypeOf(const std::filesystem::path& file);
 
 }  // namespace ostraka::intake

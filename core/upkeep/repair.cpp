@@ -12,7 +12,9 @@
 #include <utility>
 
 #include "files/cannot_write.h"
+#include "files/checksum.h"
 #include "files/files.h"
+#include "files/open_folder.h"
 #include "store/database.h"
 #include "store/file_header.h"
 #include "store/migrations.h"
@@ -86,6 +88,11 @@ class Repair {
         clock_(std::move(clock)) {}
 
   Result<RepairReport> run() {
+    if (fs::is_symlink(file_))  // its WAL lies beside what it leads to
+      return Error::unusable(
+          "A link or a file has taken the place of a folder, or a link that of a file; replace it "
+          "with the folder or the file itself.",
+          file_.string());
     const Result<ExclusiveLock> alone = ExclusiveLock::take(file_);
     if (!alone) return alone.error();
     std::error_code failed;
@@ -287,12 +294,13 @@ class Repair {
   }
 
   // The damaged file and its WAL were kept before the repaired one got this name. False where what
-  // bears it is no whole catalogue; then it is kept as damaged, too.
+  // bears it is no whole catalogue, or where somebody has put another in the damaged one's place
+  // since; then it is kept as damaged, too, and what lies there is repaired.
   Result<bool> endInterrupted() {
     if (fs::is_regular_file(fs::symlink_status(repaired_))) {
       const Result<bool> whole = isWhole(repaired_);
       if (!whole) return whole;
-      if (*whole) {
+      if (*whole && isKept("") && (!fs::exists(file_.string() + kWal) || isKept(kWal))) {
         std::error_code ignored;
         for (const fs::directory_entry& entry : fs::directory_iterator(project_, ignored))
           if (isDamagedCopy(entry.path()))
@@ -319,6 +327,22 @@ class Repair {
     if (failed) return cannotWrite(file_, failed.value());
     syncFolder(project_);
     return {};
+  }
+
+  // Whether this part of the catalogue lies among the damaged ones, byte for byte.
+  bool isKept(const std::string& ending) const {
+    const auto sum = [](const fs::path& file) -> std::string {
+      Result<OpenFile> open = OpenFile::open(file);
+      if (!open) return {};
+      const Result<Checksum> found = checksumOf(*open, {});
+      return found ? found->sha256 : std::string();
+    };
+    const std::string here = sum(file_.string() + ending);
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(project_, ignored))
+      if (isDamagedCopy(entry.path()) && sum(entry.path().string() + ending) == here)
+        return !here.empty();
+    return false;
   }
 
   fs::path damagedCopy() const { return project_ / (kDamaged + timeStamp(clock_()) + ".sqlite"); }

@@ -155,10 +155,11 @@ TEST_F(CommandLine, NamesOfStrangersAreSpelledAndStillJson) {
       "\xe2\x80\xae"
       "a\x7f"
       "b.ply");
-  const Outcome said = run("draw '" + named + "' --output " + path("sheet"));
+  const Outcome said = run("draw '" + named + "' --output " + path("sheet.svg"));
   EXPECT_TRUE(says(said, "\\xe2\\x80\\xaea\\x7fb.ply")) << said.text;
   EXPECT_FALSE(says(said, "\x7f"));
-  const Outcome json = run("--json draw '" + named + "' --output " + path("sheet"), "2>/dev/null");
+  const Outcome json =
+      run("--json draw '" + named + "' --output " + path("sheet.svg"), "2>/dev/null");
   const auto read = nlohmann::json::parse(json.text, nullptr, false);
   ASSERT_TRUE(read.is_object()) << json.text;
   EXPECT_NE(read.at("error").get<std::string>().find(named), std::string::npos);

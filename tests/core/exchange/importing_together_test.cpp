@@ -112,5 +112,25 @@ TEST_F(ImportingTogether, AnotherImportPutsBackWhatTheProjectHasLost) {
   EXPECT_TRUE(damaged().empty());
 }
 
+TEST_F(ImportingTogether, TakesNothingForLostThatLiesBehindALink) {
+  ASSERT_TRUE(importOnce(quiet));
+  const fs::path linked = at("other/batches/B0001");
+  fs::rename(linked, at("another_disk"));
+  fs::create_directory_symlink(at("another_disk"), linked);
+  const Result<tables::ImportReport> again = importOnce(quiet);
+  ASSERT_TRUE(again) << again.error().sentence();
+  EXPECT_EQ(again->same, 3);
+}
+
+TEST_F(ImportingTogether, AnExportMayHaveTheNameOfTheLock) {
+  fs::rename(at("out"), at("lock"));
+  upkeep::Project into = valueIn(upkeep::Project::open(at("other")));
+  const Result<tables::ImportReport> imported =
+      readBack(into, at("lock"), tables::ImportMode::Enter, {}, quiet, {});
+  ASSERT_TRUE(imported) << imported.error().sentence();
+  EXPECT_EQ(imported->fresh, 3);
+  EXPECT_TRUE(damaged().empty());
+}
+
 }  // namespace
 }  // namespace ostraka::exchange

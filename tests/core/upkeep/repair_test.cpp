@@ -300,6 +300,30 @@ TEST_F(KilledRepair, ARepairedFileThatIsNotWholeIsSetAside) {
   EXPECT_EQ(sherds(), 61u);
 }
 
+TEST_F(KilledRepair, LeavesTheCatalogueThatSomebodyPutBackSince) {
+  repaired();
+  const std::string made = catalogue::bytesOf(file());
+  project_ = std::make_unique<Project>(*Project::open(folder()));
+  numbered(context13);
+  project_.reset();
+  catalogue::writeBytes(file().string() + ".repaired", made);
+  const RepairReport report = repaired();
+  EXPECT_FALSE(report.interrupted);
+  EXPECT_FALSE(fs::exists(file().string() + ".repaired"));
+  EXPECT_EQ(sherds(), 62u);
+}
+
+TEST_F(KilledRepair, TakesNoLinkForTheCatalogue) {
+  // Its WAL lies beside what the link leads to and would be left out.
+  fs::rename(file(), folder_.path() / "elsewhere.sqlite");
+  fs::rename(file().string() + "-wal", folder_.path() / "elsewhere.sqlite-wal");
+  fs::create_symlink(folder_.path() / "elsewhere.sqlite", file());
+  const Result<RepairReport> report = repairCatalogue(folder(), quiet_, {});
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::UnusableInput);
+  EXPECT_TRUE(fs::is_symlink(file()));
+}
+
 // Who asks to open it meanwhile waits and is refused, or comes after it; no saved sherd is lost.
 TEST_F(KilledRepair, NobodyWritesWhileItRuns) {
   int go[2], saved[2];

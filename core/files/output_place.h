@@ -17,8 +17,8 @@ namespace ostraka {
 Result<void> checkOutputPlace(const std::filesystem::path& target, std::string_view filled = {});
 
 /// The same of a file that a command is told to write: it must have one of these endings (".pdf",
-/// capitals or not), so that no other file goes by a slip of the pen, be no folder, and be none of
-/// the files that the command reads, by whatever name. Error: UnusableInput.
+/// in capitals or not), so that a mistyped name does not cost another file, be no folder, and be
+/// none of the files that the command reads, by whatever name. Error: UnusableInput.
 Result<void> checkOutputFile(const std::filesystem::path& file,
                              const std::vector<std::string>& endings,
                              const std::vector<std::filesystem::path>& inputs = {});

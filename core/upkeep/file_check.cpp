@@ -109,12 +109,6 @@ Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue, const fs:
     if (*damage) result.damaged.push_back({file, **damage});
   }
   if (log) log->end(catalogue.now());
-  if (const std::int64_t earlier = result.files - result.checked; earlier > 0)
-    progress.note(NoteLevel::Info,
-                  "check: " + std::to_string(result.checked) + " files were read now; " +
-                      std::to_string(earlier) +
-                      " were read by the interrupted check that this one continued, and nobody has "
-                      "written to them since");
   return result;
 }
 

@@ -43,8 +43,8 @@ struct CheckedFiles {
 };
 /// All of them, against what the catalogue holds. Progress counts bytes. A check of hashes that was
 /// interrupted in the last seven days goes on where it stood, which FOLDER/file-checks.txt keeps;
-/// what was damaged, or was written to since, is looked at again. A note says how many were read
-/// now and how many earlier. Errors: Cancelled, those of the catalogue.
+/// what was damaged, or was written to since, is looked at again. Errors: Cancelled, those of the
+/// catalogue.
 Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue,
                                 const std::filesystem::path& folder, CheckDepth depth,
                                 Progress& progress, std::stop_token stop);

@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <map>
@@ -300,11 +299,8 @@ class Repair {
     if (fs::is_regular_file(fs::symlink_status(repaired_))) {
       const Result<bool> whole = isWhole(repaired_);
       if (!whole) return whole;
-      if (*whole && isKept("") && (!fs::exists(file_.string() + kWal) || isKept(kWal))) {
-        std::error_code ignored;
-        for (const fs::directory_entry& entry : fs::directory_iterator(project_, ignored))
-          if (isDamagedCopy(entry.path()))
-            report_.damaged = std::max(report_.damaged, entry.path());
+      if (const fs::path kept = keptCopy(); *whole && !kept.empty()) {
+        report_.damaged = kept;
         report_.interrupted = true;
         if (Result<void> replaced = replaceDamaged(); !replaced) return replaced.error();
         return true;
@@ -329,20 +325,24 @@ class Repair {
     return {};
   }
 
-  // Whether this part of the catalogue lies among the damaged ones, byte for byte.
-  bool isKept(const std::string& ending) const {
+  // The copy of what lies there, byte for byte, and of its WAL where that was not removed yet;
+  // empty where there is none.
+  fs::path keptCopy() const {
     const auto sum = [](const fs::path& file) -> std::string {
       Result<OpenFile> open = OpenFile::open(file);
       if (!open) return {};
       const Result<Checksum> found = checksumOf(*open, {});
       return found ? found->sha256 : std::string();
     };
-    const std::string here = sum(file_.string() + ending);
+    const bool has_wal = fs::exists(file_.string() + kWal);
+    const std::string here = sum(file_), wal = sum(file_.string() + kWal);
+    if (here.empty() || (has_wal && wal.empty())) return {};
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(project_, ignored))
-      if (isDamagedCopy(entry.path()) && sum(entry.path().string() + ending) == here)
-        return !here.empty();
-    return false;
+      if (isDamagedCopy(entry.path()) && sum(entry.path()) == here &&
+          (!has_wal || sum(entry.path().string() + kWal) == wal))
+        return entry.path();
+    return {};
   }
 
   fs::path damagedCopy() const { return project_ / (kDamaged + timeStamp(clock_()) + ".sqlite"); }

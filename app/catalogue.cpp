@@ -68,7 +68,7 @@ std::vector<std::string> namesOf(const std::set<Form>& forms) {
 }
 
 int runExport(const Options& options, Session& session) {
-  Result<Project> project = Project::open(options.project);
+  Result<Project> project = Project::open(options.project, {}, {session.stop, &session.progress});
   if (!project) return fail(session, project.error());
   const Result<sherds::Filter> filter = sherds::parseFilter(options.filter);
   if (!filter) return fail(session, filter.error());
@@ -104,7 +104,7 @@ int runExport(const Options& options, Session& session) {
 }
 
 int runEnter(const Options& options, Session& session) {
-  Result<Project> project = Project::open(options.project);
+  Result<Project> project = Project::open(options.project, {}, {session.stop, &session.progress});
   if (!project) return fail(session, project.error());
   const auto batch = catalogue::Batches(project->catalogue()).byNumber(options.batch);
   if (!batch) return fail(session, batch.error());
@@ -136,7 +136,8 @@ int runEnter(const Options& options, Session& session) {
 }
 
 int runArchive(const Options& options, Session& session) {
-  const Result<Project> project = Project::open(options.project);
+  const Result<Project> project =
+      Project::open(options.project, {}, {session.stop, &session.progress});
   if (!project) return fail(session, project.error());
   session.progress.begin("archive", 1.0);
   const auto done = archive::archiveProject(
@@ -186,7 +187,8 @@ int runRestore(const Options& options, Session& session) {
 }
 
 int runCheck(const Options& options, Session& session) {
-  const Result<Project> project = Project::open(options.project);
+  const Result<Project> project =
+      Project::open(options.project, {}, {session.stop, &session.progress});
   if (!project) return fail(session, project.error());
   const auto whole = project->catalogue().checkIntegrity();
   if (!whole) return fail(session, whole.error());

@@ -216,7 +216,8 @@ Result<tables::ImportOptions> importOptions(const ImportArguments& arguments) {
 int runImport(const ImportArguments& arguments, Session& session) {
   if (const Result<void> good = checkRefusalsFile(arguments.refusals); !good)
     return fail(session, good.error());
-  Result<upkeep::Project> project = upkeep::Project::open(arguments.project);
+  Result<upkeep::Project> project =
+      upkeep::Project::open(arguments.project, {}, {session.stop, &session.progress});
   if (!project) return fail(session, project.error());
   session.progress.begin("import", 1.0);
   if (fs::is_directory(arguments.source)) {
@@ -238,31 +239,30 @@ int runImport(const ImportArguments& arguments, Session& session) {
 }  // namespace
 
 void addCatalogueImport(CLI::App& catalogue, Command& chosen) {
-  CLI::App* import = catalogue.add_subcommand(
+  CLI::App* command = catalogue.add_subcommand(
       "import", "Read a CSV table or an export folder; a preview without --enter");
   const auto arguments = std::make_shared<ImportArguments>();
-  import->callback([arguments, &chosen] {
-    chosen = [arguments](Session& session) { return runImport(*arguments, session);
-};
-}  // namespace ostraka::app
-);
-import->add_option("PROJECT", arguments->project, "Folder of the project")
-    ->required()
-    ->check(CLI::ExistingDirectory);
-import->add_option("FILE", arguments->source, "Table (CSV) of sherds or contexts, or an export")
-    ->required()
-    ->check(CLI::ExistingPath);
-import->add_flag("--enter", arguments->enter, "Enter it; otherwise only say what would happen");
-import->add_flag("--make-places", arguments->make_places,
-                 "Make sites, trenches, contexts and bags that are not there");
-import->add_option("--refusals", arguments->refusals,
-                   "Write what was refused, and why, as CSV: a new file, or over an earlier one");
-import->add_option("--map", arguments->columns,
-                   "A column's field and unit, as Gewicht=weight_g:kg; COLUMN=- leaves it out");
-import
-    ->add_option("--confirm", arguments->confirmed,
-                 "Lines with a doubtful measurement that enter all the same, or all")
-    ->delimiter(',');
+  command->callback([arguments, &chosen] {
+    chosen = [arguments](Session& session) { return runImport(*arguments, session); };
+  });
+  command->add_option("PROJECT", arguments->project, "Folder of the project")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("FILE", arguments->source, "Table (CSV) of sherds or contexts, or an export")
+      ->required()
+      ->check(CLI::ExistingPath);
+  command->add_flag("--enter", arguments->enter, "Enter it; otherwise only say what would happen");
+  command->add_flag("--make-places", arguments->make_places,
+                    "Make sites, trenches, contexts and bags that are not there");
+  command->add_option(
+      "--refusals", arguments->refusals,
+      "Write what was refused, and why, as CSV: a new file, or over an earlier one");
+  command->add_option("--map", arguments->columns,
+                      "A column's field and unit, as Gewicht=weight_g:kg; COLUMN=- leaves it out");
+  command
+      ->add_option("--confirm", arguments->confirmed,
+                   "Lines with a doubtful measurement that enter all the same, or all")
+      ->delimiter(',');
 }
 
 }  // namespace ostraka::app

@@ -5264,6 +5264,11 @@
       <translation>Ein anderes Programm benutzt den Katalog; es schließen und noch einmal versuchen.</translation>
     </message>
     <message>
+      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderes Programm repariert oder benutzt den Katalog; dieses wartet, bis es fertig ist.</translation>
+    </message>
+    <message>
       <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Bild ist vor seinem Ende abgeschnitten; noch einmal von der Kamera kopieren.</translation>
@@ -6449,6 +6454,11 @@
       <translation>Diese Ergebnisse von 'ostraka process' sind unvollständig; es noch einmal laufen lassen.</translation>
     </message>
     <message>
+      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderes Programm trägt gerade Ergebnisse dieses Durchgangs ein; dieses wartet, bis es fertig ist.</translation>
+    </message>
+    <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Tabelle der Paare nennt den Scan %1, den es nicht gibt; 'ostraka process' noch einmal laufen lassen.</translation>
@@ -7177,6 +7187,16 @@
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zwei Dateien des Exports hätten denselben Namen.</translation>
+    </message>
+    <message>
+      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderer Import in dieses Projekt läuft gerade; dieser wartet, bis er beendet ist.</translation>
+    </message>
+    <message>
+      <source>Files that were missing from the project and came back: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dateien, die im Projekt fehlten und wiederhergestellt wurden: %1.</translation>
     </message>
     <message>
       <source>A folder with this name was created in the meantime; choose another name.</source>

@@ -5259,6 +5259,11 @@
       <translation>Ένα άλλο πρόγραμμα κρατά απασχολημένο τον κατάλογο· κλείστε το και δοκιμάστε ξανά.</translation>
     </message>
     <message>
+      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα άλλο πρόγραμμα επιδιορθώνει ή χρησιμοποιεί τον κατάλογο· αυτό περιμένει να τελειώσει.</translation>
+    </message>
+    <message>
       <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα είναι κομμένη πριν από το τέλος της· αντιγράψτε την ξανά από την κάμερα.</translation>
@@ -6444,6 +6449,11 @@
       <translation>Δεν είναι πλήρη αποτελέσματα του 'ostraka process'· εκτελέστε το ξανά.</translation>
     </message>
     <message>
+      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα άλλο πρόγραμμα καταχωρίζει αποτελέσματα αυτής της παρτίδας· αυτό περιμένει να τελειώσει.</translation>
+    </message>
+    <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο πίνακας των ζευγών ονομάζει τη σάρωση %1, που δεν υπάρχει· εκτελέστε ξανά το 'ostraka process'.</translation>
@@ -7172,6 +7182,16 @@
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δύο αρχεία της εξαγωγής θα είχαν το ίδιο όνομα.</translation>
+    </message>
+    <message>
+      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια άλλη εισαγωγή σε αυτό το έργο βρίσκεται σε εξέλιξη· αυτή περιμένει να τελειώσει.</translation>
+    </message>
+    <message>
+      <source>Files that were missing from the project and came back: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αρχεία που έλειπαν από το έργο και επανήλθαν: %1.</translation>
     </message>
     <message>
       <source>A folder with this name was created in the meantime; choose another name.</source>

@@ -5259,6 +5259,11 @@
       <translation>Otro programa está usando el catálogo; ciérrelo e inténtelo otra vez.</translation>
     </message>
     <message>
+      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro programa está reparando o usando el catálogo; este espera a que termine.</translation>
+    </message>
+    <message>
       <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen está cortada antes de su final; cópiela otra vez de la cámara.</translation>
@@ -6444,6 +6449,11 @@
       <translation>Estos resultados de 'ostraka process' están incompletos; ejecútelo otra vez.</translation>
     </message>
     <message>
+      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro programa está introduciendo resultados de esta tanda; este espera a que termine.</translation>
+    </message>
+    <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tabla de parejas nombra el escaneo %1, que no existe; ejecute otra vez 'ostraka process'.</translation>
@@ -7172,6 +7182,16 @@
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dos archivos de la exportación tendrían el mismo nombre.</translation>
+    </message>
+    <message>
+      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay otra importación en curso en este proyecto; esta espera a que termine.</translation>
+    </message>
+    <message>
+      <source>Files that were missing from the project and came back: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Archivos que faltaban en el proyecto y se han recuperado: %1.</translation>
     </message>
     <message>
       <source>A folder with this name was created in the meantime; choose another name.</source>

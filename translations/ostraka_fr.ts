@@ -5259,6 +5259,11 @@
       <translation>Un autre programme utilise le catalogue ; fermez-le, puis réessayez.</translation>
     </message>
     <message>
+      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre programme répare ou utilise le catalogue ; celui-ci attend qu’il ait terminé.</translation>
+    </message>
+    <message>
       <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image est coupée avant sa fin ; copiez-la à nouveau depuis l’appareil.</translation>
@@ -6444,6 +6449,11 @@
       <translation>Ces résultats de 'ostraka process' sont incomplets ; relancez-le.</translation>
     </message>
     <message>
+      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre programme saisit les résultats de ce lot ; celui-ci attend qu’il ait terminé.</translation>
+    </message>
+    <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table des paires nomme la numérisation %1, qui n’existe pas ; relancez 'ostraka process'.</translation>
@@ -7172,6 +7182,16 @@
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deux fichiers de l’exportation auraient le même nom.</translation>
+    </message>
+    <message>
+      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une autre importation dans ce projet est en cours ; celle-ci attend qu’elle soit terminée.</translation>
+    </message>
+    <message>
+      <source>Files that were missing from the project and came back: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fichiers qui manquaient au projet et qui ont été rétablis : %1.</translation>
     </message>
     <message>
       <source>A folder with this name was created in the meantime; choose another name.</source>

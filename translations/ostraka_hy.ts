@@ -5259,6 +5259,11 @@
       <translation>Մեկ այլ ծրագիր զբաղեցրել է կատալոգը. փակեք այն և նորից փորձեք։</translation>
     </message>
     <message>
+      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ այլ ծրագիր վերանորոգում կամ օգտագործում է կատալոգը. սա սպասում է դրա ավարտին։</translation>
+    </message>
+    <message>
       <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերը կտրված է մինչև վերջանալը. նորից պատճենեք տեսախցիկից։</translation>
@@ -6444,6 +6449,11 @@
       <translation>Սրանք 'ostraka process'-ի ամբողջական արդյունքներ չեն. նորից գործարկեք։</translation>
     </message>
     <message>
+      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ այլ ծրագիր մուտքագրում է այս խմբաքանակի արդյունքները. սա սպասում է դրա ավարտին։</translation>
+    </message>
+    <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զույգերի աղյուսակը նշում է %1 սկանը, որը չկա. նորից գործարկեք 'ostraka process'-ը։</translation>
@@ -7172,6 +7182,16 @@
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանման երկու ֆայլ կունենային նույն անունը։</translation>
+    </message>
+    <message>
+      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծ մեկ այլ ներմուծում է ընթանում. սա սպասում է դրա ավարտին։</translation>
+    </message>
+    <message>
+      <source>Files that were missing from the project and came back: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագծից բացակայող և վերադարձված ֆայլեր՝ %1։</translation>
     </message>
     <message>
       <source>A folder with this name was created in the meantime; choose another name.</source>

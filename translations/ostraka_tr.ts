@@ -5212,6 +5212,11 @@
       <translation>Başka bir program kataloğu meşgul ediyor; onu kapatın, sonra yeniden deneyin.</translation>
     </message>
     <message>
+      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir program kataloğu onarıyor ya da kullanıyor; bu, onun bitmesini bekliyor.</translation>
+    </message>
+    <message>
       <source>The image file is truncated; copy it from the camera again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Resim sonundan önce kesilmiş; kameradan yeniden kopyalayın.</translation>
@@ -6397,6 +6402,11 @@
       <translation>Bunlar 'ostraka process' komutunun tam sonuçları değil; yeniden çalıştırın.</translation>
     </message>
     <message>
+      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir program bu partinin sonuçlarını giriyor; bu, onun bitmesini bekliyor.</translation>
+    </message>
+    <message>
       <source>The pair table names the scan %1, which is missing; run &apos;ostraka process&apos; again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eş tablosu olmayan %1 taramasını belirtiyor; 'ostraka process' komutunu yeniden çalıştırın.</translation>
@@ -7125,6 +7135,16 @@
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarmanın iki dosyası aynı adı taşırdı.</translation>
+    </message>
+    <message>
+      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu projeye başka bir içe aktarma sürüyor; bu, onun bitmesini bekliyor.</translation>
+    </message>
+    <message>
+      <source>Files that were missing from the project and came back: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projede eksik olup geri gelen dosyalar: %1.</translation>
     </message>
     <message>
       <source>A folder with this name was created in the meantime; choose another name.</source>

@@ -25,10 +25,12 @@ constexpr const char* kCatalogue = "catalogue.sqlite";
 constexpr const char* kChecks = "file-checks.txt";
 
 // What belongs to the programs that have the project open, not to the project: the catalogue's
-// journals, whose copy SQLite makes, the window's lock, what is half written, and what was checked.
+// journals, whose copy SQLite makes, the locks of the window and of imports, what is half written,
+// and what was checked.
 bool isOfAProgram(const fs::path& name) {
   const std::string text = name.string();
-  return text.starts_with(kCatalogue) || text == ".ostraka.lock" || text == kChecks;
+  return text.starts_with(kCatalogue) || text == ".ostraka.lock" || text == "lock" ||
+         text == kChecks;
 }
 
 struct ProjectFiles {

@@ -11,7 +11,6 @@
 #include "catalogue/history.h"
 #include "files/checksum.h"
 #include "files/folder_lock.h"
-#include "files/output_place.h"
 #include "metadata/metadata.h"
 #include "metadata/sherd_json.h"
 #include "records/records.h"
@@ -134,9 +133,7 @@ class ReadingBack {
         folder_(folder),
         bag_(bag),
         provenance_(provenance),
-        name_(store::slug(archive::folderNamed(folder).filename().string())) {
-    if (name_ == "lock") name_ += "-export";  // imported/lock is holdImports'
-  }
+        name_(store::slug(archive::folderNamed(folder).filename().string())) {}
 
   /// All records, read before anything is changed.
   Result<void> records() {
@@ -261,7 +258,7 @@ class ReadingBack {
 
   /// What the catalogue names, the disk has lost and the export has with the same bytes. The
   /// photographs of a batch that lies under the cameras are being replaced.
-  Result<void> putBackMissing(const std::stop_token& stop) {
+  Result<int> putBackMissing(const std::stop_token& stop) {
     const Result<OpenFolder> project = OpenFolder::open(project_.folder());
     if (!project) return project.error();
     const Result<std::vector<records::BatchRecord>> batches = Batches(project_.catalogue()).all();
@@ -273,6 +270,7 @@ class ReadingBack {
     for (const archive::BagFile& file : bag_.files()) with_hash.emplace(file.sha256, &file);
     const Result<std::vector<upkeep::KnownFile>> known = upkeep::knownFiles(project_.catalogue());
     if (!known) return known.error();
+    int files = 0;
     for (const upkeep::KnownFile& file : *known) {
       const auto from = with_hash.find(file.sha256);
       if (from == with_hash.end() || (file.role == "photo" && under_cameras.contains(file.batch)))
@@ -282,9 +280,11 @@ class ReadingBack {
       std::error_code failed;  // what lies behind a link is not lost
       if (project->has(*to) || fs::exists(project_.folder() / file.path, failed) || failed)
         continue;
-      if (Result<void> put = bag_.copy(*from->second, *project, *to, stop); !put) return put;
+      if (Result<void> put = bag_.copy(*from->second, *project, *to, stop); !put)
+        return put.error();
+      ++files;
     }
-    return {};
+    return files;
   }
 
   /// What copyFiles wrote, as far as the catalogue does not name it by now, and the folders that it
@@ -433,17 +433,6 @@ class ReadingBack {
   std::set<fs::path> made_;  ///< those within others behind them
 };
 
-// From where files are copied until the rows that name them are there they are nobody's: two
-// imports would take each other's copies for what was there before, or for their own. Of the whole
-// project, since two exports may hold the same batch, or want the same number.
-Result<FolderLock> holdImports(const fs::path& project, const std::stop_token& stop) {
-  const std::string_view names[] = {"imported"};
-  if (const Result<void> own = checkNoLinkedFolder(project, names, LinkedFolders::OfTheseNames);
-      !own)
-    return own.error();
-  return FolderLock::waitFor(project / names[0], stop);
-}
-
 }  // namespace
 
 Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& folder,
@@ -471,12 +460,20 @@ Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& 
   if (const Result<void> fits = records(tables::ImportMode::Preview); !fits) return fits.error();
   if (mode == tables::ImportMode::Preview) return report;
   if (const auto saved = project.backUp(); !saved) return saved.error();
-  const Result<FolderLock> alone = holdImports(project.folder(), stop);
+  // From where files are copied until the rows that name them are there they are nobody's: two
+  // imports would take each other's copies for what was there before, or for their own. Of the
+  // whole project, since two exports may hold the same batch, or want the same number; and where no
+  // export and no batch gets its files.
+  const Result<FolderLock> alone = FolderLock::waitFor(
+      project.folder(),
+      "Another import into this project is running; this one waits until it has ended.", progress,
+      stop);
   if (!alone) return alone.error();
   // Another import has entered since: what is new, and where its files go, is another answer now.
   if (History(project.catalogue()).length() != before)
     if (const Result<void> fits = records(tables::ImportMode::Preview); !fits) return fits.error();
-  if (const Result<void> put = reading.putBackMissing(stop); !put) return put.error();
+  const Result<int> put_back = reading.putBackMissing(stop);
+  if (!put_back) return put_back.error();
   const auto copyAndEnter = [&]() -> Result<void> {
     do {
       // Nobody who wants to write waits for files to be copied.
@@ -492,6 +489,9 @@ Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& 
     reading.removeCopies();
     return done.error();
   }
+  if (*put_back > 0)
+    report.warnings.push_back("Files that were missing from the project and came back: " +
+                              std::to_string(*put_back) + ".");
   return report;
 }
 

@@ -15,7 +15,7 @@ namespace ostraka::exchange {
 /// their uuid; what the project has already stays, and differences are counted and listed. Batches
 /// come with their photographs, scans and decisions. The files of new sherds go to
 /// PROJECT/imported/NAME, exported photographs to where they were; files that the project has lost
-/// come back. One import at a time: the next one waits.
+/// come back, and a warning counts them. One import at a time: the next one waits, and says so.
 Result<tables::ImportReport> readBack(upkeep::Project& project, const std::filesystem::path& folder,
                                       tables::ImportMode mode,
                                       const records::Provenance& provenance, Progress& progress,

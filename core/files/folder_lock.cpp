@@ -39,14 +39,17 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
 
 // One that was taken of a folder that went away meanwhile keeps nobody out of the new one.
 Result<FolderLock> FolderLock::waitFor(const std::filesystem::path& folder,
+                                       std::string_view waiting, Progress& progress,
                                        const std::stop_token& stop) {
   constexpr std::chrono::milliseconds kPause(50);
+  bool noted = false;
   for (;; std::this_thread::sleep_for(kPause)) {
     if (stop.stop_requested()) return Error::cancelled();
     Result<std::pair<FolderLock, Held>> tried = tryTo(folder);
     if (!tried) return tried.error();
     const bool here = tried->second == Held::Here;
     if (here && (tried->first.fd_ < 0 || tried->first.stands())) return std::move(tried->first);
+    if (!here && !std::exchange(noted, true)) progress.note(NoteLevel::Warning, waiting);
   }
 }
 

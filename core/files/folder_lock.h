@@ -1,8 +1,10 @@
 #pragma once
 #include <filesystem>
 #include <stop_token>
+#include <string_view>
 #include <utility>
 
+#include "base/progress.h"
 #include "base/result.h"
 
 namespace ostraka {
@@ -14,9 +16,10 @@ class FolderLock {
  public:
   /// Error: CannotWrite when another holds the folder.
   static Result<FolderLock> take(const std::filesystem::path& folder);
-  /// Waits until nobody else holds the folder. Errors: Cancelled, CannotWrite.
-  static Result<FolderLock> waitFor(const std::filesystem::path& folder,
-                                    const std::stop_token& stop);
+  /// Waits until nobody else holds the folder; where it has to, it notes once for whom: `waiting`,
+  /// a sentence. Errors: Cancelled, CannotWrite.
+  static Result<FolderLock> waitFor(const std::filesystem::path& folder, std::string_view waiting,
+                                    Progress& progress, const std::stop_token& stop);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept
       : folder_(std::move(other.folder_)), fd_(std::exchange(other.fd_, -1)) {}

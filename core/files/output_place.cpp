@@ -60,6 +60,8 @@ fs::path nearestWith(const char* file, const fs::path& place) {
 
 Result<void> checkOutputPlace(const fs::path& target, std::string_view filled) {
   if (target.empty()) return {};
+  if (!filled.empty())
+    if (Result<void> own = checkNoLinkInProject(target); !own) return own;
   const fs::path place = resolved(target);
   if (const fs::path bag = nearestWith("bagit.txt", place); !bag.empty())
     return Error::unusable("This location belongs to the archive or export '" + bag.string() +
@@ -99,12 +101,21 @@ Result<void> checkOutputFile(const fs::path& file, const std::vector<std::string
   return {};
 }
 
+Result<void> checkNoLinkInProject(const fs::path& place) {
+  std::error_code failed;
+  fs::path named = fs::absolute(place, failed).lexically_normal();
+  if (!named.has_filename()) named = named.parent_path();
+  const fs::path project = nearestWith("catalogue.sqlite", named.parent_path());
+  if (project.empty()) return {};
+  std::vector<std::string> folders;  // PROJECT/results/B0001: results/B0001, and results
+  for (fs::path at = named.lexically_relative(project); !at.empty(); at = at.parent_path())
+    folders.push_back(at.string());
+  const std::vector<std::string_view> names(folders.begin(), folders.end());
+  return checkNoLinkedFolder(project, names, LinkedFolders::OfTheseNames);
+}
+
 Result<void> checkNoLinkedFolder(const fs::path& folder, std::span<const std::string_view> names,
                                  LinkedFolders which) {
-  const auto leadsAway = [](const fs::directory_entry& entry) {
-    std::error_code failed;
-    return entry.is_symlink(failed) && entry.is_directory(failed);
-  };
   const auto refused = [](const fs::path& link) {
     return Error::unusable(
         "A link has taken the place of a folder that Ostraka writes to and empties; what it leads "
@@ -114,13 +125,14 @@ Result<void> checkNoLinkedFolder(const fs::path& folder, std::span<const std::st
   for (const std::string_view name : names) {
     std::error_code failed;
     const fs::directory_entry own(folder / name, failed);
-    if (leadsAway(own)) return refused(own.path());
+    // Also one that leads to nothing yet: what is written there makes what it names.
+    if (own.is_symlink(failed)) return refused(own.path());
     if (which == LinkedFolders::OfTheseNames) continue;
     // Links are not entered.
     if (!own.is_directory(failed)) continue;
     for (fs::recursive_directory_iterator at(own.path(), failed), end; !failed && at != end;
          at.increment(failed))
-      if (leadsAway(*at)) return refused(at->path());
+      if (at->is_symlink(failed) && at->is_directory(failed)) return refused(at->path());
     if (failed)
       return Error::unusable(
           "This folder cannot be read (" + failed.message() + "); nothing was read.",

@@ -153,7 +153,7 @@ std::string leftSentence(const catalogue::Catalogue& rows, const std::string& nu
 Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
                                   std::stop_token stop) {
   if (const Result<void> space = hasSpace(options.project); !space) return space.error();
-  Result<upkeep::Project> project = upkeep::Project::open(options.project);
+  Result<upkeep::Project> project = upkeep::Project::open(options.project, {}, {stop, &progress});
   if (!project) return project.error();
   catalogue::Catalogue& rows = project->catalogue();
   const Result<records::BatchRecord> record = catalogue::Batches(rows).byNumber(options.number);

@@ -60,6 +60,7 @@ class Entering {
       : catalogue_(catalogue), batch_(batch), provenance_{{}, "process", provenance.why} {}
 
   EnteredResults enter(const ReadResults& read, const fs::path& out, BatchItself then) {
+    const int before = sherdRows();
     scans(read.scans, read.edits);
     store::valueOrThrow(followDecisions(
         catalogue_, store::valueOrThrow(catalogue::Batches(catalogue_).get(batch_)).number, out));
@@ -76,6 +77,7 @@ class Entering {
       store::valueOrThrow(catalogue::Files(catalogue_).save(record, provenance_));
       ++entered_.files;
     }
+    entered_.new_sherds = sherdRows() - before;
     countOpen();
     entered_.decided_meanwhile = review::wantsComputing(out);
     if (then == BatchItself::Settled) settle(read);
@@ -83,6 +85,15 @@ class Entering {
   }
 
  private:
+  // Void ones, too: a pair that is computed anew is taken back first, and finds its sherd again.
+  int sherdRows() const {
+    int rows = 0;
+    store::Statement count =
+        catalogue_.database().sql("SELECT count(*) FROM sherd WHERE batch = ?");
+    if (count.with(batch_).next()) count >> rows;
+    return rows;
+  }
+
   void settle(const ReadResults& read) {
     records::BatchRecord batch = store::valueOrThrow(catalogue::Batches(catalogue_).get(batch_));
     const bool open = entered_.open > 0 || entered_.decided_meanwhile;
@@ -162,14 +173,11 @@ class Entering {
         back.replaces = old.row;
         store::valueOrThrow(sherds::PairDecisions(catalogue_).add(back, provenance_));
       }
-    const std::size_t before = store::valueOrThrow(sherds::Sherds(catalogue_).rows(batch_)).size();
     for (const records::PairDecision& d : said)
       if (!isIn(standing, d)) {
         store::valueOrThrow(sherds::PairDecisions(catalogue_).add(d, provenance_));
         ++entered_.decisions;
       }
-    const std::size_t after = store::valueOrThrow(sherds::Sherds(catalogue_).rows(batch_)).size();
-    entered_.new_sherds = after > before ? static_cast<int>(after - before) : 0;
     current_ = store::valueOrThrow(sherds::PairDecisions(catalogue_).current(batch_));
     for (const records::PairDecision& d : current_) entered_.kept_decisions += d.by ? 1 : 0;
   }
@@ -237,7 +245,7 @@ Result<EnteredResults> entered(catalogue::Catalogue& catalogue, const fs::path& 
   if (!record) return record.error();
   if (const Result<void> own = checkResultsAreOf(catalogue, project, *record, out, stop); !own)
     return own.error();
-  const Result<FolderLock> models = sherds::holdModels(project, record->number, stop);
+  const Result<FolderLock> models = sherds::holdModels(project, record->number, progress, stop);
   if (!models) return models.error();
   const Result<ReadResults> read = catalogue.database().asResult(
       [&] { return readResults(project, *record, out, progress, stop); });
@@ -312,7 +320,7 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
       // Without following links: what they lead to is not the project's.
       Photograph p;
       p.shot.path = relativeTo(project, shot.file);
-      OpenFile open = store::valueOrThrow(OpenFile::within(project, onDiskIn(project, shot.file)));
+      OpenFile open = store::valueOrThrow(OpenFile::within(project, p.shot.path));
       const std::string bytes = store::valueOrThrow(open.readAll());
       p.shot.batch = batch;
       p.shot.side = shot.side;

@@ -20,15 +20,12 @@ namespace ostraka::intake {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-std::string onDiskIn(const fs::path& project, const fs::path& file) {
-  return fs::absolute(file)
-      .lexically_normal()
-      .lexically_relative(fs::absolute(project).lexically_normal())
-      .generic_string();
-}
-
 std::string relativeTo(const fs::path& project, const fs::path& file) {
-  const Result<std::string> path = store::checkedPath(onDiskIn(project, file));
+  const Result<std::string> path =
+      store::checkedPath(fs::absolute(file)
+                             .lexically_normal()
+                             .lexically_relative(fs::absolute(project).lexically_normal())
+                             .generic_string());
   if (!path) store::refuse("This file is outside the project's folder.", file.string());
   return *path;
 }
@@ -70,6 +67,7 @@ class Reading {
     try {
       // Two scans and three files of the model a pair, and the reports: about that many files.
       total_ = 5 * static_cast<std::int64_t>(pairs.at("pairs").size()) + 3;
+      note(out_, report);
       pairsOf(pairs);
       scansOf("front");
       scansOf("back");
@@ -148,6 +146,7 @@ class Reading {
 
   void scansOf(const std::string& side) {
     for (const fs::path& path : scanFiles(side)) {
+      noteStageOf(path);
       file(path, "scan", {}, {});
       records::ScanRecord scan;
       scan.batch = batch_;
@@ -203,6 +202,20 @@ class Reading {
     results_.sherds.push_back(std::move(sherd));
   }
 
+  // What made the files of a folder noted of them.
+  void note(const fs::path& folder, const json& made) {
+    for (const auto& [name, hash] : made.value("files", json::object()).items())
+      noted_[folder / name] = hash.get<std::string>();
+  }
+
+  void noteStageOf(const fs::path& file) {
+    const fs::path stage = file.parent_path() / "stage.json";
+    std::error_code none;
+    if (noted_.contains(file) || !fs::exists(stage, none)) return;
+    opened(stage);
+    note(file.parent_path(), store::valueOrThrow(readJson(stage)));
+  }
+
   // As the stage that made the model noted them: what was cut, emptied or exchanged since is not
   // what was made.
   sherds::ModelHashes modelHashes(const std::string& number) {
@@ -230,6 +243,10 @@ class Reading {
       OpenFile file = store::valueOrThrow(opened_->read(inside));
       if (file.bytes() > 0) return file;
     }
+    refuseIncomplete(path);
+  }
+
+  [[noreturn]] static void refuseIncomplete(const fs::path& path) {
     throw store::Refused(Error::unusable(
         "These results of 'ostraka process' are incomplete; run it again.", path.string()));
   }
@@ -239,6 +256,8 @@ class Reading {
     stopIfAsked();
     OpenFile open = opened(path);
     const Checksum sum = store::valueOrThrow(checksumOf(open, stop_));
+    const auto noted = noted_.find(path);
+    if (noted != noted_.end() && noted->second != sum.sha256) refuseIncomplete(path);
     ReadFile read;
     read.record.path = relativeTo(project_, path);
     read.record.sha256 = sum.sha256;
@@ -266,6 +285,7 @@ class Reading {
   std::stop_token stop_;
   std::optional<OpenFolder> opened_;  ///< the project
   ReadResults results_;
+  std::map<fs::path, std::string> noted_;           ///< SHA-256, by what made the file
   std::map<std::string, std::string> photographs_;  ///< of each side, where they are known
   std::int64_t total_ = 1;
 };

@@ -36,15 +36,13 @@ struct ReadResults {
 
 /// What a whole OUT of `ostraka process` holds for the catalogue. Everything is read and hashed
 /// before the transaction begins, which must be short; models are kept (keepModel) if they are as
-/// the stages that made them noted. A file that is missing, empty or a link enters nothing. Throws
-/// Refused.
+/// the stages that made them noted, and so must be scans and reports. A file that is missing, empty
+/// or a link enters nothing. Throws Refused.
 ReadResults readResults(const std::filesystem::path& project, const records::BatchRecord& batch,
                         const std::filesystem::path& out, Progress& progress, std::stop_token stop);
 
 /// Relative to the project with '/', as records hold it; throws Refused outside it.
 std::string relativeTo(const std::filesystem::path& project, const std::filesystem::path& file);
-/// Likewise as the disk spells it: letters with accents may be composed otherwise.
-std::string onDiskIn(const std::filesystem::path& project, const std::filesystem::path& file);
 std::string mediaTypeOf(const std::filesystem::path& file);
 
 }  // namespace ostraka::intake

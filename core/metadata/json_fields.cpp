@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "files/json.h"
 #include "store/names.h"
 #include "store/values.h"
 
@@ -11,25 +12,30 @@ namespace {
 
 using nlohmann::ordered_json;
 
-bool isText(std::string text) {
-  std::erase(text, '\0');  // which JSON can write
-  return store::isUtf8(text);
+using TextCheck = Result<std::string> (*)(std::string_view);
+
+Result<std::string> writtenText(std::string_view text) {
+  std::string held(text);
+  std::erase(held, '\0');  // which JSON can write
+  if (store::isUtf8(held)) return held;
+  return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");
 }
 
-// The first value that JSON cannot hold; at: where it stands.
-Result<void> checkHeld(const ordered_json& value, const std::string& at) {
-  if (value.is_string() && !isText(value.get<std::string>()))
-    return Error::unusable("The text is not valid UTF-8 or contains a zero byte.", at);
-  if (value.is_number_float() && !std::isfinite(value.get<double>()))
-    return Error::unusable("'" + store::numberText(value.get<double>()) +
+// The first value that must not be there; at: where it stands.
+template <class Json>
+Result<void> checkHeld(const Json& value, const std::string& at, TextCheck check) {
+  if (value.is_string())
+    if (const auto good = check(value.template get_ref<const std::string&>()); !good)
+      return Error::unusable(good.error().what, at);
+  if (value.is_number_float() && !std::isfinite(value.template get<double>()))
+    return Error::unusable("'" + store::numberText(value.template get<double>()) +
                                "' is not a number; write 12.5 or 12,5, without a unit.",
                            at);
   if (!value.is_structured()) return {};
   for (const auto& [key, inner] : value.items()) {
     const std::string inside = at + "/" + key;
-    if (!isText(key))
-      return Error::unusable("The text is not valid UTF-8 or contains a zero byte.", inside);
-    if (Result<void> held = checkHeld(inner, inside); !held) return held;
+    if (const auto good = check(key); !good) return Error::unusable(good.error().what, inside);
+    if (Result<void> held = checkHeld(inner, inside, check); !held) return held;
   }
   return {};
 }
@@ -37,8 +43,16 @@ Result<void> checkHeld(const ordered_json& value, const std::string& at) {
 }  // namespace
 
 Result<std::string> jsonText(const ordered_json& value, const std::string& where, int indent) {
-  if (const Result<void> held = checkHeld(value, where); !held) return held.error();
+  if (const Result<void> held = checkHeld(value, where, writtenText); !held) return held.error();
   return value.dump(indent);
+}
+
+Result<nlohmann::json> parseFields(std::string_view text, const std::string& where) {
+  Result<nlohmann::json> value = parseJson(text, where);
+  if (!value) return value;
+  if (const Result<void> held = checkHeld(*value, where, store::checkedText); !held)
+    return held.error();
+  return value;
 }
 
 }  // namespace ostraka::metadata

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "base/result.h"
 
@@ -24,5 +25,10 @@ inline void put(nlohmann::ordered_json& object, const char* key, nlohmann::order
 /// metadata/places.json/sites/0/name.
 Result<std::string> jsonText(const nlohmann::ordered_json& value, const std::string& where,
                              int indent = 1);
+
+/// What a file of an export says. Each of its texts must be one that this program could have
+/// written (store::checkedText): some enter the catalogue as they are. Error: UnusableInput, which
+/// says which value, as that of jsonText.
+Result<nlohmann::json> parseFields(std::string_view text, const std::string& where);
 
 }  // namespace ostraka::metadata

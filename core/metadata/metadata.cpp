@@ -350,7 +350,7 @@ Result<json> jsonOf(const archive::BagReader& bag, const std::string& path) {
   const archive::BagFile* file = bag.find(path);
   if (!file) return Error::unusable("This file is not part of the export.", path);
   const Result<std::string> text = bag.read(*file, std::size_t{64} << 20);
-  return text ? parseJson(*text, path) : text.error();
+  return text ? parseFields(*text, path) : text.error();
 }
 
 }  // namespace

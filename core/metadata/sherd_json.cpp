@@ -180,7 +180,7 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
 }
 
 Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& where) {
-  const Result<json> value = parseJson(text, where);
+  const Result<json> value = parseFields(text, where);
   if (!value) return value.error();
   const auto bad = [&](const std::string& what) { return Error::unusable(what, where); };
   if (!value->is_object() || value->value("format", json()) != "ostraka-sherd/1")

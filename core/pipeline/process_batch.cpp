@@ -259,12 +259,17 @@ Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
   return {};
 }
 
-// What stands on top of OUT; report.json comes last, so that where it is all else is too.
+// What stands on top of OUT; report.json comes last, so that where it is all else is too, and notes
+// what the others hold.
 Result<void> writeReports(const fs::path& output, const Pairs& pairs, const ReportInput& report) {
   if (Result<void> r = writeJson(output / "pairs.json", pairs.json); !r) return r;
-  if (Result<void> r = writeFileAtomically(output / "report.html", reportHtml(report)); !r)
-    return r;
-  return writeJson(output / "report.json", reportJson(report));
+  const std::string html = reportHtml(report);
+  if (Result<void> r = writeFileAtomically(output / "report.html", html); !r) return r;
+  const Result<std::string> table = readFile(output / "pairs.json");
+  if (!table) return table.error();
+  ordered_json json = reportJson(report);
+  json["files"] = {{"pairs.json", sha256(*table)}, {"report.html", sha256(html)}};
+  return writeJson(output / "report.json", json);
 }
 
 // Expected parts of the whole job's time.

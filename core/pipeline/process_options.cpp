@@ -11,6 +11,7 @@ Result<void> ProcessOptions::check() const {
   if (batch.empty()) return Error::unusable("No batch folder was given.");
   if (output.empty()) return Error::unusable("No output folder was given (--output OUT).");
   if (Result<void> good = checkOutputPlace(output, "results"); !good) return good;
+  if (Result<void> good = checkNoLinkInProject(batch); !good) return good;
   std::error_code failed;
   for (const fs::path& input : {batch, back.value_or(batch)}) {
     const fs::path folder = fs::weakly_canonical(input, failed);

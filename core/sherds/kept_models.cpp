@@ -66,7 +66,7 @@ Result<std::string> nameOf(const fs::path& folder, ModelHashes& hashes) {
 
 }  // namespace
 
-Result<FolderLock> holdModels(const fs::path& project, const std::string& batch,
+Result<FolderLock> holdModels(const fs::path& project, const std::string& batch, Progress& progress,
                               const std::stop_token& stop) {
   if (!store::isFolderName(batch))
     return Error::unusable(
@@ -76,7 +76,10 @@ Result<FolderLock> holdModels(const fs::path& project, const std::string& batch,
   if (const Result<void> own = checkNoLinkedFolder(project, names, LinkedFolders::OfTheseNames);
       !own)
     return own.error();
-  return FolderLock::waitFor(project / folderOf(batch), stop);
+  return FolderLock::waitFor(
+      project / folderOf(batch),
+      "Another program is entering results of this batch; this one waits until it has ended.",
+      progress, stop);
 }
 
 Result<std::string> keepModel(const fs::path& project, const std::string& batch,

@@ -19,7 +19,7 @@ namespace ostraka::sherds {
 /// holds the batch's models from before keepModel on until the rows are there. Waits for another
 /// who does so. Errors: Cancelled, CannotWrite.
 Result<FolderLock> holdModels(const std::filesystem::path& project, const std::string& batch,
-                              const std::stop_token& stop);
+                              Progress& progress, const std::stop_token& stop);
 
 using ModelHashes = std::map<std::string, std::string>;  ///< SHA-256 by file name
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
 
 #include "catalogue/history.h"
 #include "catalogue/places.h"
@@ -153,10 +154,10 @@ class Examination {
 
   void terms(const std::string& vocabulary, std::string& value) {
     std::vector<std::string> canonical;
+    std::unordered_set<std::string> said;
     for (const std::string& typed : store::splitTerms(value)) {
       std::string known = term(vocabulary, typed);
-      if (std::find(canonical.begin(), canonical.end(), known) == canonical.end())
-        canonical.push_back(std::move(known));
+      if (said.insert(known).second) canonical.push_back(std::move(known));
     }
     value = store::joinTerms(canonical);
   }

@@ -122,16 +122,21 @@ void Statement::bind(int index, std::nullptr_t) {
 
 // SQLite wakes nobody who waits for the right to write, and its own pauses grow to 100 ms: longer
 // than a person should wait for a decision to be saved, and than many short writers leave room.
-static int lookAgain(void*, int times) {
+static int lookAgain(void* of, int times) {
   constexpr auto kPause = std::chrono::milliseconds(2);
-  constexpr int kTimes = 5000;
-  if (times >= kTimes) return 0;
+  constexpr int kTimes = 5000, kTimesUnsaid = 250;
+  const Waiting& waiting = *static_cast<const Waiting*>(of);
+  if (times >= kTimes || waiting.stop.stop_requested()) return 0;
+  if (times == kTimesUnsaid && waiting.progress != nullptr)
+    waiting.progress->note(NoteLevel::Warning,
+                           "Another program is repairing or using the catalogue; this one waits "
+                           "until it has ended.");
   std::this_thread::sleep_for(kPause);
   return 1;
 }
 
-Database::Database(fs::path file, Mode mode)
-    : file_(std::move(file)), read_only_(mode == Mode::ReadOnly) {}
+Database::Database(fs::path file, Mode mode, Waiting waiting)
+    : file_(std::move(file)), read_only_(mode == Mode::ReadOnly), waiting_(std::move(waiting)) {}
 
 Database::~Database() {
   prepared_.clear();
@@ -155,7 +160,7 @@ Result<void> Database::connect(const std::string& name, int flags) {
   sqlite3_close(std::exchange(handle_, nullptr));
   if (sqlite3_open_v2(name.c_str(), &handle_, flags | SQLITE_OPEN_EXRESCODE, checkedPagesVfs()) ==
       SQLITE_OK) {
-    sqlite3_busy_handler(handle_, lookAgain, nullptr);
+    sqlite3_busy_handler(handle_, lookAgain, &waiting_);
     return {};
   }
   return Error::unusable(
@@ -198,10 +203,10 @@ Result<void> Database::connectToCopy() {
   return asResult([&] { exec("PRAGMA query_only = ON"); });
 }
 
-Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode) {
+Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode, Waiting waiting) {
   if (mode != Mode::Create)
     if (const Result<void> good = checkHeader(file); !good) return good.error();
-  std::unique_ptr<Database> database(new Database(file, mode));
+  std::unique_ptr<Database> database(new Database(file, mode, std::move(waiting)));
   Result<void> opened;
   if (mode != Mode::ReadOnly)
     opened = database->connect(
@@ -219,17 +224,27 @@ Result<std::unique_ptr<Database>> Database::open(const fs::path& file, Mode mode
     database->exec("PRAGMA recursive_triggers = ON");
     database->exec("PRAGMA cache_size = -64000");
     database->exec("PRAGMA temp_store = MEMORY");
-    if (mode != Mode::ReadOnly) {
-      database->exec("PRAGMA journal_mode = WAL");
-      // After a power cut the newest decision must still be there.
-      database->exec("PRAGMA synchronous = FULL");
-    }
+    // After a power cut the newest decision must still be there.
+    if (mode != Mode::ReadOnly) database->exec("PRAGMA synchronous = FULL");
   });
   if (!prepared) return prepared.error();
-  // Asked for now that this connection keeps a repair from beginning.
-  if (std::error_code none; fs::exists(fs::symlink_status(repairedBeside(file), none)))
-    return damagedCatalogue("its repair was interrupted", file);
+  if (Result<void> good =
+          mode == Mode::Create ? database->writeAhead() : database->notUnderRepair();
+      !good)
+    return good.error();
   return database;
+}
+
+Result<void> Database::writeAhead() {
+  const Result<void> set = asResult([&] { exec("PRAGMA journal_mode = WAL"); });
+  return set ? notUnderRepair() : set;
+}
+
+// Asked for once this connection keeps a repair from beginning: with a WAL, as long as it lives.
+Result<void> Database::notUnderRepair() const {
+  if (std::error_code none; fs::exists(fs::symlink_status(repairedBeside(file_), none)))
+    return damagedCatalogue("its repair was interrupted", file_);
+  return {};
 }
 
 void Database::exec(const char* text) const {
@@ -334,6 +349,8 @@ static Error errorAt(const SqlFailure& failure, const fs::path& file) {
 }
 
 Error Database::errorOf(const SqlFailure& failure) const {
+  if ((failure.code & 0xFF) == SQLITE_BUSY && waiting_.stop.stop_requested())
+    return Error::cancelled();
   return errorAt(failure, file_);
 }
 

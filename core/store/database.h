@@ -5,10 +5,12 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
+#include "base/progress.h"
 #include "base/result.h"
 #include "files/scratch_folder.h"
 #include "store/statement.h"
@@ -17,13 +19,24 @@ struct sqlite3;
 
 namespace ostraka::store {
 
-/// One connection. Foreign keys are on, the journal is a WAL, others are waited for 10 s. Pages are
-/// checked as they are read (page_checksums.h).
+/// While others are waited for: whoever asks for a stop ends the wait (Cancelled), and after half a
+/// second one note says for whom. What it names must live as long as the connection.
+struct Waiting {
+  std::stop_token stop;
+  Progress* progress = nullptr;
+};
+
+/// One connection. Foreign keys are on, others are waited for 10 s. Pages are checked as they are
+/// read (page_checksums.h).
 class Database {
  public:
   /// ReadOnly: also where nothing can be written, not even what SQLite needs beside the file.
   enum class Mode { Create, ReadWrite, ReadOnly };
-  static Result<std::unique_ptr<Database>> open(const std::filesystem::path& file, Mode mode);
+  static Result<std::unique_ptr<Database>> open(const std::filesystem::path& file, Mode mode,
+                                                Waiting waiting = {});
+  /// Makes the journal a WAL, which writes into the file: not before it is known as ours. Errors:
+  /// Damaged while a repair is to be ended.
+  Result<void> writeAhead();
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -92,7 +105,8 @@ class Database {
       }
     });
   }
-  Database(std::filesystem::path file, Mode mode);
+  Database(std::filesystem::path file, Mode mode, Waiting waiting);
+  Result<void> notUnderRepair() const;
   Result<void> connect(const std::string& name, int flags);
   Result<void> connectWhereNothingCanBeWritten();
   Result<void> connectToCopy();
@@ -103,6 +117,7 @@ class Database {
   sqlite3* handle_ = nullptr;
   std::filesystem::path file_;
   bool read_only_;
+  Waiting waiting_;
   std::optional<ScratchFolder> scratch_;  ///< of a copy that this connection alone reads
   std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;
   int depth_ = 0;

@@ -2,8 +2,10 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,6 +27,10 @@ using Connection = std::unique_ptr<sqlite3, Closing>;
 // What the schema calls it, and its SQL in the form of plainSql; empty for SQLite's own indexes.
 using Part = std::pair<std::string, std::string>;  // "trigger history_stays", its table
 using Schema = std::map<Part, std::string>;
+struct OurSchema {
+  Schema parts;
+  std::set<std::string> shadows;  ///< tables of the full text, worded by the SQLite that made them
+};
 
 // Without comments and with single blanks, but for what stands in quotes: a comment that is worded
 // anew in an old migration makes no other table of it.
@@ -82,8 +88,17 @@ int readSchema(sqlite3* database, Schema& schema) {
   });
 }
 
+// Columns and a primary key: no expression, of which each has its parentheses, and no module.
+bool isPlainTable(std::string_view sql) {
+  std::ptrdiff_t open = std::count(sql.begin(), sql.end(), '(');
+  for (const std::string_view key : {"PRIMARY KEY(", "PRIMARY KEY ("})
+    for (std::size_t at = sql.find(key); at != std::string_view::npos; at = sql.find(key, at + 1))
+      --open;
+  return sql.starts_with("CREATE TABLE ") && open == 1;
+}
+
 // As the migrations make it in an empty catalogue.
-Result<Schema> ourSchema(int version) {
+Result<OurSchema> ourSchema(int version) {
   sqlite3* opened = nullptr;
   int code =
       sqlite3_open_v2(":memory:", &opened, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
@@ -91,9 +106,12 @@ Result<Schema> ourSchema(int version) {
   for (const Migration& step : migrations())
     if (code == SQLITE_OK && step.number <= version)
       code = sqlite3_exec(opened, std::string(step.sql).c_str(), nullptr, nullptr, nullptr);
-  Schema schema;
-  if (code == SQLITE_OK) code = readSchema(opened, schema);
-  if (code == SQLITE_OK) return schema;
+  OurSchema ours;
+  if (code == SQLITE_OK) code = readSchema(opened, ours.parts);
+  if (code == SQLITE_OK)
+    code = eachRow(opened, "SELECT name FROM pragma_table_list WHERE type = 'shadow'",
+                   [&](sqlite3_stmt* row) { ours.shadows.insert(columnText(row, 0)); });
+  if (code == SQLITE_OK) return ours;
   return Error{
       ErrorCode::Failed,
       std::string("The catalogue rejects this operation (") + sqlite3_errmsg(opened) + ").",
@@ -140,15 +158,17 @@ Result<Found> foreignSchema(const fs::path& file) {
 Result<void> compared(const Found& found, const fs::path& file) {
   if (found.version > migrations().back().number) return {};
   if (found.version < 1) return notOurs(file.string());
-  static const Result<Schema> kNewest = ourSchema(migrations().back().number);
-  const Result<Schema> ours =
+  static const Result<OurSchema> kNewest = ourSchema(migrations().back().number);
+  const Result<OurSchema> ours =
       found.version == migrations().back().number ? kNewest : ourSchema(found.version);
   if (!ours) return ours.error();
   for (const auto& [part, sql] : found.schema) {
-    const auto same = ours->find(part);
-    if (same == ours->end() || same->second != sql) return notOurs(part.first);
+    const auto same = ours->parts.find(part);
+    if (same == ours->parts.end()) return notOurs(part.first);
+    if (ours->shadows.contains(part.second) ? !isPlainTable(sql) : same->second != sql)
+      return notOurs(part.first);
   }
-  for (const auto& [part, sql] : *ours)
+  for (const auto& [part, sql] : ours->parts)
     if (!found.schema.contains(part)) return notOurs(part.first);
   return {};
 }

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
 
 #include "base/limits.h"
 #include "files/contained_path.h"
@@ -185,11 +186,11 @@ std::string numberText(double value) {
 
 std::vector<std::string> splitTerms(std::string_view text) {
   std::vector<std::string> terms;
+  std::unordered_set<std::string> known;
   while (true) {
     const std::size_t at = text.find(';');
     std::string term = trimmed(text.substr(0, at));
-    if (!term.empty() && std::find(terms.begin(), terms.end(), term) == terms.end())
-      terms.push_back(std::move(term));
+    if (!term.empty() && known.insert(term).second) terms.push_back(std::move(term));
     if (at == std::string_view::npos) return terms;
     text.remove_prefix(at + 1);
   }
@@ -260,7 +261,7 @@ Result<std::string> checkedBatchNumber(std::string_view number) {
 Result<std::string> checkedPath(std::string_view typed) {
   if (!isUtf8(typed))
     return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");
-  const Result<ContainedPath> path = ContainedPath::parse(composed(typed));
+  const Result<ContainedPath> path = ContainedPath::parse(typed);
   if (!path) return path.error();
   return path->text();
 }

@@ -36,7 +36,7 @@ Result<std::string> checkedNumber(std::string_view number);
 /// devices, and after a B at most kBatchDigits digits. What is read must only be a folder's name.
 constexpr std::size_t kBatchDigits = 9;
 Result<std::string> checkedBatchNumber(std::string_view number);
-/// A ContainedPath in UTF-8, composed (NFC).
+/// A ContainedPath in UTF-8: the name on the disk byte for byte, composed or not.
 Result<std::string> checkedPath(std::string_view path);
 
 }  // namespace ostraka::store

@@ -7,6 +7,7 @@
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
 #include "store/file_header.h"
+#include "store/names.h"
 #include "store/values.h"
 #include "upkeep/file_check_log.h"
 
@@ -146,10 +147,11 @@ Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue, const fs:
     if (done >= most_bytes) break;
     progress.report(done, most_bytes);
     done += std::max<std::int64_t>(file.bytes, 1);
+    const std::string stamp = FileCheckLog::stampOf(folder / file.path);
     const Result<std::optional<Damage>> damage = lookAt(file, *opened, CheckDepth::Hashes, stop);
     if (!damage) return damage.error();
     ++result.checked;
-    log.note(file, catalogue.now(), *damage);
+    log.note(file, catalogue.now(), *damage, stamp);
     if (*damage) result.damaged.push_back({file, **damage});
   }
   return result;
@@ -164,6 +166,15 @@ Result<void> checkPaths(const catalogue::Catalogue& catalogue) {
       std::string path;
       rows >> path;
       if (!path.empty()) store::valueOrThrow(store::checkedPath(path));
+    }
+    store::Statement batches = catalogue.database().sql("SELECT number FROM batch");
+    while (batches.next()) {
+      std::string number;
+      batches >> number;
+      if (!store::isFolderName(number))
+        store::refuse(
+            "The number of a batch is also the name of its folder; use letters and digits.",
+            number);
     }
   });
 }

@@ -56,8 +56,8 @@ Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue,
                                 const std::filesystem::path& folder, std::int64_t most_bytes,
                                 Progress& progress, std::stop_token stop);
 
-/// That every path in the catalogue stays within the project: a catalogue from elsewhere may say
-/// anything.
+/// That every path in the catalogue stays within the project, and so do the folders that are made,
+/// emptied and removed by the numbers of batches: a catalogue from elsewhere may say anything.
 Result<void> checkPaths(const catalogue::Catalogue& catalogue);
 
 }  // namespace ostraka::upkeep

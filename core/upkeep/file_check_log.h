@@ -29,7 +29,7 @@ class FileCheckLog {
   /// Null: never, or the catalogue holds another hash by now.
   const Seen* seen(const KnownFile& file) const;
   void note(const KnownFile& file, std::int64_t at_ms, std::optional<Damage> damage,
-            const std::string& stamp = {});
+            const std::string& stamp);
   /// When the check of all files began that did not end; 0: none is under way.
   std::int64_t begun_ms() const { return begun_ms_; }
   void begin(std::int64_t at_ms);

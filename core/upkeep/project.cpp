@@ -13,7 +13,6 @@
 #include "store/database.h"
 #include "store/file_header.h"
 #include "store/migrations.h"
-#include "store/names.h"
 #include "store/network_share.h"
 #include "store/partial_file.h"
 #include "store/schema_check.h"
@@ -52,24 +51,9 @@ Result<void> checkFolder(const fs::path& folder) {
   return {};
 }
 
-// Folders are made, emptied and removed by the numbers of batches: in a project from elsewhere one
-// may lead out of it.
-Result<void> checkBatchFolders(const catalogue::Catalogue& catalogue) {
-  return catalogue.database().asResult([&] {
-    store::Statement rows = catalogue.database().sql("SELECT number FROM batch");
-    while (rows.next()) {
-      std::string number;
-      rows >> number;
-      if (!store::isFolderName(number))
-        store::refuse(
-            "The number of a batch is also the name of its folder; use letters and digits.",
-            number);
-    }
-  });
-}
-
 Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
-                                           const catalogue::Catalogue::Clock& clock) {
+                                           const catalogue::Catalogue::Clock& clock,
+                                           const store::Waiting& waiting) {
   using Mode = store::Database::Mode;
   const fs::path file = folder / kFile;
   std::error_code code;
@@ -81,10 +65,12 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
     return own.error();
   const bool writable = mayBeWritten(folder) && mayBeWritten(file);
   Result<std::unique_ptr<store::Database>> database =
-      store::Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly);
+      store::Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly, waiting);
   if (!database) return database.error();
   // Anybody may have written it: what it says is read before any of it is run.
   if (const Result<void> ours = store::checkSchema(**database); !ours) return ours.error();
+  if (writable)
+    if (const Result<void> ready = (*database)->writeAhead(); !ready) return ready.error();
   catalogue::Catalogue catalogue(std::move(*database), orSystemClock(clock));
   if (!writable && catalogue.schemaVersion() < store::migrations().back().number)
     return refused(
@@ -101,7 +87,6 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
   const Result<records::ProjectRecord> record = catalogue::Settings(catalogue).project();
   if (!record) return record.error();
   if (record->id.empty()) return store::damagedCatalogue("it contains no project", file);
-  if (const Result<void> safe = checkBatchFolders(catalogue); !safe) return safe.error();
   return catalogue;
 }
 
@@ -167,9 +152,10 @@ Result<Project> Project::create(const fs::path& folder, const records::ProjectRe
   return undone(opened.error());
 }
 
-Result<Project> Project::open(const fs::path& folder, const catalogue::Catalogue::Clock& clock) {
+Result<Project> Project::open(const fs::path& folder, const catalogue::Catalogue::Clock& clock,
+                              const store::Waiting& waiting) {
   if (const Result<void> good = checkFolder(folder); !good) return good.error();
-  Result<catalogue::Catalogue> catalogue = openCatalogue(folder, clock);
+  Result<catalogue::Catalogue> catalogue = openCatalogue(folder, clock, waiting);
   if (!catalogue) return catalogue.error();
   // Once for all connections: those of other threads come later, and read it for each sherd.
   if (const Result<void> inside = checkPaths(*catalogue); !inside) return inside.error();
@@ -185,7 +171,7 @@ bool Project::isProject(const fs::path& folder) {
 }
 
 Result<catalogue::Catalogue> Project::connect(const fs::path& folder) {
-  return openCatalogue(folder, {});
+  return openCatalogue(folder, {}, {});
 }
 
 fs::path Project::batchFolder(const std::string& number) const {

@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "catalogue/catalogue.h"
 #include "records/records.h"
+#include "store/database.h"
 
 namespace ostraka::upkeep {
 
@@ -28,7 +29,8 @@ class Project {
   /// nothing can be written it is open for reading only (catalogue().readOnly()). Errors: Damaged,
   /// see catalogue/repair.h; UnusableInput where the catalogue names a place outside the project.
   static Result<Project> open(const std::filesystem::path& folder,
-                              const catalogue::Catalogue::Clock& clock = {});
+                              const catalogue::Catalogue::Clock& clock = {},
+                              const store::Waiting& waiting = {});
   static bool isProject(const std::filesystem::path& folder);
 
   const std::filesystem::path& folder() const { return folder_; }

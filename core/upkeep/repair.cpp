@@ -143,18 +143,20 @@ class Repair {
     return catalogue::Catalogue(std::move(*database), clock_);
   }
 
-  // A disk that takes nothing says nothing of the file.
+  // A disk that takes nothing says nothing of the file. What leads outside the project is no damage
+  // that a backup could mend: it is refused, as it is by opening.
   Result<bool> isWhole(const fs::path& file) const {
-    const Result<void> whole = checked(file);
-    if (!whole && whole.error().code == ErrorCode::CannotWrite) return whole.error();
-    return whole.has_value();
+    const Result<catalogue::Catalogue> catalogue = opened(file, store::Database::Mode::ReadWrite);
+    const Result<void> intact = catalogue ? isIntact(*catalogue) : catalogue.error();
+    if (!intact && intact.error().code == ErrorCode::CannotWrite) return intact.error();
+    if (!intact) return false;
+    if (const Result<void> inside = checkPaths(*catalogue); !inside) return inside.error();
+    return true;
   }
 
-  Result<void> checked(const fs::path& file) const {
-    const Result<catalogue::Catalogue> catalogue = opened(file, store::Database::Mode::ReadWrite);
-    if (!catalogue) return catalogue.error();
-    if (Result<void> ours = store::checkSchema(catalogue->database()); !ours) return ours;
-    return catalogue->checkIntegrity();
+  static Result<void> isIntact(const catalogue::Catalogue& catalogue) {
+    if (Result<void> ours = store::checkSchema(catalogue.database()); !ours) return ours;
+    return catalogue.checkIntegrity();
   }
 
   // The newest first; the first whole one is what rows are taken from.
@@ -202,7 +204,11 @@ class Repair {
       fs::resize_file(fresh.path(), 0);
       return source->database().asResult([&] { source->database().copyTo(fresh.path()); });
     }
-    return checked(fresh.path());
+    const Result<catalogue::Catalogue> made =
+        opened(fresh.path(), store::Database::Mode::ReadWrite);
+    if (!made) return made.error();
+    if (Result<void> intact = isIntact(*made); !intact) return intact;
+    return checkPaths(*made);
   }
 
   Result<void> bringUpToDate(const fs::path& file) const {
@@ -298,8 +304,8 @@ class Repair {
   Result<bool> endInterrupted() {
     if (fs::is_regular_file(fs::symlink_status(repaired_))) {
       const Result<bool> whole = isWhole(repaired_);
-      if (!whole) return whole;
-      if (const fs::path kept = keptCopy(); *whole && !kept.empty()) {
+      if (!whole && whole.error().code != ErrorCode::UnusableInput) return whole;
+      if (const fs::path kept = keptCopy(); whole && *whole && !kept.empty()) {
         report_.damaged = kept;
         report_.interrupted = true;
         if (Result<void> replaced = replaceDamaged(); !replaced) return replaced.error();

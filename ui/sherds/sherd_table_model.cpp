@@ -1,7 +1,6 @@
 #include "ui/sherds/sherd_table_model.h"
 
 #include <QFont>
-#include <QImageReader>
 
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
@@ -9,6 +8,7 @@
 #include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
+#include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -24,9 +24,7 @@ bool isNumber(const std::string& field) {
 
 // Scaled while it is read, in another thread.
 Result<QImage> readPicture(const QString& path) {
-  QImageReader reader(path);
-  reader.setScaledSize(reader.size().scaled(kPictureSize, kPictureSize, Qt::KeepAspectRatio));
-  QImage image = reader.read();
+  QImage image = readScaled(path, {kPictureSize, kPictureSize});
   if (image.isNull())
     return Error{ErrorCode::Missing, "The picture cannot be read.", path.toStdString()};
   return image;

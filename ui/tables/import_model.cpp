@@ -306,13 +306,17 @@ void ImportModel::enter() {
   task.provenance.source = "import";
   const auto work = [folder = session_->folder(), task](
                         Progress& progress, std::stop_token stop) -> Result<tables::ImportReport> {
-    Result<upkeep::Project> project = upkeep::Project::open(folder);
+    Result<upkeep::Project> project = upkeep::Project::open(folder, {}, {stop, &progress});
     if (!project) return project.error();
     return run(*project, task, progress, stop);
   };
   job_ = session_->jobs().start(makeJob(tr("Import"), work), this);
   connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
     fraction_ = progress.fraction;
+    emit changed();
+  });
+  connect(job_, &JobHandle::noted, this, [this](NoteLevel level, const QString& text) {
+    if (level == NoteLevel::Warning) problem_ = wordsOf(text.toStdString());
     emit changed();
   });
   whenDone<tables::ImportReport>(job_, this, [this](const auto& report) {

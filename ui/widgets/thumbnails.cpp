@@ -1,11 +1,15 @@
 #include "ui/widgets/thumbnails.h"
 
+#include <QBuffer>
 #include <QDateTime>
 #include <QFileInfo>
 #include <QImageReader>
+#include <functional>
 
 #include "batch/photograph.h"
 #include "batch/raw_image.h"
+#include "files/open_folder.h"
+#include "files/output_place.h"
 #include "ui/jobs/when_done.h"
 
 namespace ostraka::ui {
@@ -20,15 +24,33 @@ bool isCameras(const QString& file) {
          file.endsWith(QLatin1String(".heif"), Qt::CaseInsensitive);
 }
 
+// What a link in a project leads to is not the project's.
+bool mayBeShown(const QString& file) {
+  return checkNoLinkInProject(file.toStdString()).has_value();
+}
+
+QImage readByQt(const QString& file, const std::function<void(QImageReader&)>& prepare) {
+  Result<OpenFile> open = OpenFile::open(file.toStdString());
+  const Result<std::string> bytes = open ? open->readAll() : open.error();
+  if (!bytes) return {};
+  QByteArray content =
+      QByteArray::fromRawData(bytes->data(), static_cast<qsizetype>(bytes->size()));
+  QBuffer buffer(&content);
+  buffer.open(QIODevice::ReadOnly);
+  QImageReader reader(&buffer);
+  reader.setAutoTransform(false);
+  prepare(reader);
+  return reader.read();
+}
+
 }  // namespace
 
 QImage readWhole(const QString& file) {
-  if (!isCameras(file)) {
-    QImageReader reader(file);
-    reader.setAutoTransform(false);
-    reader.setAllocationLimit(0);  // a photograph of 60 megapixels is usual here
-    return reader.read();
-  }
+  if (!mayBeShown(file)) return {};
+  if (!isCameras(file))
+    return readByQt(file, [](QImageReader& reader) {
+      reader.setAllocationLimit(0);  // a photograph of 60 megapixels is usual here
+    });
   const Result<cv::Mat> picture = batch::readPhotograph(file.toStdString());
   if (!picture) return {};
   return QImage(picture->data, picture->cols, picture->rows, static_cast<qsizetype>(picture->step),
@@ -37,17 +59,12 @@ QImage readWhole(const QString& file) {
 }
 
 QImage readScaled(const QString& file, const QSize& size) {
-  QImage image;
-  if (isCameras(file)) {
-    image = readWhole(file);
-  } else {
-    QImageReader reader(file);
-    reader.setAutoTransform(false);
+  if (!mayBeShown(file)) return {};
+  QImage image = isCameras(file) ? readWhole(file) : readByQt(file, [&size](QImageReader& reader) {
     const QSize whole = reader.size();
     if (whole.isValid() && (whole.width() > size.width() || whole.height() > size.height()))
       reader.setScaledSize(whole.scaled(size, Qt::KeepAspectRatio));
-    image = reader.read();
-  }
+  });
   if (!image.isNull() && (image.width() > size.width() || image.height() > size.height()))
     image = image.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
   return image;

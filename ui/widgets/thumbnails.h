@@ -32,7 +32,7 @@ class Thumbnails final : public QObject {
 
 /// The picture of a file as stored: an EXIF orientation is not applied, since outlines, masks and
 /// poses are of the pixels as they stand in the file. HEIC and RAW too; null where it cannot be
-/// read; for jobs.
+/// read, and for a link in a project; for jobs.
 QImage readWhole(const QString& file);
 
 /// The picture of a file scaled down into `size`, read as cheaply as its format allows; for jobs.

@@ -9,6 +9,8 @@ Sentences CoreSentences::ofCatalogue() {
       QT_TR_NOOP("The context %1 needs its site; enter both."),
       QT_TR_NOOP("The disk is full; free some space, then try again. No data was lost."),
       QT_TR_NOOP("Another program is using the catalogue; close it, then try again."),
+      QT_TR_NOOP("Another program is repairing or using the catalogue; this one waits until it has "
+                 "ended."),
       QT_TR_NOOP("'%1' is not a kind of context; use layer, cut, fill, structure, surface or "
                  "unstratified."),
       QT_TR_NOOP("A plate holds 1 to 60 sherds; 0 means not counted."),
@@ -41,6 +43,8 @@ Sentences CoreSentences::ofCatalogue() {
       QT_TR_NOOP(
           "This is a draft from reduced photographs; reprocess the batch for final measurements."),
       QT_TR_NOOP("These results of 'ostraka process' are incomplete; run it again."),
+      QT_TR_NOOP(
+          "Another program is entering results of this batch; this one waits until it has ended."),
       QT_TR_NOOP(
           "The pair table names the scan %1, which is missing; run 'ostraka process' again."),
       QT_TR_NOOP("The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, "

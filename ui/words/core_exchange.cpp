@@ -16,6 +16,8 @@ Sentences CoreSentences::ofExchange() {
       QT_TR_NOOP("A folder with this name already exists; choose another name."),
       QT_TR_NOOP("A name in an export must not contain '%'."),
       QT_TR_NOOP("Two files of the export would have the same name."),
+      QT_TR_NOOP("Another import into this project is running; this one waits until it has ended."),
+      QT_TR_NOOP("Files that were missing from the project and came back: %1."),
       QT_TR_NOOP("A folder with this name was created in the meantime; choose another name."),
       QT_TR_NOOP("Not an Ostraka export: this folder has no bagit.txt."),
       QT_TR_NOOP("This file is not in the manifest; nothing was read."),

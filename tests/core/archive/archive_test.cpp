@@ -72,6 +72,7 @@ TEST_F(Archive, OnAnEmptyLaptopIsTheSameProject) {
 
 TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
   put(project_->folder() / ".ostraka.lock", "4711");
+  put(project_->folder() / "lock", "");
   put(project_->folder() / "notes.txt", "mine");
   ASSERT_TRUE(
       upkeep::checkFiles(catalogue(), project_->folder(), upkeep::CheckDepth::Hashes, quiet, {}));
@@ -79,6 +80,7 @@ TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
   ASSERT_TRUE(restore());
   EXPECT_TRUE(fs::exists(at("laptop/notes.txt")));
   EXPECT_FALSE(fs::exists(at("laptop/.ostraka.lock")));
+  EXPECT_FALSE(fs::exists(at("laptop/lock")));
   EXPECT_FALSE(fs::exists(at("laptop/file-checks.txt")));
 }
 

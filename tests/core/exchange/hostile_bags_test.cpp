@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include "archive/archive.h"
+#include "base/limits.h"
 #include "catalogue/batches.h"
 #include "catalogue/history.h"
 #include "exchange/read_back.h"
@@ -302,6 +303,13 @@ std::vector<Attack> attacksByRecords() {
                    batches["batches"][0]["files"][0]["at"] = "../../../etc/hostname";
                    bag.put("data/metadata/batches.json", batches.dump());
                  }});
+  for (const std::string& note :
+       {std::string(limits::kValueBytes.most + 1, 'x'), std::string("a\0b", 3)})
+    all.push_back({"a note of " + std::to_string(note.size()) + " bytes", [=](MendedBag& bag) {
+                     nlohmann::json batches = bag.json("data/metadata/batches.json");
+                     batches["batches"][0]["note"] = note;
+                     bag.put("data/metadata/batches.json", batches.dump());
+                   }});
   all.push_back({"two files for one place", [](MendedBag& bag) {
                    nlohmann::json batches = bag.json("data/metadata/batches.json");
                    nlohmann::json& files = batches["batches"][0]["files"];

@@ -5,7 +5,9 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
@@ -18,12 +20,15 @@ namespace {
 
 namespace fs = std::filesystem;
 using catalogue::valueIn;
+using testing::Contains, testing::Each, testing::ElementsAre, testing::EndsWith, testing::HasSubstr,
+    testing::Not;
 
 class OnReport final : public Progress {
  public:
   explicit OnReport(std::function<void()> called) : called_(std::move(called)) {}
   void report(std::int64_t, std::int64_t) override { called_(); }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, std::string_view text) override { notes.emplace_back(text); }
+  std::vector<std::string> notes;
 
  private:
   std::function<void()> called_;
@@ -56,11 +61,11 @@ TEST_F(ImportingTogether, TheSecondWaitsAndFindsWhatTheFirstEntered) {
   std::atomic<bool> ended = false;
   std::optional<Result<tables::ImportReport>> second;
   std::thread other;
+  OnReport waiting([] {});
   OnReport copying([&] {
     if (other.joinable() || !fs::exists(at("other/imported/out"))) return;
     other = std::thread([&] {
-      QuietProgress unheard;
-      second = importOnce(unheard);
+      second = importOnce(waiting);
       ended = true;
     });
     std::this_thread::sleep_for(std::chrono::milliseconds(500));  // longer than it takes alone
@@ -74,6 +79,8 @@ TEST_F(ImportingTogether, TheSecondWaitsAndFindsWhatTheFirstEntered) {
   EXPECT_EQ(first->fresh, 3);
   EXPECT_EQ((*second)->fresh, 0);
   EXPECT_EQ((*second)->same, 3);
+  EXPECT_THAT(waiting.notes, ElementsAre(HasSubstr("Another import")));
+  EXPECT_TRUE(copying.notes.empty());
   EXPECT_TRUE(damaged().empty());
 }
 
@@ -101,14 +108,18 @@ TEST_F(ImportingTogether, OneThatIsStoppedLeavesWhatTheCatalogueNamesMeanwhile) 
 }
 
 TEST_F(ImportingTogether, AnotherImportPutsBackWhatTheProjectHasLost) {
-  ASSERT_TRUE(importOnce(quiet));
+  const Result<tables::ImportReport> first = importOnce(quiet);
+  ASSERT_TRUE(first) << first.error().sentence();
+  EXPECT_THAT(first->warnings, Each(Not(HasSubstr("came back"))));
   ASSERT_TRUE(damaged().empty());
   fs::remove_all(at("other/imported/out"));
   fs::remove(at("other/batches/B0001/front/cam0_pos00.jpg"));
-  ASSERT_FALSE(damaged().empty());
+  const std::size_t missing = damaged().size();
+  ASSERT_GT(missing, 1u);
   const Result<tables::ImportReport> again = importOnce(quiet);
   ASSERT_TRUE(again) << again.error().sentence();
   EXPECT_EQ(again->same, 3);
+  EXPECT_THAT(again->warnings, Contains(EndsWith("came back: " + std::to_string(missing) + ".")));
   EXPECT_TRUE(damaged().empty());
 }
 
@@ -122,13 +133,14 @@ TEST_F(ImportingTogether, TakesNothingForLostThatLiesBehindALink) {
   EXPECT_EQ(again->same, 3);
 }
 
-TEST_F(ImportingTogether, AnExportMayHaveTheNameOfTheLock) {
+TEST_F(ImportingTogether, AnExportMayBeNamedAsTheLock) {
   fs::rename(at("out"), at("lock"));
   upkeep::Project into = valueIn(upkeep::Project::open(at("other")));
   const Result<tables::ImportReport> imported =
       readBack(into, at("lock"), tables::ImportMode::Enter, {}, quiet, {});
   ASSERT_TRUE(imported) << imported.error().sentence();
   EXPECT_EQ(imported->fresh, 3);
+  EXPECT_TRUE(fs::is_directory(at("other/imported/lock")));
   EXPECT_TRUE(damaged().empty());
 }
 

@@ -6,10 +6,18 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace ostraka {
 namespace {
+
+struct Notes final : Progress {
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel, std::string_view text) override { all.emplace_back(text); }
+  std::vector<std::string> all;
+};
 
 struct FolderLocks : testing::Test {
   std::filesystem::path folder =
@@ -34,19 +42,28 @@ TEST_F(FolderLocks, WhoWaitsGetsItWhenTheHolderEndsOrIsStopped) {
     std::this_thread::sleep_for(std::chrono::milliseconds(80));
     stop.request_stop();
   });
-  const Result<FolderLock> stopped = FolderLock::waitFor(folder, stop.get_token());
+  Notes notes;
+  const Result<FolderLock> stopped =
+      FolderLock::waitFor(folder, "For Anna.", notes, stop.get_token());
   person.join();
   ASSERT_FALSE(stopped.has_value());
   EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(notes.all, std::vector<std::string>{"For Anna."}) << "once, however long";
   std::thread holder([&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(80));
     first.reset();
   });
-  const Result<FolderLock> next = FolderLock::waitFor(folder, {});
+  const Result<FolderLock> next = FolderLock::waitFor(folder, "For Anna.", notes, {});
   holder.join();
   ASSERT_TRUE(next.has_value());
   EXPECT_TRUE(next->stands());
   EXPECT_FALSE(FolderLock::take(folder).has_value());
+}
+
+TEST_F(FolderLocks, WhoNeedsNotWaitSaysNothing) {
+  Notes notes;
+  ASSERT_TRUE(FolderLock::waitFor(folder, "For Anna.", notes, {}).has_value());
+  EXPECT_TRUE(notes.all.empty());
 }
 
 TEST_F(FolderLocks, ALinkInThePlaceOfTheLockIsRefusedAndNotFollowed) {

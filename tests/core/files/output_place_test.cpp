@@ -116,6 +116,28 @@ TEST_F(OutputPlaces, OfWhatFillsAProjectAreItsOwnFoldersAlone) {
   allowed(beside / "out", "results");
 }
 
+TEST_F(OutputPlaces, OfWhatFillsAProjectAreNoLinks) {
+  const fs::path link = project / "results" / "B0001";
+  fs::create_directories(project / "results" / "B0002");
+  for (const fs::path& target : {beside, project / "results" / "B0002", beside / "not yet"}) {
+    fs::create_symlink(target, link);
+    for (const fs::path& place : {link, link / ""}) {
+      const Result<void> out = checkOutputPlace(place, "results");
+      ASSERT_FALSE(out) << target;
+      EXPECT_EQ(out.error().where, link.string());
+    }
+    fs::remove(link);
+  }
+  EXPECT_TRUE(checkNoLinkInProject(link)) << "nothing is there yet";
+  fs::remove_all(project / "batches");
+  fs::create_directory_symlink(beside, project / "batches");
+  const Result<void> batch = checkNoLinkInProject(project / "batches" / "B0001");
+  ASSERT_FALSE(batch);
+  EXPECT_EQ(batch.error().where, (project / "batches").string());
+  fs::create_directory_symlink(beside, root / "linked");
+  EXPECT_TRUE(checkNoLinkInProject(root / "linked" / "out")) << "in no project";
+}
+
 TEST_F(OutputPlaces, FoldersThatAreEmptiedAreNoLinks) {
   constexpr std::string_view kNames[] = {"work", "sherds", "not/there"};
   const fs::path out = root / "out", thesis = beside / "thesis.txt";

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "files/files.h"
+#include "files/json.h"
 #include "store/database.h"
 #include "tests/core/intake/entering.h"
 
@@ -42,6 +45,31 @@ TEST_F(DamagedResults, AreNotEnteredWhereAFileIsCutEmptiedMissingOrALink) {
   EXPECT_EQ(refusal().where, results / "sherds/03/model.glb") << "cut";
   EXPECT_TRUE(sherds().empty()) << "nothing is entered by halves";
   out.write();
+  EXPECT_EQ(enter().models, 3);
+}
+
+// As `process` notes them: of scans in the record of their stage, of the others in report.json.
+TEST_F(DamagedResults, AreNotEnteredWhereAScanOrAReportHasAnotherBit) {
+  const fs::path results = project_->resultsFolder("B0001");
+  const auto hashOf = [&](const std::string& name) { return sha256(*readFile(results / name)); };
+  nlohmann::ordered_json report = *readJson(results / "report.json"), stage;
+  for (const char* name : {"pairs.json", "report.html"}) report["files"][name] = hashOf(name);
+  for (const char* name : {"f001.ply", "f002.ply", "f003.ply"})
+    stage["files"][name] = hashOf("work/scans_front/" + std::string(name));
+  ASSERT_TRUE(writeJson(results / "report.json", report));
+  ASSERT_TRUE(writeJson(results / "work/scans_front/stage.json", stage));
+  for (const char* name : {"pairs.json", "report.html", "work/scans_front/f002.ply"}) {
+    const std::string whole = *readFile(results / name);
+    std::string flipped = whole;
+    flipped[flipped.find_last_of("0123456789>")] ^= 1;
+    ASSERT_TRUE(writeFileAtomically(results / name, flipped));
+    const auto entered =
+        enterResults(catalogue(), project_->folder(), batch, results, {}, quiet, {});
+    ASSERT_FALSE(entered) << name;
+    EXPECT_EQ(entered.error().where, (results / name).string());
+    ASSERT_TRUE(writeFileAtomically(results / name, whole));
+  }
+  EXPECT_TRUE(sherds().empty());
   EXPECT_EQ(enter().models, 3);
 }
 

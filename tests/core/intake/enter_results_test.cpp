@@ -153,6 +153,17 @@ TEST_F(Entering, TwiceChangesNothing) {
   EXPECT_EQ(sherds().size(), 3u);
 }
 
+TEST_F(Entering, CountsNoSherdAsNewWhosePairWasComputedAnew) {
+  enter();
+  for (const bool ambiguous : {true, false}) {
+    for (auto& pair : out.pairs()) pair.ambiguous = ambiguous;
+    out.write();
+    const EnteredResults again = enter();
+    EXPECT_EQ(again.decisions, 3);
+    EXPECT_EQ(again.new_sherds, 0);
+  }
+}
+
 TEST_F(Entering, AScaleInDoubtMarksTheProgramsMeasuresUntilItIsSettled) {
   out.scale_doubts = {"The scale is wrong: 50.00 mm measure 49.51 mm."};
   out.write();

@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "files/files.h"
+#include "pipeline/process_batch.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -79,6 +81,25 @@ TEST_F(OutputFolder, WithALinkInPlaceOfAFolderIsRefused) {
     EXPECT_EQ(held.error().code, ErrorCode::UnusableInput) << name;
     EXPECT_EQ(held.error().where, link.string());
     EXPECT_TRUE(fs::is_empty(folder / "mine")) << name;
+  }
+}
+
+// What lies behind the link enters no catalogue, so that it is not computed either.
+TEST_F(OutputFolder, AndBatchOfAProjectAreNoLinks) {
+  const fs::path project = folder / "project", elsewhere = folder / "elsewhere";
+  ASSERT_TRUE(writeFileAtomically(project / "catalogue.sqlite", "x"));
+  for (const fs::path& place : {project / "batches", elsewhere}) fs::create_directories(place);
+  ProcessOptions options;
+  options.batch = project / "batches" / "B0001";
+  options.output = project / "results" / "B0001";
+  EXPECT_TRUE(options.check());
+  for (const fs::path& link : {options.batch, project / "results"}) {
+    fs::create_directory_symlink(elsewhere, link);
+    const Result<void> checked = options.check();
+    ASSERT_FALSE(checked) << link;
+    EXPECT_EQ(checked.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(checked.error().where, link.string());
+    fs::remove(link);
   }
 }
 

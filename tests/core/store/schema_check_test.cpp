@@ -44,6 +44,19 @@ TEST(SchemaCheck, ReadsOverCommentsAndBlanksButNotWithinQuotes) {
                         "added to'); END;")));
 }
 
+TEST(SchemaCheck, LeavesTheWordsOfTheFullTextsOwnTablesToSQLite) {
+  const catalogue::TemporaryFolder folder;
+  const auto worded = [&](const std::string& columns) {
+    return checkSchema(changed(folder, migrations().size(),
+                               "PRAGMA writable_schema = ON; UPDATE sqlite_schema SET sql = "
+                               "'CREATE TABLE ''sherd_text_docsize''(" +
+                                   columns + ")' WHERE name = 'sherd_text_docsize'"));
+  };
+  EXPECT_TRUE(worded("id INTEGER, sz BLOB, PRIMARY KEY (id)"));
+  EXPECT_FALSE(worded("id INTEGER PRIMARY KEY, sz BLOB CHECK (randomblob(sz) <> sz)"));
+  EXPECT_FALSE(worded("id INTEGER PRIMARY KEY, sz BLOB, more AS (randomblob(id))"));
+}
+
 TEST(SchemaCheck, RefusesWhatAStrangerMayHaveSQLiteRun) {
   const std::string endless = "(WITH RECURSIVE c(x) AS (SELECT 1 UNION ALL SELECT x + 1 FROM c) ";
   const std::vector<std::pair<std::string, std::string>> attacks = {

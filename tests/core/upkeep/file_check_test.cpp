@@ -242,6 +242,22 @@ TEST_F(FileCheck, OfAShareTakesTheLongestUncheckedInTurn) {
   EXPECT_EQ(share(1 << 20).checked, 4);
 }
 
+TEST_F(FileCheck, FindsAFileUnderTheVeryNameThatTheDiskHas) {
+  for (const char* name : {"\xC3\xA9", "e\xCC\x81"})  // composed and decomposed
+    enter("batches/B0001/front/" + std::string(name) + ".jpg", "photo", name);
+  EXPECT_EQ(check().files, 6);
+  EXPECT_THAT(sentences(check()), testing::IsEmpty());
+}
+
+TEST_F(FileCheck, GoesOnFromWhatAShareLookedAtMeanwhile) {
+  std::stop_source stop;
+  StoppingAt third(3, stop);
+  ASSERT_FALSE(
+      checkFiles(catalogue(), project_->folder(), CheckDepth::Hashes, third, stop.get_token()));
+  EXPECT_EQ(share(1 << 20).checked, 4);
+  EXPECT_EQ(check().checked, 0);
+}
+
 TEST_F(FileCheck, NeedsNoRightToWrite) {
   fs::create_directory(at("file-checks.txt"));  // where root may write everywhere
   flipBit("models/B0001/aa/model.ply");

@@ -1,9 +1,16 @@
 #include "upkeep/project.h"
 
+#include <fcntl.h>
+
+#include <chrono>
 #include <fstream>
+#include <stop_token>
+#include <thread>
 
 #include "catalogue/history.h"
 #include "catalogue/settings.h"
+#include "files/files.h"
+#include "files/open_folder.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/sherds.h"
@@ -43,6 +50,53 @@ TEST_F(ProjectFolder, OpensAgainWithWhatWasSaved) {
   EXPECT_EQ(catalogue::Settings(again->catalogue()).project()->title, "Trial");
   EXPECT_EQ(sherds::Sherds(again->catalogue()).get(sherd)->number, "ARM1-T3-0012-0001");
   EXPECT_FALSE(catalogue::Settings(again->catalogue()).project()->id.empty());
+}
+
+struct Notes final : Progress {
+  void report(std::int64_t, std::int64_t) override {}
+  void note(NoteLevel, std::string_view text) override { all.emplace_back(text); }
+  std::vector<std::string> all;
+};
+
+TEST_F(ProjectFolder, WaitsForARepairUntilAStopIsRequestedAndSaysForWhat) {
+  project_.reset();
+  const fs::path folder = folder_.path() / "project";
+  const FileDescriptor file(::open((folder / "catalogue.sqlite").c_str(), O_RDWR | O_CLOEXEC));
+  struct flock repair {};
+  repair.l_type = F_WRLCK;
+  repair.l_whence = SEEK_SET;
+  repair.l_start = 0x40000000;
+  repair.l_len = 512;
+  ASSERT_EQ(::fcntl(file.get(), F_OFD_SETLK, &repair), 0);
+  Notes notes;
+  std::stop_source stop;
+  std::thread person([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    stop.request_stop();
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<Project> stopped = Project::open(folder, {}, {stop.get_token(), &notes});
+  person.join();
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::Cancelled) << stopped.error().sentence();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  ASSERT_EQ(notes.all.size(), 1u);
+  EXPECT_NE(notes.all[0].find("repairing"), std::string::npos);
+  repair.l_type = F_UNLCK;
+  ASSERT_EQ(::fcntl(file.get(), F_OFD_SETLK, &repair), 0);
+  EXPECT_TRUE(Project::open(folder, {}, {{}, &notes}));
+  EXPECT_EQ(notes.all.size(), 1u);
+}
+
+TEST_F(ProjectFolder, ThatIsRefusedIsNotWrittenTo) {
+  catalogue().database().script("PRAGMA journal_mode = DELETE; CREATE TABLE mine (secret TEXT)");
+  project_.reset();
+  const fs::path folder = folder_.path() / "project";
+  const std::string before = *readFile(folder / "catalogue.sqlite");
+  const Result<Project> refused = Project::open(folder);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(*readFile(folder / "catalogue.sqlite"), before);
 }
 
 TEST_F(ProjectFolder, IsNotOpenedWhereABatchLeadsOutOfIt) {

@@ -66,6 +66,21 @@ TEST_F(Repairing, AWholeCatalogueIsLeftAsItIs) {
   EXPECT_EQ(catalogue::bytesOf(file()), before);
 }
 
+TEST_F(Repairing, WhatLeadsOutsideTheProjectIsRefusedAsByOpening) {
+  newBatch({bag4});
+  fill(2);
+  ASSERT_TRUE(project_->backUp());
+  catalogue().database().script("UPDATE sherd SET model_path = '../../elsewhere/model.ply'");
+  project_.reset();
+  const std::string before = catalogue::bytesOf(file());
+  const Result<Project> opened = Project::open(folder());
+  const Result<RepairReport> repaired = repairCatalogue(folder(), quiet_, {});
+  ASSERT_FALSE(opened);
+  ASSERT_FALSE(repaired);
+  EXPECT_EQ(repaired.error().sentence(), opened.error().sentence());
+  EXPECT_EQ(catalogue::bytesOf(file()), before);
+}
+
 TEST_F(Repairing, AFlippedBitIsTurnedBackWithoutAnyBackup) {
   fill(30);
   project_.reset();

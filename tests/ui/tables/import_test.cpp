@@ -9,12 +9,14 @@
 #include <QTableView>
 #include <QTableWidget>
 #include <QTest>
+#include <optional>
 
 #include "../named.h"
 #include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
 #include "exchange/export_folder.h"
+#include "files/folder_lock.h"
 #include "records/sherd.h"
 #include "sample_project.h"
 #include "sherds/sherd_changes.h"
@@ -335,8 +337,12 @@ class ImportTest : public QObject {
     model_->setSource(sample_->folder() + "/out");
     QTRY_COMPARE(summary(), QString("10 new, 0 updated, 0 unchanged, 0 rejected."));
     QVERIFY(model_->canEnter());
+    std::optional<Result<FolderLock>> another = FolderLock::take(other.session().folder());
     model_->enter();
+    QTRY_VERIFY(child<QLabel>("importProblem")->text().startsWith("Another import"));
+    another.reset();
     QTRY_COMPARE(model_->state(), ImportModel::State::Done);
+    QVERIFY(!child<QLabel>("importProblem")->text().contains("Another import"));
     QCOMPARE(child<QLabel>("count")->text(), QString("10 sherd(s)"));
     screen_->closeProject();
   }

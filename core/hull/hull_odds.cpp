@@ -8,7 +8,7 @@ namespace ostraka::hull {
 namespace {
 
 constexpr float kSlackVoxels = 1;  // a hull's outermost voxel says nothing
-// Enough to settle a doubt; at 4 the demo's models lose 0.009 mm (RESULTS.md).
+// Enough to settle a doubt; at 4 the demo's models lose 0.009 mm (docs/experiments.md).
 constexpr double kMostHullOdds = 2, kPriorSamples = 10;
 constexpr float kSureOdds = 3;
 

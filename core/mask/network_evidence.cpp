@@ -14,12 +14,13 @@ namespace ostraka::mask {
 namespace {
 
 // Labels and scale bars: the network takes no cell of them for sherd, heights find 50 % and more of
-// their cells in the plate. Sherds: 70 % and more, and below 20 % (tests/bench/RESULTS.md).
+// their cells in the plate. Sherds: 70 % and more, and below 20 % (docs/experiments.md).
 constexpr uchar kSherd = 128;
 constexpr double kUnseen = 0.1, kSeen = 0.5, kFlat = 0.3;
 
 // Shade: less than three quarters of the light of the bare plate. High: rather so by the heights.
-// +-50 % of these and the share: at most 0.004 of the 0.013 that batches/hand gains (RESULTS.md).
+// +-50 % of these and the share: at most 0.004 of the 0.013 that batches/hand gains
+// (docs/experiments.md).
 constexpr float kDark = -0.3F, kHigh = 1;
 constexpr double kSeldom = 0.005, kFewestDark = 1000;
 constexpr float kUnlimited = 1e3F;

@@ -32,7 +32,7 @@ constexpr float kMisplaced_px = 0.5F;  // poses: a few tenths; the mosaic's cell
 constexpr double kBareOdds = 6;  // log odds against a sherd where others see the same bare sheet
 constexpr double kInsideOverTable = 0.35;  // of the photographs that see a voxel
 constexpr double kCarvingShare = 0.15;     // of the photographs; some see a shadow as sherd
-constexpr double kStripVoxels = 3;         // +-50 % change the IoU by 0.0007 at most (RESULTS.md)
+constexpr double kStripVoxels = 3;         // +-50 %: IoU +-0.0007 (docs/experiments.md)
 constexpr double kStrange = 0.03;  // share of the bare plate: more than what poses and grain do
 
 class PlateMasker {

@@ -12,7 +12,7 @@ namespace ostraka::pipeline {
 namespace {
 
 // Peaks of whole runs with 8 or 9 sherds: 0.68 GB with photographs of 0.75 megapixels, 1.59 with
-// 1.9, 2.65 with 3.2, 4.03 with 5, these averaged down from 27 (tests/bench/RESULTS.md). All had 24
+// 1.9, 2.65 with 3.2, 4.03 with 5, these averaged down from 27 (docs/experiments.md). All had 24
 // photographs a side, and what is held is pictures, masks and depths of all photographs of a side.
 constexpr double kBase_mb = 80, kEachMegapixel_mb = 790.0 / 24;
 constexpr double kPixelsPerMegapixel = 1e6;

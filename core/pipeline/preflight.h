@@ -11,7 +11,7 @@ namespace ostraka::pipeline {
 /// What a run finds and will take, before its first stage.
 struct Preflight {
   double megapixels = 0;              ///< of a photograph as masks and stereo will see it
-  double memory_mb = 0;               ///< at the run's peak, about (tests/bench/RESULTS.md)
+  double memory_mb = 0;               ///< at the run's peak, about (docs/experiments.md)
   std::vector<std::string> lines;     ///< what there is, whole sentences
   std::vector<std::string> warnings;  ///< what is short, what follows and what to do
 };

@@ -20,7 +20,7 @@ constexpr double kCoarseMegapixels = 0.5;  // enough to tell a sherd of 5 mm hei
 // it is blurred, or too plain, and stereo finds heights there that are none.
 constexpr double kSoughtBelow = 0.2, kSoughtAbove = 2, kGroundThickness = 0.05;
 
-// Heights need no more: the masks of batches/hand stay as they are (tests/bench/RESULTS.md).
+// Heights need no more: the masks of batches/hand stay as they are (docs/experiments.md).
 constexpr int kSources = 5, kSourcesPerPixel = 3;
 
 constexpr std::size_t kMostViews = 12;  // of a printed sheet: they see all that is to be confirmed

@@ -21,7 +21,7 @@ namespace {
 
 // Right cameras cover 0.96 to 0.99 of the masks of demo, light and hand; photographs under each
 // other's cameras 0.015 at most there, and 0.10 of a ball whose masks are the same from all sides
-// (0.3 megapixels, tests/bench/RESULTS.md). In between nothing was seen.
+// (0.3 megapixels, docs/experiments.md). In between nothing was seen.
 constexpr double kLeastCoveredShare = 0.3;
 constexpr int kLevels = 3;  // down to about 1 mm per pixel, where a wall is still a few pixels
 

@@ -21,7 +21,7 @@ TEST(Preflight, SaysWhatThereIsAndWhatItWillTake) {
   const Result<Preflight> ahead = preflight(batchOf(2592, 1944), {}, 8000);
   ASSERT_TRUE(ahead.has_value()) << ahead.error().sentence();
   EXPECT_NEAR(ahead->megapixels, 5.0, 0.05);
-  // Measured: 4.03 GB with 5 megapixels, 1.59 with 1.92 (tests/bench/RESULTS.md); a tenth is near.
+  // Measured: 4.03 GB with 5 megapixels, 1.59 with 1.92 (docs/experiments.md); a tenth is near.
   EXPECT_NEAR(ahead->memory_mb, 4030, 400);
   EXPECT_NEAR(preflight(batchOf(1600, 1200), {}, 0)->memory_mb, 1590, 160);
   ASSERT_EQ(ahead->lines.size(), 3u);

@@ -204,7 +204,8 @@ class Reading {
 
   // What made the files of a folder noted of them.
   void note(const fs::path& folder, const json& made) {
-    for (const auto& [name, hash] : made.value("files", json::object()).items())
+    const json files = made.value("files", json::object());
+    for (const auto& [name, hash] : files.items())
       noted_[folder / name] = hash.get<std::string>();
   }
 

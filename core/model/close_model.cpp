@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -181,6 +182,17 @@ void countFilled(SherdModel& model) {
   model.filled_share = model.area_mm2 > 0 ? model.filled_mm2 / model.area_mm2 : 0;
 }
 
+// See ModelOptions::cell_mm. A node of the grid takes five bytes.
+double usualCell(const Surfels& surfels) {
+  constexpr double kMostNodes = 1e8;
+  Eigen::AlignedBox3f box;
+  for (const Vector3f& p : surfels.points) box.extend(p);
+  const Vector3f grid = box.sizes().array() + 2 * kMargin_mm;
+  const double cell =
+      std::clamp(0.75 * surfels.spacing_mm, std::min(0.28, surfels.spacing_mm), 0.45);
+  return std::max(cell, std::cbrt(static_cast<double>(grid.prod()) / kMostNodes));
+}
+
 Error noModel(std::string what) {
   return {ErrorCode::NotEnough, std::move(what), {}};
 }
@@ -209,8 +221,8 @@ Result<SherdModel> closeModel(const PointCloud& front, const PointCloud& back,
       mergedSurfels(front, back, front_from_back, options.point_spacing_mm, threads, stop);
   if (!surfels) return surfels.error();
   progress.report(1, kSteps);
-  const float cell = static_cast<float>(
-      options.cell_mm > 0 ? options.cell_mm : std::clamp(0.75 * surfels->spacing_mm, 0.28, 0.45));
+  const float cell =
+      static_cast<float>(options.cell_mm > 0 ? options.cell_mm : usualCell(*surfels));
   const Result<Grid> inside = trustedIndicator(*surfels, 2 * cell, threads, stop);
   if (!inside) return inside.error();
   progress.report(2, kSteps);

@@ -14,7 +14,6 @@ using Eigen::Vector3f;
 
 constexpr int kLevels = 4;           // 8 cells to 1
 constexpr int kRoundsPerLevel = 60;  // at most
-constexpr float kMargin_mm = 4;      // from the points to the border where chi is 0
 
 // Adds w times the eight corners' weights of a point given in cells.
 void splat(std::vector<float>& values, const Array3i& size, const Array3f& at, float w) {

@@ -8,6 +8,8 @@
 
 namespace ostraka::model {
 
+constexpr float kMargin_mm = 4;  ///< from the points to the border, where chi is 0
+
 /// Values at the nodes of a regular grid, x fastest.
 struct Grid {
   Eigen::Vector3f origin = Eigen::Vector3f::Zero();  ///< of node (0, 0, 0), mm

@@ -11,11 +11,12 @@ namespace ostraka::model {
 
 struct ModelOptions {
   /// Distance between the points that the surface is made from, mm; denser clouds are thinned to
-  /// it. 0 takes it from the scans, never below 0.28 (about one pixel of the rig: finer points
-  /// repeat each other's noise and cost time).
+  /// it. 0 takes that of the scans; where it is below 0.28, twice that, 0.28 at most: points of
+  /// stereo that are so near repeat each other's noise.
   double point_spacing_mm = 0;
-  /// Edge of the grid's cells, mm; 0 takes three quarters of the spacing, 0.28 to 0.45: finer than
-  /// the points brings no detail, coarser chamfers the broken edges.
+  /// Edge of the grid's cells, mm; 0 takes three quarters of the spacing, 0.28 to 0.45, or the
+  /// spacing itself where that is below: finer than the points brings no detail, coarser chamfers
+  /// the broken edges. Larger where the grid would take more than 500 MB.
   double cell_mm = 0;
   /// A vertex is seen when a scan point lies within this many spacings (never below 0.5 mm).
   double seen_spacings = 2.0;

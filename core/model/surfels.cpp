@@ -18,6 +18,7 @@ using Eigen::Vector3f;
 constexpr float kFitFloor_mm = 0.02f;
 constexpr float kLeastRadius_mm = 0.9f;   // about 4 pixels of the rig: the window of stereo
 constexpr float kLeastSpacings = 3.0f;    // some 18 neighbours on a flat
+constexpr float kWindowSpacings = 5.5f;   // stereo's window of finer pixels
 constexpr float kNearestSpacings = 2.4f;  // least radius of the smoothing: some 12 neighbours
 constexpr float kFewest = 3;  // neighbours, by weight, that a point needs to be believed
 constexpr std::size_t kFewestSurfels = 400;  // ten by twenty a side: fewer tell no thickness
@@ -296,7 +297,9 @@ Result<Surfels> mergedSurfels(const PointCloud& front, const PointCloud& back,
   append(raw, front, 0);
   append(raw, transformed(back, front_from_back), 1);
   const double given = std::max(medianSpacing(front), medianSpacing(back));
-  const float radius = std::max(kLeastRadius_mm, kLeastSpacings * static_cast<float>(given));
+  const float spacing = static_cast<float>(given);
+  const float radius =
+      std::max(kLeastSpacings * spacing, std::min(kLeastRadius_mm, kWindowSpacings * spacing));
   std::vector<Fit> fits;
   if (!estimateNoise(raw, radius, threads, stop, fits)) return Error::cancelled();
   std::vector<float> density;
@@ -306,7 +309,7 @@ Result<Surfels> mergedSurfels(const PointCloud& front, const PointCloud& back,
     if (!flies(fits[i], raw.points[i])) own.push_back(fits[i]);
 
   Surfels out;
-  out.spacing_mm = spacing_mm > 0 ? spacing_mm : std::max(0.28, given);
+  out.spacing_mm = spacing_mm > 0 ? spacing_mm : std::max(given, std::min(0.28, 2 * given));
   out.dropped = static_cast<int>(raw.points.size() - all.points.size());
   // A cube's edge of 1.2 spacings leaves about one point per square of one spacing.
   const std::vector<int> chosen =

@@ -25,7 +25,7 @@ struct Surfels {
   void keep(const std::vector<int>& indices);
 };
 
-/// Both scans in one frame, thinned to spacing_mm (0: as they are, but not below 0.28 mm), each
+/// Both scans in one frame, thinned to spacing_mm (0: ModelOptions says how), each
 /// point moved onto a robust local fit of all points around it that face the same way, weighted by
 /// each scan's own scatter there: a fat, noisy strip gives way to the other side's clean face, and
 /// a broken edge is not smoothed over. Points that nothing around them supports are dropped.

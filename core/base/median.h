@@ -20,4 +20,23 @@ T medianOf(std::vector<T>&& values) {
   return medianOf(values);
 }
 
+/// The value at this share of the sorted ones, the lower of two; as medianOf otherwise.
+template <class T>
+T rankedAt(std::vector<T> values, double share) {
+  if (values.empty()) return T{};
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// Linear between the two values around the rank, as numpy's quantile. At least one value.
+inline double quantileOf(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  const double rank = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
 }  // namespace ostraka

@@ -7,20 +7,11 @@
 
 #include "base/limits.h"
 #include "batch/image_header.h"
+#include "batch/photograph.h"
 #include "files/files.h"
 
 namespace ostraka::batch {
 namespace {
-
-// Empty when it cannot be.
-cv::Mat decoded(const std::string& bytes) {
-  try {
-    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-    return cv::imdecode(raw, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    return {};
-  }
-}
 
 // The planes that tell what is inside.
 cv::Mat withoutAlpha(const cv::Mat& labels) {
@@ -44,7 +35,7 @@ Result<cv::Mat1b> readLabelMask(const std::filesystem::path& file) {
   if (!bytes) return bytes.error();
   const Result<ImageSize> size = imageSize(*bytes, file.string());
   if (!size) return size.error();
-  const cv::Mat labels = decoded(*bytes);
+  const cv::Mat labels = decodedByOpenCv(*bytes, cv::IMREAD_UNCHANGED);
   if (labels.cols != size->width || labels.rows != size->height)
     return Error::unusable("The mask cannot be decoded; copy it again.", file.string());
   const bool jpeg = bytes->starts_with("\xFF\xD8");

@@ -14,16 +14,6 @@
 namespace ostraka::batch {
 namespace {
 
-// Empty where OpenCV cannot decode it.
-cv::Mat decodedByOpenCv(std::string_view bytes, int flags) {
-  try {
-    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-    return cv::imdecode(raw, flags | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception&) {
-    return {};
-  }
-}
-
 Result<cv::Mat> decoded(std::string_view bytes, const std::string& where, int flags) {
   // What a RAW file's own size is comes out only with its values, which takes as long again.
   if (hasRawEnding(where)) return decodeRaw(bytes, where);
@@ -44,6 +34,15 @@ Result<cv::Mat> readImage(const std::filesystem::path& file, int flags) {
 }
 
 }  // namespace
+
+cv::Mat decodedByOpenCv(std::string_view bytes, int flags) {
+  try {
+    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
+    return cv::imdecode(raw, flags | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception&) {
+    return {};
+  }
+}
 
 bool hasPhotographEnding(const std::filesystem::path& file) {
   const std::string ending = lowerCase(file.extension().string());

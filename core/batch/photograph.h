@@ -20,6 +20,9 @@ Result<cv::Mat> readPhotograph(const std::filesystem::path& file);
 /// The same from a file's bytes; `where` names them in errors.
 Result<cv::Mat> decodePhotograph(std::string_view bytes, const std::string& where);
 
+/// The image of a file's bytes, empty where OpenCV cannot decode it; flags: OpenCV's IMREAD_.
+cv::Mat decodedByOpenCv(std::string_view bytes, int flags);
+
 /// A mask or label image as 8-bit grey values, unscaled. Errors as above.
 Result<cv::Mat> readMask(const std::filesystem::path& file);
 

@@ -31,17 +31,12 @@ IntrinsicsBlock toBlock(const rig::Intrinsics& i) {
 }
 
 PoseBlock toBlock(const Eigen::Isometry3d& pose) {
-  const Eigen::AngleAxisd turn(pose.linear());
-  const Eigen::Vector3d w = turn.angle() * turn.axis(), t = pose.translation();
+  const Eigen::Vector3d w = rig::rotationVector(pose), t = pose.translation();
   return {w.x(), w.y(), w.z(), t.x(), t.y(), t.z()};
 }
 
 Eigen::Isometry3d toPose(const PoseBlock& block) {
-  const Eigen::Vector3d w(block[0], block[1], block[2]);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  if (w.norm() > 0) pose.linear() = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix();
-  pose.translation() = Eigen::Vector3d(block[3], block[4], block[5]);
-  return pose;
+  return rig::poseFrom(Eigen::Vector3d(block.data()), Eigen::Vector3d(block.data() + 3));
 }
 
 template <class T>

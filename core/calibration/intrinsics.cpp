@@ -102,12 +102,8 @@ IntrinsicsReport reportOf(const Solution& s, std::span<const TargetView* const> 
     report.files.push_back(views[v]->file);
     report.rms_per_view_px.push_back(s.rms_per_view.at<double>(static_cast<int>(v)));
     const cv::Vec3d turn(s.rotations[v].reshape(1, 3)), shift(s.translations[v].reshape(1, 3));
-    const Eigen::Vector3d w(turn[0], turn[1], turn[2]);
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    if (w.norm() > 0)
-      pose.linear() = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix();
-    pose.translation() = Eigen::Vector3d(shift[0], shift[1], shift[2]);
-    report.camera_from_target.push_back(pose);
+    report.camera_from_target.push_back(
+        rig::poseFrom(Eigen::Vector3d(turn.val), Eigen::Vector3d(shift.val)));
   }
   const auto& rms = report.rms_per_view_px;
   report.worst_view =

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
+#include "base/median.h"
 #include "capture/silhouettes.h"
 
 namespace ostraka::capture {
@@ -16,9 +18,7 @@ double extentOf(const std::vector<MapPiece>& pieces, const ClearanceOptions& opt
   for (const MapPiece& piece : pieces)
     if (!piece.cut_off) extents.push_back(piece.extent_mm);
   if (extents.empty()) return options.usual_extent_mm;
-  const auto middle = extents.begin() + static_cast<std::ptrdiff_t>((extents.size() - 1) / 2);
-  std::nth_element(extents.begin(), middle, extents.end());
-  return std::max(*middle, options.smallest_extent_mm);
+  return std::max(rankedAt(std::move(extents), 0.5), options.smallest_extent_mm);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "batch/photograph.h"
@@ -38,8 +39,7 @@ double stepAcross(const cv::Mat1b& soft, const std::array<Eigen::Vector2d, 4>& c
       steps.push_back(values[1] - values[0]);
     }
   }
-  std::nth_element(steps.begin(), steps.begin() + 6, steps.end());
-  return steps[6];
+  return medianOf(steps);
 }
 
 Result<Look> lookAt(const rig::PosedImage& image, const batch::Plate& plate,

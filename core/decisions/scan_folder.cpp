@@ -44,13 +44,6 @@ Result<std::vector<fs::path>> plyFiles(const fs::path& folder) {
   return files;
 }
 
-double quantile(std::vector<double> values, double share) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 // Points that are no measurement: several at 0, 0, 0, where some scanners put what they did not
 // see, and points far outside of all others. A few of them would decide where up is.
 std::vector<int> measuredPoints(const PointCloud& cloud) {
@@ -71,10 +64,10 @@ std::vector<int> measuredPoints(const PointCloud& cloud) {
   };
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t i = 0; i < kept.size(); ++i) values[i] = point(i)[axis];
-    centre[axis] = quantile(values, 0.5);
+    centre[axis] = rankedAt(values, 0.5);
   }
   for (std::size_t i = 0; i < kept.size(); ++i) values[i] = (point(i) - centre).norm();
-  const double far = kFar * quantile(values, 0.75);
+  const double far = kFar * rankedAt(values, 0.75);
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (values[i] <= far) near.push_back(kept[i]);
   const double lost = static_cast<double>(kept.size() - near.size());

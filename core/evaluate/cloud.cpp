@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "cloud/nearest.h"
 #include "evaluate/surface.h"
@@ -19,14 +20,6 @@ constexpr std::size_t kMostPoints = 200'000;
 constexpr float kOutlier_mm = 2.0f, kCovered_mm = 0.25f;
 constexpr double kCoverAbove_mm = 1.0;  // below it no camera sees the strip
 constexpr std::size_t kCloudBlock = 1024;
-
-double quantile(std::vector<double> values, double share) {
-  std::sort(values.begin(), values.end());
-  const double rank = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(rank);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
-}
 
 // At most `most` of n indices, drawn at random.
 std::vector<std::size_t> someOf(std::size_t n, std::size_t most, std::uint64_t seed) {
@@ -89,15 +82,15 @@ PartFigures figuresOf(const std::vector<Measured>& all,
   PartFigures part;
   part.points = distance.size();
   if (distance.empty()) return part;
-  part.bias_mm = quantile(distance, 0.5);
-  part.normal_deg = quantile(angle, 0.5);
+  part.bias_mm = quantileOf(distance, 0.5);
+  part.normal_deg = quantileOf(angle, 0.5);
   std::vector<double> deviation, size;
   for (const double x : distance) {
     deviation.push_back(std::abs(x - *part.bias_mm));
     size.push_back(std::abs(x));
   }
-  part.sd_mm = 1.4826 * quantile(deviation, 0.5);
-  part.within_90_mm = quantile(size, 0.9);
+  part.sd_mm = 1.4826 * quantileOf(deviation, 0.5);
+  part.within_90_mm = quantileOf(size, 0.9);
   return part;
 }
 

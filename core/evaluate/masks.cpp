@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "base/limits.h"
+#include "base/median.h"
 #include "files/files.h"
 
 namespace ostraka::evaluate {
@@ -108,14 +109,6 @@ cv::Mat decoded(const std::string& bytes) {
   }
 }
 
-template <class T>
-double quantile(std::vector<T> values, double share) {
-  if (values.empty()) return 0;
-  const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
-  return values[at];
-}
-
 }  // namespace
 
 Result<MaskImage> readMask(const std::filesystem::path& file) {
@@ -143,7 +136,7 @@ double MaskFigures::intersectionOverUnion() const {
 }
 
 double MaskFigures::edgeBias_px() const {
-  return quantile(edge_px, 0.5);
+  return rankedAt(edge_px, 0.5);
 }
 
 double MaskFigures::edgeMean_px() const {
@@ -153,7 +146,7 @@ double MaskFigures::edgeMean_px() const {
 }
 
 double MaskFigures::edgeWithin95_px() const {
-  return quantile(sizes(edge_px), 0.95);
+  return rankedAt(sizes(edge_px), 0.95);
 }
 
 Result<MaskFigures> evaluateMask(const MaskImage& found, const MaskImage& truth) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "base/median.h"
 #include "cloud/nearest.h"
 #include "evaluate/surface.h"
 
@@ -14,15 +15,6 @@ namespace ostraka::evaluate {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
-
-// Linear between the two values around the rank, as numpy's percentile.
-double percentile(std::vector<double> values, double percent) {
-  std::sort(values.begin(), values.end());
-  const double rank = percent / 100 * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(rank);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (rank - static_cast<double>(below)) * (values[above] - values[below]);
-}
 
 Points samplesOf(const TriangleMesh& mesh, double spacing_mm, std::uint64_t seed) {
   if (!mesh.triangles.empty()) return areaSamples(mesh, spacing_mm, seed).points;
@@ -74,7 +66,7 @@ Eigen::Isometry3d alignByIcp(Points points, const Surface& truth, int threads) {
     Points placed;
     for (const Eigen::Vector3d& p : points) placed.push_back(truth_from_model * p);
     const std::vector<SurfacePoint> found = truth.closest(placed, threads);
-    const double limit = percentile(distances(found), 95);
+    const double limit = quantileOf(distances(found), 0.95);
     Points from, to;
     double squared = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -233,8 +225,8 @@ Result<ModelFigures> compareModel(const TriangleMesh& model, const TriangleMesh&
   figures.mean_mm = sum / n;
   figures.rms_mm = std::sqrt(squared / n);
   figures.sd_mm = std::sqrt(std::max(0.0, squared / n - figures.mean_mm * figures.mean_mm));
-  figures.accuracy_mm = percentile(d, 90);
-  figures.truth_to_model_p90_mm = percentile(g, 90);
+  figures.accuracy_mm = quantileOf(d, 0.9);
+  figures.truth_to_model_p90_mm = quantileOf(g, 0.9);
   const auto near = std::count_if(g.begin(), g.end(),
                                   [&](double x) { return x <= options.completeness_within_mm; });
   figures.completeness_percent = 100 * static_cast<double>(near) / static_cast<double>(g.size());

@@ -31,17 +31,17 @@ double toUsualSize(std::span<const scan::Scan> scans) {
   return median > 0 ? kUsualRadius / median : 1;
 }
 
-std::vector<scan::Scan> allScaled(std::span<const scan::Scan> scans, double factor) {
-  std::vector<scan::Scan> out;
-  for (const scan::Scan& scan : scans) out.push_back(scaled(scan, factor));
-  return out;
-}
-
 }  // namespace
 
 scan::Scan scaled(const scan::Scan& scan, double factor) {
   scan::Scan out = scan;
   for (Eigen::Vector3f& p : out.cloud.points) p *= static_cast<float>(factor);
+  return out;
+}
+
+std::vector<scan::Scan> scaled(std::span<const scan::Scan> scans, double factor) {
+  std::vector<scan::Scan> out;
+  for (const scan::Scan& scan : scans) out.push_back(scaled(scan, factor));
   return out;
 }
 
@@ -55,7 +55,7 @@ Result<double> commonScale(std::span<const scan::Scan> fronts, std::span<const s
   free.scale = Scale::Free;
   free.method = Method::Default;
   const Result<std::vector<PairCandidate>> candidates = findCandidates(
-      allScaled(fronts, front_factor), allScaled(backs, back_factor), free, progress, stop);
+      scaled(fronts, front_factor), scaled(backs, back_factor), free, progress, stop);
   if (!candidates) return candidates.error();
   std::vector<Evidence> evidence;
   for (const PairCandidate& candidate : *candidates) {

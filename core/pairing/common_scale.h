@@ -1,6 +1,7 @@
 #pragma once
 #include <span>
 #include <stop_token>
+#include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
@@ -19,5 +20,6 @@ Result<double> commonScale(std::span<const scan::Scan> fronts, std::span<const s
 
 /// The scan with all lengths multiplied.
 scan::Scan scaled(const scan::Scan& scan, double factor);
+std::vector<scan::Scan> scaled(std::span<const scan::Scan> scans, double factor);
 
 }  // namespace ostraka::pairing

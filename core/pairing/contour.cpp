@@ -15,15 +15,6 @@ double perimeter(std::span<const Eigen::Vector2d> p) {
   return sum;
 }
 
-double area(std::span<const Eigen::Vector2d> p) {
-  double twice = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Eigen::Vector2d& q = p[(i + 1) % p.size()];
-    twice += p[i].x() * q.y() - p[i].y() * q.x();
-  }
-  return twice / 2;
-}
-
 /// A frame whose z is the axis; x is the coordinate axis least along it, so that it is stable.
 Eigen::Isometry3d planeFromScan(const Eigen::Vector3d& axis, const Eigen::Vector3d& centre) {
   Eigen::Index least = 0;
@@ -105,6 +96,15 @@ std::vector<double> heightsAt(const std::vector<Eigen::Vector2d>& line,
 
 }  // namespace
 
+double signedArea(std::span<const Eigen::Vector2d> closed) {
+  double twice = 0;
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    const Eigen::Vector2d &p = closed[i], &q = closed[(i + 1) % closed.size()];
+    twice += p.x() * q.y() - p.y() * q.x();
+  }
+  return twice / 2;
+}
+
 std::vector<Eigen::Vector2d> resampled(std::span<const Eigen::Vector2d> closed, int n) {
   const std::size_t count = closed.size();
   const double step = perimeter(closed) / n;
@@ -164,7 +164,7 @@ Result<Contour> traceContour(const PointCloud& cloud, const Eigen::Vector3d& axi
   }
   contour.points = std::move(line);
   contour.perimeter_mm = perimeter(contour.points);
-  contour.area_mm2 = area(contour.points);
+  contour.area_mm2 = signedArea(contour.points);
   if (contour.area_mm2 <= 0) {
     return Error{ErrorCode::NotEnough, "The scan's outline is not closed.", {}};
   }

@@ -33,6 +33,9 @@ struct Contour {
 Result<Contour> traceContour(const PointCloud& cloud, const Eigen::Vector3d& axis,
                              const ContourOptions& options);
 
+/// The area within a closed line; negative when it runs clockwise.
+double signedArea(std::span<const Eigen::Vector2d> closed);
+
 /// n points at equal steps of arc length of a closed line. n >= 3.
 std::vector<Eigen::Vector2d> resampled(std::span<const Eigen::Vector2d> closed, int n);
 

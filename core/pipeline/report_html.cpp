@@ -178,15 +178,7 @@ std::string anglePlot(const std::vector<double>& front, const std::vector<double
 std::string descriptors(const Line& front, Line back) {
   constexpr int kSamples = 200;
   if (front.empty() || back.empty()) return {};
-  const auto area = [](const Line& line) {
-    double twice = 0;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      const Eigen::Vector2d &a = line[i], &b = line[(i + 1) % line.size()];
-      twice += a.x() * b.y() - a.y() * b.x();
-    }
-    return twice;
-  };
-  if (area(back) < 0) std::reverse(back.begin(), back.end());
+  if (pairing::signedArea(back) < 0) std::reverse(back.begin(), back.end());
   const auto a = pairing::turningAngles(front, kSamples),
              b = pairing::turningAngles(back, kSamples);
   if (!a || !b) return {};

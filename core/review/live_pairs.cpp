@@ -95,21 +95,12 @@ Line flat(const std::vector<Eigen::Vector3d>& line, const Isometry3d& frame_from
   return out;
 }
 
-double area(const Line& line) {
-  double twice = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const Eigen::Vector2d &a = line[i], &b = line[(i + 1) % line.size()];
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice / 2;
-}
-
 // Turns of both outlines as they lie, the back's from the point nearest to the front's first.
 void addTurns(PairView& view) {
   if (view.front_outline.size() < 8 || view.back_outline.size() < 8) return;
   Line front = view.front_outline, back = view.back_outline;
   for (Line* line : {&front, &back})
-    if (area(*line) < 0) std::reverse(line->begin(), line->end());
+    if (pairing::signedArea(*line) < 0) std::reverse(line->begin(), line->end());
   const auto nearest =
       std::min_element(back.begin(), back.end(), [&](const auto& a, const auto& b) {
         return (a - front[0]).squaredNorm() < (b - front[0]).squaredNorm();

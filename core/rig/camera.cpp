@@ -67,6 +67,18 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
 
 }  // namespace
 
+Eigen::Vector3d rotationVector(const Eigen::Isometry3d& pose) {
+  const Eigen::AngleAxisd turn(pose.linear());
+  return turn.angle() * turn.axis();
+}
+
+Eigen::Isometry3d poseFrom(const Eigen::Vector3d& w, const Eigen::Vector3d& shift) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  if (w.norm() > 0) pose.linear() = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix();
+  pose.translation() = shift;
+  return pose;
+}
+
 Intrinsics reduced(const Intrinsics& camera, int width, int height) {
   const double x = static_cast<double>(width) / camera.width,
                y = static_cast<double>(height) / camera.height;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "rig/camera.h"
+
 namespace ostraka::rig {
 namespace {
 
@@ -79,17 +81,8 @@ struct LensCost {
 };
 
 Pose toPose(const Eigen::Isometry3d& pose) {
-  const Eigen::AngleAxisd turn(pose.linear());
-  const Eigen::Vector3d w = turn.angle() * turn.axis(), t = pose.translation();
+  const Eigen::Vector3d w = rotationVector(pose), t = pose.translation();
   return {w.x(), w.y(), w.z(), t.x(), t.y(), t.z()};
-}
-
-Eigen::Isometry3d fromPose(const Pose& block) {
-  const Eigen::Vector3d w(block[0], block[1], block[2]);
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  if (w.norm() > 0) pose.linear() = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix();
-  pose.translation() = Eigen::Vector3d(block[3], block[4], block[5]);
-  return pose;
 }
 
 MarkerCost costOf(const SheetView& view, const SeenMarker& seen, double side_mm) {
@@ -152,7 +145,8 @@ SheetFit fitSheet(SheetBundle& sheet) {
   std::map<int, std::pair<double, std::size_t>> by_marker;
   for (std::size_t i = 0; i < sheet.views.size(); ++i) {
     SheetView& view = sheet.views[i];
-    view.camera_from_sheet = fromPose(poses[i]);
+    view.camera_from_sheet =
+        poseFrom(Eigen::Vector3d(poses[i].data()), Eigen::Vector3d(poses[i].data() + 3));
     for (const SeenMarker& seen : view.markers) {
       const auto at = sheet.markers.find(seen.id);
       if (at == sheet.markers.end()) continue;

@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
 #include "rig/marker_dictionary.h"
@@ -275,9 +276,7 @@ std::optional<std::pair<SheetBundle, SheetFit>> fitted(const std::vector<SheetVi
   if (!best) return {};
   std::vector<double> errors;
   for (const auto& [id, rms] : best->second.marker_rms_px) errors.push_back(rms);
-  std::nth_element(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2),
-                   errors.end());
-  const double usual = errors[errors.size() / 2];
+  const double usual = medianOf(errors);
   for (const auto& [id, rms] : best->second.marker_rms_px)
     if (rms > kElsewhere * usual) {
       left_out.push_back(id);

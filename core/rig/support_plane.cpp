@@ -65,13 +65,8 @@ Eigen::Hyperplane<double, 3> refined(const std::vector<Eigen::Vector3d>& points,
 }
 
 // From the 2nd to the 98th of a hundred: beyond them few points were seen.
-std::pair<double, double> spanOf(std::vector<double> values) {
-  const auto at = [&](double share) {
-    const auto k = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + k, values.end());
-    return values[static_cast<std::size_t>(k)];
-  };
-  return {at(0.02), at(0.98)};
+std::pair<double, double> spanOf(const std::vector<double>& values) {
+  return {rankedAt(values, 0.02), rankedAt(values, 0.98)};
 }
 
 }  // namespace

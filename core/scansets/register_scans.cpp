@@ -80,12 +80,6 @@ struct Paired {
   double mm = 1;  ///< RegisterSummary::mm
 };
 
-std::vector<scan::Scan> allScaled(std::span<const scan::Scan> scans, double factor) {
-  std::vector<scan::Scan> sized;
-  for (const scan::Scan& scan : scans) sized.push_back(pairing::scaled(scan, factor));
-  return sized;
-}
-
 /// From fronts that were brought to a usual size by the factor to their own unit.
 void bringBack(decisions::SherdPair& pair, double factor) {
   registration::Registration& found = pair.registration;
@@ -121,8 +115,8 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
                     "The fronts are not in mm: lengths in the result, although labelled mm, are in "
                     "the fronts' own unit.");
     }
-    sized_fronts = allScaled(fronts, factor);
-    sized_backs = allScaled(backs, scale * factor);
+    sized_fronts = pairing::scaled(fronts, factor);
+    sized_backs = pairing::scaled(backs, scale * factor);
     fronts = sized_fronts;
     backs = sized_backs;
   }

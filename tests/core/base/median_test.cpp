@@ -24,5 +24,17 @@ TEST(Median, KeepsTheValuesThatItPutsInAnotherOrder) {
   EXPECT_THAT(values, ::testing::UnorderedElementsAre(7, 3, 3, 8, 1));
 }
 
+TEST(Ranked, IsTheLowerValueAtTheShareOfTheOrder) {
+  EXPECT_EQ(rankedAt(std::vector<double>{4, 1, 3, 2}, 0.5), 2);
+  EXPECT_EQ(rankedAt(std::vector<float>{5, 9, 1, 7, 3}, 0.75), 7);
+  EXPECT_EQ(rankedAt(std::vector<float>{}, 0.5), 0);
+}
+
+TEST(Quantile, LiesBetweenTheTwoValuesAroundTheRank) {
+  EXPECT_DOUBLE_EQ(quantileOf({4, 1, 3, 2}, 0.5), 2.5);
+  EXPECT_DOUBLE_EQ(quantileOf({10, 0}, 0.95), 9.5);
+  EXPECT_DOUBLE_EQ(quantileOf({7}, 0.9), 7);
+}
+
 }  // namespace
 }  // namespace ostraka

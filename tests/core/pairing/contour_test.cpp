@@ -80,9 +80,13 @@ TEST(Resampled, StepsEvenlyAlongAClosedLine) {
 TEST(Mirrored, KeepsTheSenseOfRotation) {
   const std::vector<Eigen::Vector2d> triangle = {{0, 0}, {2, 0}, {0, 1}};
   const auto m = mirrored(triangle);
-  const double twice =
-      (m[1] - m[0]).x() * (m[2] - m[0]).y() - (m[1] - m[0]).y() * (m[2] - m[0]).x();
-  EXPECT_NEAR(twice, 2, 1e-12);
+  EXPECT_NEAR(signedArea(m), 1, 1e-12);
+}
+
+TEST(SignedArea, IsNegativeForALineThatRunsClockwise) {
+  const std::vector<Eigen::Vector2d> square = {{1, 1}, {1, 3}, {4, 3}, {4, 1}};
+  EXPECT_NEAR(signedArea(square), -6, 1e-12);
+  EXPECT_EQ(signedArea({}), 0);
 }
 
 }  // namespace

@@ -221,15 +221,10 @@ int runCapture(const CaptureArguments& arguments, Session& session) {
         arguments.virtual_rig, arguments.output, session.progress, session.stop);
     if (!written) return fail(session, written.error());
   }
-  session.finishProgress();
-  const ExitStatus status = asks ? PersonMustDecide : Whole;
-  if (session.json)
-    printJson({{"batch", arguments.output.string()},
-               {"sides", list},
-               {"exit_status", static_cast<int>(status)}});
-  else
-    for (const auto& [side, result] : results) print(result, side, arguments);
-  return status;
+  return finish(session, asks ? PersonMustDecide : Whole,
+                {{"batch", arguments.output.string()}, {"sides", list}}, [&] {
+                  for (const auto& [side, result] : results) print(result, side, arguments);
+                });
 }
 
 }  // namespace

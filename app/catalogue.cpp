@@ -42,8 +42,9 @@ struct Options {
 int runNew(const Options& options, Session& session) {
   const Result<Project> made = Project::create(options.output, options.record);
   if (!made) return fail(session, made.error());
-  return said(session, {{"output", options.output.string()}, {"code", options.record.code}},
-              "A new project: " + options.output.string());
+  return finish(session, Whole,
+                {{"output", options.output.string()}, {"code", options.record.code}},
+                "A new project: " + options.output.string());
 }
 
 const std::map<std::string, Form>& formsByName() {
@@ -91,16 +92,15 @@ int runExport(const Options& options, Session& session) {
          joined(missing, ", ").c_str());
   const bool nothing = done->without_file.size() == how.forms.size();
   const int status = done->warnings.empty() && !nothing ? Whole : NotWhole;
-  return said(session,
-              {{"output", options.output.string()},
-               {"sherds", done->sherds},
-               {"files", done->files},
-               {"bytes", done->bytes},
-               {"forms_without_file", missing},
-               {"warnings", done->warnings},
-               {"exit_status", status}},
-              std::to_string(done->sherds) + " sherds in " + std::to_string(done->files) +
-                  " files: " + options.output.string());
+  return finish(session, status,
+                {{"output", options.output.string()},
+                 {"sherds", done->sherds},
+                 {"files", done->files},
+                 {"bytes", done->bytes},
+                 {"forms_without_file", missing},
+                 {"warnings", done->warnings}},
+                std::to_string(done->sherds) + " sherds in " + std::to_string(done->files) +
+                    " files: " + options.output.string());
 }
 
 int runEnter(const Options& options, Session& session) {
@@ -123,16 +123,15 @@ int runEnter(const Options& options, Session& session) {
                        saved.error().sentence());
   for (const std::string& warning : warnings) show(stderr, "ostraka: %s\n", warning.c_str());
   const int status = entered->open > 0 ? PersonMustDecide : warnings.empty() ? Whole : NotWhole;
-  return said(session,
-              {{"batch", options.batch},
-               {"new_sherds", entered->new_sherds},
-               {"models", entered->models},
-               {"open", entered->open},
-               {"warnings", warnings},
-               {"exit_status", status}},
-              options.batch + ": " + std::to_string(entered->new_sherds) + " new sherds, " +
-                  std::to_string(entered->models) + " models, " + std::to_string(entered->open) +
-                  " want a person.");
+  return finish(session, status,
+                {{"batch", options.batch},
+                 {"new_sherds", entered->new_sherds},
+                 {"models", entered->models},
+                 {"open", entered->open},
+                 {"warnings", warnings}},
+                options.batch + ": " + std::to_string(entered->new_sherds) + " new sherds, " +
+                    std::to_string(entered->models) + " models, " + std::to_string(entered->open) +
+                    " want a person.");
 }
 
 int runArchive(const Options& options, Session& session) {
@@ -158,14 +157,13 @@ int runArchive(const Options& options, Session& session) {
                 ? "The project, " + damaged + ", which damage.txt lists: " + options.output.string()
                 : "Nothing was archived; " + damaged +
                       ". Put them back from a copy, or archive --with-damage.";
-  return said(session,
-              {{"output", options.output.string()},
-               {"sealed", done->sealed},
-               {"bytes", done->bytes},
-               {"damaged", damageJson(done->damage)},
-               {"links", done->links},
-               {"exit_status", done->whole() ? Whole : NotWhole}},
-              words);
+  return finish(session, done->whole() ? Whole : NotWhole,
+                {{"output", options.output.string()},
+                 {"sealed", done->sealed},
+                 {"bytes", done->bytes},
+                 {"damaged", damageJson(done->damage)},
+                 {"links", done->links}},
+                words);
 }
 
 int runRestore(const Options& options, Session& session) {
@@ -175,15 +173,13 @@ int runRestore(const Options& options, Session& session) {
   if (!done) return fail(session, done.error());
   session.finishProgress();
   for (const std::string& line : done->damage) show(stderr, "%s\n", line.c_str());
-  return said(session,
-              {{"output", options.output.string()},
-               {"damage", done->damage},
-               {"exit_status", done->damage.empty() ? Whole : NotWhole}},
-              done->damage.empty()
-                  ? "The project is back: " + options.output.string()
-                  : "The project is back with the damage that it was archived with; damaged "
-                    "files: " +
-                        std::to_string(done->damage.size()) + ": " + options.output.string());
+  return finish(session, done->damage.empty() ? Whole : NotWhole,
+                {{"output", options.output.string()}, {"damage", done->damage}},
+                done->damage.empty()
+                    ? "The project is back: " + options.output.string()
+                    : "The project is back with the damage that it was archived with; damaged "
+                      "files: " +
+                          std::to_string(done->damage.size()) + ": " + options.output.string());
 }
 
 int runCheck(const Options& options, Session& session) {
@@ -215,18 +211,17 @@ int runCheck(const Options& options, Session& session) {
              std::to_string(earlier) + " by the check that this one continued)";
   else
     files += " files";
-  return said(session,
-              {{"whole", good},
-               {"backup", backup},
-               {"files", checked->files},
-               {"checked", checked->checked},
-               {"damaged", damageJson(checked->damaged)},
-               {"exit_status", good ? Whole : NotWhole}},
-              (good ? "The catalogue and its " + files + " are whole; "
-                    : "Damaged: " + std::to_string(checked->damaged.size()) + " of " + files +
-                          "; put them back from a copy. The catalogue itself is whole; ") +
-                  (backup.empty() ? "this project can only be read, so no backup was made."
-                                  : "a backup was made: " + backup));
+  return finish(session, good ? Whole : NotWhole,
+                {{"whole", good},
+                 {"backup", backup},
+                 {"files", checked->files},
+                 {"checked", checked->checked},
+                 {"damaged", damageJson(checked->damaged)}},
+                (good ? "The catalogue and its " + files + " are whole; "
+                      : "Damaged: " + std::to_string(checked->damaged.size()) + " of " + files +
+                            "; put them back from a copy. The catalogue itself is whole; ") +
+                    (backup.empty() ? "this project can only be read, so no backup was made."
+                                    : "a backup was made: " + backup));
 }
 
 // One line for each row: what it is, and where it came from.
@@ -271,19 +266,18 @@ int runRepair(const Options& options, Session& session) {
           : "The catalogue is repaired: " + pages + "; " + std::to_string(report->rows.size()) +
                 " rows are listed above, " + std::to_string(lost) +
                 " of them not restored. The damaged file is kept: " + report->damaged.string();
-  return said(session,
-              {{"damaged", report->damaged.string()},
-               {"backup", backup},
-               {"interrupted", report->interrupted},
-               {"all_from_backup", report->all_from_backup},
-               {"pages", report->pages},
-               {"pages_by_bit", report->pages_by_bit},
-               {"pages_by_backup", report->pages_by_backup},
-               {"pages_lost", report->pages_lost},
-               {"rows", rows},
-               {"exit_status",
-                lost > 0 || report->all_from_backup || report->interrupted ? NotWhole : Whole}},
-              words);
+  return finish(session,
+                lost > 0 || report->all_from_backup || report->interrupted ? NotWhole : Whole,
+                {{"damaged", report->damaged.string()},
+                 {"backup", backup},
+                 {"interrupted", report->interrupted},
+                 {"all_from_backup", report->all_from_backup},
+                 {"pages", report->pages},
+                 {"pages_by_bit", report->pages_by_bit},
+                 {"pages_by_backup", report->pages_by_backup},
+                 {"pages_lost", report->pages_lost},
+                 {"rows", rows}},
+                words);
 }
 
 CLI::Option* addProject(CLI::App* command, Options& options) {
@@ -297,16 +291,6 @@ CLI::Option* addOutput(CLI::App* command, Options& options, const char* words) {
 }
 
 }  // namespace
-
-int said(Session& session, nlohmann::ordered_json json, const std::string& words) {
-  session.finishProgress();
-  json.emplace("exit_status", static_cast<int>(Whole));
-  if (session.json)
-    printJson(json);
-  else
-    show(stdout, "%s\n", words.c_str());
-  return json["exit_status"];
-}
 
 void addCatalogue(CLI::App& root, Command& chosen) {
   CLI::App* catalogue =

@@ -181,10 +181,10 @@ int reported(Session& session, const tables::ImportReport& report,
                        {"changes", changesJson(report.changed_values)},
                        {"columns", mappingJson(report.mapping)},
                        {"units_to_state", open},
-                       {"warnings", report.warnings},
-                       {"exit_status", statusOf(report, !open.empty(), !written)}};
+                       {"warnings", report.warnings}};
   if (!written) json["error"] = written.error().sentence();
-  return said(session, std::move(json), summaryOf(report, arguments));
+  return finish(session, statusOf(report, !open.empty(), !written), std::move(json),
+                summaryOf(report, arguments));
 }
 
 tables::ImportMode modeOf(const ImportArguments& arguments) {

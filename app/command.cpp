@@ -51,6 +51,23 @@ void printJson(const nlohmann::ordered_json& value) {
   std::puts(text.c_str());
 }
 
+int finish(const Session& session, int status, nlohmann::ordered_json result,
+           const std::function<void()>& print) {
+  session.finishProgress();
+  result["exit_status"] = status;
+  if (session.json)
+    printJson(result);
+  else
+    print();
+  return status;
+}
+
+int finish(const Session& session, int status, nlohmann::ordered_json result,
+           const std::string& words) {
+  return finish(session, status, std::move(result),
+                [&words] { show(stdout, "%s\n", words.c_str()); });
+}
+
 int fail(const Session& session, const Error& error, WhenStopped when_stopped) {
   const bool stopped = error.code == ErrorCode::Cancelled;
   std::string sentence = error.sentence();

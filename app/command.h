@@ -65,6 +65,13 @@ int fail(const Session& session, const Error& error,
 /// "title: a b c" on standard output; nothing where there are no names.
 void printNames(const char* title, std::span<const std::string> names);
 
+/// The result of a command: with --json an object that ends in its exit_status, else what `print`
+/// prints, or the words with a line's end. Gives the status.
+int finish(const Session& session, int status, nlohmann::ordered_json result,
+           const std::function<void()>& print);
+int finish(const Session& session, int status, nlohmann::ordered_json result,
+           const std::string& words);
+
 /// JSON to standard output, indented, with a line's end.
 void printJson(const nlohmann::ordered_json& value);
 

@@ -184,11 +184,8 @@ int disagree(Session& session, const stereo::Agreement& agreement, ordered_json 
       " Check that the cameras are those of these photographs and of their orientation.";
   session.finishProgress();
   show(stderr, "ostraka: %s\n", sentence.c_str());
-  if (session.json) {
-    figures.update({{"error", sentence}, {"stopped", false}, {"exit_status", NotWhole}});
-    printJson(figures);
-  }
-  return NotWhole;
+  figures.update({{"error", sentence}, {"stopped", false}});
+  return finish(session, NotWhole, std::move(figures), [] {});
 }
 
 int runDense(const DenseArguments& arguments, Session& session) {
@@ -216,19 +213,14 @@ int runDense(const DenseArguments& arguments, Session& session) {
   if (!written) return fail(session, written.error());
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  session.finishProgress();
-  if (session.json) {
-    figures.update({{"output", arguments.output.string()},
-                    {"points", found->cloud.size()},
-                    {"views", views->size()},
-                    {"seconds", seconds},
-                    {"exit_status", static_cast<int>(Whole)}});
-    printJson(figures);
-  } else {
+  figures.update({{"output", arguments.output.string()},
+                  {"points", found->cloud.size()},
+                  {"views", views->size()},
+                  {"seconds", seconds}});
+  return finish(session, Whole, std::move(figures), [&] {
     show(stdout, "%zu points from %zu photographs in %.0f s: %s\n%s\n", found->cloud.size(),
          views->size(), seconds, arguments.output.c_str(), inWords(found->agreement).c_str());
-  }
-  return Whole;
+  });
 }
 
 }  // namespace

@@ -34,22 +34,7 @@ struct DevicesArguments {
   bool release = false, watch = false;
 };
 
-int printDevices(Session& session) {
-  std::vector<devices::FoundDevice> devices = devices::findDevices({});
-  askCameras(devices);
-  if (session.json) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const devices::FoundDevice& d : devices)
-      list.push_back({{"kind", devices::name(d.kind)},
-                      {"model", d.model},
-                      {"serial", d.serial},
-                      {"usb", d.usb},
-                      {"driver", d.driver},
-                      {"address", d.address},
-                      {"troubles", d.troubles}});
-    printJson({{"devices", list}, {"exit_status", static_cast<int>(Whole)}});
-    return Whole;
-  }
+void print(const std::vector<devices::FoundDevice>& devices) {
   for (const devices::FoundDevice& d : devices) {
     show(stdout, "%s: %s%s%s\n", devices::name(d.kind).c_str(), d.model.c_str(),
          d.serial.empty() ? "" : ", number ", d.serial.c_str());
@@ -62,7 +47,21 @@ int printDevices(Session& session) {
     show(stdout,
          "No camera and no turntable is plugged in. Cameras that are asleep, or set to mass "
          "storage, do not show; the virtual rig needs none: ostraka capture --rig virtual\n");
-  return Whole;
+}
+
+int printDevices(const Session& session) {
+  std::vector<devices::FoundDevice> devices = devices::findDevices({});
+  askCameras(devices);
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const devices::FoundDevice& d : devices)
+    list.push_back({{"kind", devices::name(d.kind)},
+                    {"model", d.model},
+                    {"serial", d.serial},
+                    {"usb", d.usb},
+                    {"driver", d.driver},
+                    {"address", d.address},
+                    {"troubles", d.troubles}});
+  return finish(session, Whole, {{"devices", list}}, [&] { print(devices); });
 }
 
 // Again whenever something was plugged in or out, until Ctrl-C.

@@ -175,27 +175,21 @@ std::vector<Finding> examine(const fs::path& folder) {
 
 int runDoctor(const fs::path& folder, Session& session) {
   const std::vector<Finding> findings = examine(folder);
-  session.finishProgress();
   const bool missing = std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
     return finding.state == State::Missing;
   });
-  const int status = missing ? NotWhole : Whole;
   const auto name = [](State state) {
     return state == State::Good ? "good" : state == State::Slow ? "slow" : "missing";
   };
-  if (session.json) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const Finding& finding : findings)
-      list.push_back({{"verdict", name(finding.state)},
-                      {"subject", finding.subject},
-                      {"words", finding.words}});
-    printJson({{"findings", list}, {"exit_status", status}});
-    return status;
-  }
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Finding& finding : findings)
-    show(stdout, "%-8s %s: %s.\n", name(finding.state), finding.subject.c_str(),
-         finding.words.c_str());
-  return status;
+    list.push_back(
+        {{"verdict", name(finding.state)}, {"subject", finding.subject}, {"words", finding.words}});
+  return finish(session, missing ? NotWhole : Whole, {{"findings", list}}, [&] {
+    for (const Finding& finding : findings)
+      show(stdout, "%-8s %s: %s.\n", name(finding.state), finding.subject.c_str(),
+           finding.words.c_str());
+  });
 }
 
 }  // namespace

@@ -90,16 +90,12 @@ int runDraw(const DrawArguments& arguments, Session& session) {
   const Result<std::vector<fs::path>> files =
       writeSheets(arguments.output, layOut(drawings, arguments.drawing.scale, arguments.sheets));
   if (!files) return fail(session, files.error());
-  session.finishProgress();
-  if (session.json) {
-    ordered_json names = ordered_json::array();
-    for (const fs::path& file : *files) names.push_back(file.string());
-    printJson({{"files", names}, {"sherds", list}, {"exit_status", static_cast<int>(Whole)}});
-    return Whole;
-  }
-  for (const SherdDrawing& drawing : drawings) print(drawing);
-  for (const fs::path& file : *files) show(stdout, "Drawn: %s\n", file.c_str());
-  return Whole;
+  ordered_json names = ordered_json::array();
+  for (const fs::path& file : *files) names.push_back(file.string());
+  return finish(session, Whole, {{"files", names}, {"sherds", list}}, [&] {
+    for (const SherdDrawing& drawing : drawings) print(drawing);
+    for (const fs::path& file : *files) show(stdout, "Drawn: %s\n", file.c_str());
+  });
 }
 
 }  // namespace

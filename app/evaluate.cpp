@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,7 +15,6 @@
 #include "evaluate/truth.h"
 #include "evaluate_tables.h"
 #include "files/files.h"
-#include "shown.h"
 
 namespace ostraka::app {
 namespace {
@@ -249,17 +247,9 @@ int runEvaluate(const EvaluateArguments& arguments, Session& session) {
   Sheet sheet;
   if (const Result<void> done = evaluateAny(arguments, session, sheet); !done)
     return fail(session, done.error());
-  const int status = arguments.gate && !sheet.goals_met ? NotWhole : Whole;
-  session.finishProgress();
-  if (session.json) {
-    sheet.json["goals_met"] = sheet.goals_met;
-    sheet.json["exit_status"] = status;
-    printJson(sheet.json);
-  } else {
-    show(stdout, "%s", sheet.text.c_str());
-    show(stdout, "Goals: %s\n", sheet.goals_met ? "all met" : "not all met");
-  }
-  return status;
+  sheet.json["goals_met"] = sheet.goals_met;
+  return finish(session, arguments.gate && !sheet.goals_met ? NotWhole : Whole, sheet.json,
+                sheet.text + "Goals: " + (sheet.goals_met ? "all met" : "not all met"));
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "command.h"
 #include "files/files.h"
 #include "help.h"
-#include "shown.h"
 
 namespace ostraka::app {
 namespace {
@@ -132,12 +131,8 @@ void addManPages(CLI::App& root, Command& chosen) {
       std::filesystem::create_directories(*folder, failed);
       const Result<int> pages = writePages(root, root, "ostraka", "ostraka", *folder);
       if (!pages) return fail(session, pages.error());
-      if (session.json)
-        printJson(
-            {{"output", *folder}, {"pages", *pages}, {"exit_status", static_cast<int>(Whole)}});
-      else
-        show(stdout, "%d manual pages: %s\n", *pages, folder->c_str());
-      return Whole;
+      return finish(session, Whole, {{"output", *folder}, {"pages", *pages}},
+                    std::to_string(*pages) + " manual pages: " + *folder);
     };
   });
 }

@@ -25,30 +25,28 @@ int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem
   if (paper != PaperChoice::Whole) options.paper = paper == PaperChoice::A4 ? Paper::A4 : Paper::A3;
   const Result<PlatePrint> print = rig::writePlatePrint(output, options);
   if (!print) return fail(session, print.error());
-  if (session.json) {
-    printJson({{"output", output.string()},
-               {"markers", print->plate.markers.size()},
-               {"sheets", print->centres.size()},
-               {"markers_on_seams", print->markers_cut},
-               {"ruler_mm", print->ruler_mm},
-               {"exit_status", static_cast<int>(Whole)}});
-    return Whole;
-  }
-  show(stdout, "%s: the plate on %zu sheet%s, the board on the last page.\n", output.c_str(),
-       print->centres.size(), print->centres.size() == 1 ? "" : "s");
-  show(stdout, "plate.json and board.json beside it describe them%s.\n",
-       options.ruler_measured_mm == 0 ? " as drawn" : " as measured");
-  if (print->markers_cut > 0)
-    show(stdout,
-         print->markers_cut == 1 ? "%d marker lies on a seam; glue it with care.\n"
-                                 : "%d markers lie on a seam; glue those with care.\n",
-         print->markers_cut);
-  if (options.ruler_measured_mm == 0)
-    show(stdout,
-         "Print at 100 %% (not 'fit to page'), glue the sheets, and measure both rulers: %.0f mm.\n"
-         "If they measure otherwise, run this again with --ruler-measured and the length.\n",
-         print->ruler_mm);
-  return Whole;
+  nlohmann::ordered_json json = {{"output", output.string()},
+                                 {"markers", print->plate.markers.size()},
+                                 {"sheets", print->centres.size()},
+                                 {"markers_on_seams", print->markers_cut},
+                                 {"ruler_mm", print->ruler_mm}};
+  return finish(session, Whole, std::move(json), [&] {
+    show(stdout, "%s: the plate on %zu sheet%s, the board on the last page.\n", output.c_str(),
+         print->centres.size(), print->centres.size() == 1 ? "" : "s");
+    show(stdout, "plate.json and board.json beside it describe them%s.\n",
+         options.ruler_measured_mm == 0 ? " as drawn" : " as measured");
+    if (print->markers_cut > 0)
+      show(stdout,
+           print->markers_cut == 1 ? "%d marker lies on a seam; glue it with care.\n"
+                                   : "%d markers lie on a seam; glue those with care.\n",
+           print->markers_cut);
+    if (options.ruler_measured_mm == 0)
+      show(stdout,
+           "Print at 100 %% (not 'fit to page'), glue the sheets, and measure both rulers: %.0f "
+           "mm.\n"
+           "If they measure otherwise, run this again with --ruler-measured and the length.\n",
+           print->ruler_mm);
+  });
 }
 
 }  // namespace

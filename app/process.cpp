@@ -19,7 +19,7 @@ using pipeline::ProcessOptions;
 using pipeline::ProcessSummary;
 using pipeline::SherdSummary;
 
-ordered_json asJson(const ProcessSummary& summary, int status) {
+ordered_json asJson(const ProcessSummary& summary) {
   ordered_json sherds = ordered_json::array();
   for (const SherdSummary& s : summary.sherds)
     sherds.push_back({{"number", s.number},
@@ -46,8 +46,7 @@ ordered_json asJson(const ProcessSummary& summary, int status) {
           {"reprojection_rms_px", summary.reprojection_rms_px},
           {"seconds", summary.seconds},
           {"report", summary.report.string()},
-          {"whole", summary.whole()},
-          {"exit_status", status}};
+          {"whole", summary.whole()}};
 }
 
 void printTable(const ProcessSummary& summary) {
@@ -96,12 +95,7 @@ int runProcess(const ProcessOptions& options, Session& session) {
   const int status = summary->ambiguous() > 0 || !summary->scale_doubts.empty() ? PersonMustDecide
                      : summary->whole()                                         ? Whole
                                                                                 : NotWhole;
-  session.finishProgress();
-  if (session.json)
-    printJson(asJson(*summary, status));
-  else
-    printTable(*summary);
-  return status;
+  return finish(session, status, asJson(*summary), [&] { printTable(*summary); });
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 using scansets::RegisterOptions;
 using scansets::RegisterSummary;
 
-ordered_json asJson(const RegisterSummary& summary, int status) {
+ordered_json asJson(const RegisterSummary& summary) {
   ordered_json pairs = ordered_json::array();
   for (const RegisterSummary::Pair& p : summary.pairs) pairs.push_back(scansets::toJson(p));
   return {{"pairs", pairs},
@@ -28,8 +28,7 @@ ordered_json asJson(const RegisterSummary& summary, int status) {
           {"warnings", summary.warnings},
           {"seconds", summary.seconds},
           {"pairs_file", summary.pairs_file.string()},
-          {"whole", summary.whole()},
-          {"exit_status", status}};
+          {"whole", summary.whole()}};
 }
 
 void printTable(const RegisterSummary& summary) {
@@ -61,12 +60,7 @@ int runRegister(const RegisterOptions& options, Session& session) {
   const int status = summary->ambiguous() > 0 ? PersonMustDecide
                      : summary->whole()       ? Whole
                                               : NotWhole;
-  session.finishProgress();
-  if (session.json)
-    printJson(asJson(*summary, status));
-  else
-    printTable(*summary);
-  return status;
+  return finish(session, status, asJson(*summary), [&] { printTable(*summary); });
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,7 +6,6 @@
 
 #include "command.h"
 #include "rig_commands.h"
-#include "shown.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::app {
@@ -36,18 +34,11 @@ int runSimulate(const SimulateOptions& options, Session& session) {
     return fail(session,
                 {ErrorCode::Cancelled, "Cancelled. The incomplete batch was removed.", {}});
   if (!made) return fail(session, made.error());
-  session.finishProgress();
-  if (session.json)
-    printJson({{"output", options.output.string()},
-               {"sherds", options.sherds},
-               {"seed", options.seed},
-               {"exit_status", static_cast<int>(Whole)}});
-  else
-    show(stdout,
-         "A batch of %d virtual sherds, with its truth: %s\n"
-         "Next: %s\n",
-         options.sherds, options.output.c_str(), nextStep(options).c_str());
-  return Whole;
+  const std::string output = options.output.string();
+  return finish(session, Whole,
+                {{"output", output}, {"sherds", options.sherds}, {"seed", options.seed}},
+                "A batch of " + std::to_string(options.sherds) +
+                    " virtual sherds, with its truth: " + output + "\nNext: " + nextStep(options));
 }
 
 // Photographs by hand over a sheet, which exclude what only a rig has.

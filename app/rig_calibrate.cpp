@@ -20,7 +20,7 @@ const char* name(Verdict verdict) {
   return verdict == Verdict::Good ? "good" : verdict == Verdict::Usable ? "usable" : "not usable";
 }
 
-ordered_json asJson(const CalibrationReport& report, const std::string& output, int status) {
+ordered_json asJson(const CalibrationReport& report, const std::string& output) {
   ordered_json cameras = ordered_json::array(), held_out = cameras, lengths = cameras;
   for (const calibration::CameraCalibration& c : report.cameras)
     cameras.push_back({{"camera", c.camera},
@@ -52,8 +52,7 @@ ordered_json asJson(const CalibrationReport& report, const std::string& output, 
           {"held_out", held_out},
           {"lengths", lengths},
           {"missing", report.missing},
-          {"set_aside", report.set_aside},
-          {"exit_status", status}};
+          {"set_aside", report.set_aside}};
 }
 
 // What describes the targets: a rig of the same name would take its place.
@@ -73,24 +72,21 @@ int runCalibrate(const std::filesystem::path& folder, const std::filesystem::pat
   const Result<CalibrationReport> report =
       calibration::calibrateFolder(folder, options, session.progress, session.stop);
   if (!report) return fail(session, report.error());
-  session.finishProgress();
   if (report->rig)
     if (const Result<void> written = rig::writeRig(output, *report->rig); !written)
       return fail(session, written.error());
   const int status = report->rig                          ? Whole
                      : calibration::scaleIsRight(*report) ? NotWhole
                                                           : PersonMustDecide;
-  if (session.json) {
-    printJson(asJson(*report, output.string(), status));
-    return status;
-  }
-  for (const std::string& line : calibration::inWords(*report)) show(stdout, "%s\n", line.c_str());
-  if (report->rig)
-    show(stdout, "Saved: %s\n", output.c_str());
-  else
-    show(stdout, "Nothing was saved%s\n",
-         status == PersonMustDecide ? ": the scale has to be put right first." : ".");
-  return status;
+  return finish(session, status, asJson(*report, output.string()), [&] {
+    for (const std::string& line : calibration::inWords(*report))
+      show(stdout, "%s\n", line.c_str());
+    if (report->rig)
+      show(stdout, "Saved: %s\n", output.c_str());
+    else
+      show(stdout, "Nothing was saved%s\n",
+           status == PersonMustDecide ? ": the scale has to be put right first." : ".");
+  });
 }
 
 // "0,12,314.2": two markers and millimetres.

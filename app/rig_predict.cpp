@@ -58,8 +58,7 @@ ordered_json asJson(const Prediction& p) {
           {"cameras", p.cameras},
           {"elevations_rad", p.elevations_rad},
           {"pixels_mm", p.pixels_mm},
-          {"remarks", p.remarks},
-          {"exit_status", static_cast<int>(Whole)}};
+          {"remarks", p.remarks}};
 }
 
 void print(const Prediction& p) {
@@ -110,12 +109,7 @@ int runPredict(const fs::path& rig_file, PredictOptions options, Session& sessio
   const Result<Prediction> prediction =
       virtualrig::predict(*rig, options, session.progress, session.stop);
   if (!prediction) return fail(session, prediction.error());
-  session.finishProgress();
-  if (session.json)
-    printJson(asJson(*prediction));
-  else
-    print(*prediction);
-  return Whole;
+  return finish(session, Whole, asJson(*prediction), [&] { print(*prediction); });
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <cstdarg>
 
+#include "base/text.h"
+
 namespace ostraka::app {
 namespace {
 
@@ -36,15 +38,10 @@ std::string shown(std::string_view text) {
 }
 
 void show(std::FILE* out, const char* format, ...) {
-  std::va_list arguments, again;
+  std::va_list arguments;
   va_start(arguments, format);
-  va_copy(again, arguments);
-  const int length = std::vsnprintf(nullptr, 0, format, arguments);
+  std::fputs(shown(vformatted(format, arguments)).c_str(), out);
   va_end(arguments);
-  std::string text(static_cast<std::size_t>(length > 0 ? length : 0), ' ');
-  std::vsnprintf(text.data(), text.size() + 1, format, again);
-  va_end(again);
-  std::fputs(shown(text).c_str(), out);
 }
 
 }  // namespace ostraka::app

@@ -10,11 +10,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kRedraw{200};
 constexpr std::chrono::seconds kPlainLine{10};
-constexpr double kInstant_s = 0.5;  // a stage this short was found whole from an earlier run
-
-double seconds(TerminalProgress::Clock::duration d) {
-  return std::chrono::duration<double>(d).count();
-}
 
 }  // namespace
 
@@ -31,34 +26,21 @@ TerminalProgress::TerminalProgress(std::FILE* out, bool terminal, Loudness loudn
       terminal_(terminal),
       loudness_(loudness),
       now_(std::move(now)),
-      stage_begin_(now_()),
-      last_drawn_(stage_begin_) {}
+      last_drawn_(now_()) {}
 
 TerminalProgress::~TerminalProgress() {
   finish();
 }
 
-void TerminalProgress::endStage() {
-  const double spent = seconds(now_() - stage_begin_);
-  if (!stage_.empty() && spent > kInstant_s) {
-    worked_share_ += stage_share_;
-    worked_seconds_ += spent;
-  }
-  if (!stage_.empty()) share_before_ += stage_share_;
-}
-
 void TerminalProgress::begin(std::string_view stage, double share) {
-  endStage();
   stage_ = stage;
-  stage_share_ = share;
-  stage_done_ = 0;
-  stage_begin_ = now_();
+  pace_.begin(share, now_());
   draw(true);
 }
 
 void TerminalProgress::report(std::int64_t done, std::int64_t total) {
   if (total <= 0) return;
-  stage_done_ = std::clamp(static_cast<double>(done) / static_cast<double>(total), 0.0, 1.0);
+  pace_.report(static_cast<double>(done) / static_cast<double>(total), now_());
   draw(false);
 }
 
@@ -70,20 +52,10 @@ void TerminalProgress::note(NoteLevel level, std::string_view text) {
   if (terminal_) draw(true);
 }
 
-std::optional<double> TerminalProgress::secondsLeft() const {
-  const double spent = seconds(now_() - stage_begin_);
-  const double share = worked_share_ + stage_share_ * stage_done_;
-  const double work = worked_seconds_ + spent;
-  // Below three seconds or two hundredths the pace is a guess.
-  if (work < 3 || share < 0.02) return {};
-  const double left = 1 - share_before_ - stage_share_ * stage_done_;
-  return std::max(0.0, left) * work / share;
-}
-
 std::string TerminalProgress::line() const {
-  const double done = std::clamp(share_before_ + stage_share_ * stage_done_, 0.0, 1.0);
-  std::string text = std::to_string(std::lround(std::floor(100 * done))) + " %  " + stage_;
-  if (const std::optional<double> left = secondsLeft())
+  std::string text =
+      std::to_string(std::lround(std::floor(100 * pace_.fraction()))) + " %  " + stage_;
+  if (const std::optional<double> left = pace_.secondsLeft(now_()))
     text += (stage_.empty() ? "" : ", ") + durationWords(*left) + " left";
   return text;
 }

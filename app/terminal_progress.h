@@ -1,10 +1,9 @@
 #pragma once
-#include <chrono>
 #include <cstdio>
 #include <functional>
-#include <optional>
 #include <string>
 
+#include "base/pace.h"
 #include "base/progress.h"
 
 namespace ostraka::app {
@@ -15,7 +14,7 @@ enum class Loudness { Quiet, Warnings, Everything };
 /// pipe plain lines, one per stage and one every ten seconds.
 class TerminalProgress final : public Progress {
  public:
-  using Clock = std::chrono::steady_clock;
+  using Clock = Pace::Clock;
 
   /// now: the clock, handed in for tests.
   TerminalProgress(std::FILE* out, bool terminal, Loudness loudness,
@@ -31,19 +30,15 @@ class TerminalProgress final : public Progress {
  private:
   void draw(bool whole_line);
   void clearLine();
-  void endStage();
   std::string line() const;
-  std::optional<double> secondsLeft() const;
 
   std::FILE* out_;
   bool terminal_;
   Loudness loudness_;
   std::function<Clock::time_point()> now_;
   std::string stage_;
-  double stage_share_ = 1, share_before_ = 0, stage_done_ = 0;
-  // Stages found whole from an earlier run take no time: the pace comes from the others.
-  double worked_share_ = 0, worked_seconds_ = 0;
-  Clock::time_point stage_begin_, last_drawn_;
+  Pace pace_;
+  Clock::time_point last_drawn_;
   bool line_open_ = false;
 };
 

@@ -4,6 +4,11 @@
 <context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Projekt ist nur lesbar: Sie können alles ansehen, aber nichts ändern.</translation>
+    </message>
+    <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ordner des Projekts ist nicht mehr da: verschoben, umbenannt, oder sein Datenträger wurde entfernt. Das Projekt dort öffnen, wo es jetzt liegt.</translation>
@@ -2986,11 +2991,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (nur lesbar)</translation>
     </message>
-    <message>
-      <source>This project is read-only: you can look at everything, but change nothing.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieses Projekt ist nur lesbar: Sie können alles ansehen, aber nichts ändern.</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3494,6 +3494,11 @@
 </context>
 <context>
     <name>ostraka::ui::QueueScreen</name>
+    <message>
+      <source>This batch has no masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Durchgang hat keine Masken.</translation>
+    </message>
     <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>

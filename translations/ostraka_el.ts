@@ -4,6 +4,11 @@
 <context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το έργο μπορεί μόνο να διαβαστεί: δείτε τα πάντα· οι αλλαγές δεν γίνονται δεκτές.</translation>
+    </message>
+    <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος του έργου δεν υπάρχει πια: μετακινήθηκε, μετονομάστηκε ή αφαιρέθηκε ο δίσκος του. Ανοίξτε το έργο εκεί όπου βρίσκεται τώρα.</translation>
@@ -2981,11 +2986,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (μόνο για ανάγνωση)</translation>
     </message>
-    <message>
-      <source>This project is read-only: you can look at everything, but change nothing.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αυτό το έργο μπορεί μόνο να διαβαστεί: δείτε τα πάντα· οι αλλαγές δεν γίνονται δεκτές.</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3489,6 +3489,11 @@
 </context>
 <context>
     <name>ostraka::ui::QueueScreen</name>
+    <message>
+      <source>This batch has no masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η παρτίδα δεν έχει μάσκες.</translation>
+    </message>
     <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>

@@ -4,6 +4,11 @@
 <context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este proyecto es de solo lectura: puede mirarlo todo, pero no cambiar nada.</translation>
+    </message>
+    <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta del proyecto ya no está: se movió, se renombró o se retiró su disco. Abra el proyecto donde está ahora.</translation>
@@ -2981,11 +2986,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (solo lectura)</translation>
     </message>
-    <message>
-      <source>This project is read-only: you can look at everything, but change nothing.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Este proyecto es de solo lectura: puede mirarlo todo, pero no cambiar nada.</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3489,6 +3489,11 @@
 </context>
 <context>
     <name>ostraka::ui::QueueScreen</name>
+    <message>
+      <source>This batch has no masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta tanda no tiene máscaras.</translation>
+    </message>
     <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>

@@ -4,6 +4,11 @@
 <context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet est en lecture seule : vous pouvez tout regarder, mais rien modifier.</translation>
+    </message>
+    <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier du projet n'est plus là : déplacé, renommé, ou son disque a été retiré. Ouvrez le projet là où il est maintenant.</translation>
@@ -2981,11 +2986,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (lecture seule)</translation>
     </message>
-    <message>
-      <source>This project is read-only: you can look at everything, but change nothing.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce projet est en lecture seule : vous pouvez tout regarder, mais rien modifier.</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3489,6 +3489,11 @@
 </context>
 <context>
     <name>ostraka::ui::QueueScreen</name>
+    <message>
+      <source>This batch has no masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce lot n’a pas de masques.</translation>
+    </message>
     <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>

@@ -4,6 +4,11 @@
 <context>
     <name>ostraka::ui::ProjectSession</name>
     <message>
+      <source>This project is read-only: you can look at everything, but change nothing.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu proje yalnızca okunabilir: her şeye bakın; değişiklikler kabul edilmez.</translation>
+    </message>
+    <message>
       <source>The project's folder is not there any more: it was moved, renamed, or its disk was taken out. Open the project again where it is now.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projenin klasörü artık yerinde değil: taşındı, adı değişti ya da diski çıkarıldı. Projeyi şimdi bulunduğu yerde açın.</translation>
@@ -2943,11 +2948,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (salt okunur)</translation>
     </message>
-    <message>
-      <source>This project is read-only: you can look at everything, but change nothing.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu proje yalnızca okunabilir: her şeye bakın; değişiklikler kabul edilmez.</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3448,6 +3448,11 @@
 </context>
 <context>
     <name>ostraka::ui::QueueScreen</name>
+    <message>
+      <source>This batch has no masks.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu partinin maskesi yok.</translation>
+    </message>
     <message>
       <source>Pause</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>

@@ -27,15 +27,21 @@ std::string fixed(double value, int digits) {
 }
 
 std::string formatted(const char* format, ...) {
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::string text = vformatted(format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+std::string vformatted(const char* format, std::va_list arguments) {
   static const locale_t plain = ::newlocale(LC_ALL_MASK, "C", nullptr);
   const locale_t before = ::uselocale(plain);  // of this thread alone
-  std::va_list arguments, again;
-  va_start(arguments, format);
+  std::va_list again;
   va_copy(again, arguments);
   std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, arguments)), ' ');
   std::vsnprintf(text.data(), text.size() + 1, format, again);
   va_end(again);
-  va_end(arguments);
   ::uselocale(before);
   return text;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdarg>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -11,6 +12,8 @@ std::string fixed(double value, int digits);
 
 /// As printf writes it, but with a point in numbers whatever the person's locale writes.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
+/// The same of arguments that were handed on.
+[[gnu::format(printf, 1, 0)]] std::string vformatted(const char* format, std::va_list arguments);
 
 /// A to Z as a to z; other characters, those of UTF-8 too, stay as they are.
 std::string lowerCase(std::string text);

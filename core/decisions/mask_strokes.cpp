@@ -182,4 +182,11 @@ std::string maskFolder(const fs::path& output, batch::Side side) {
              : std::string("masks_") + batch::name(side);
 }
 
+bool hasMasks(const fs::path& output) {
+  std::error_code ignored;
+  for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
+    if (fs::is_directory(output / "work" / maskFolder(output, side), ignored)) return true;
+  return false;
+}
+
 }  // namespace ostraka::decisions

@@ -64,4 +64,8 @@ Result<std::vector<MaskedPhotograph>> maskedPhotographs(const std::filesystem::p
 /// a run has followed, else masks_front.
 std::string maskFolder(const std::filesystem::path& output, batch::Side side);
 
+/// Whether there are masks to edit: a batch of scans never has any, another one once they are
+/// found.
+bool hasMasks(const std::filesystem::path& output);
+
 }  // namespace ostraka::decisions

@@ -26,6 +26,12 @@ void ProjectSession::setInitials(const QString& initials) {
   emit initialsChanged(initials_);
 }
 
+QString ProjectSession::whyReadOnly() const {
+  return hasProject() && project_->catalogue().readOnly()
+             ? tr("This project is read-only: you can look at everything, but change nothing.")
+             : QString();
+}
+
 bool ProjectSession::isThere() const {
   std::error_code failed;
   return !hasProject() || std::filesystem::exists(folder_ / "catalogue.sqlite", failed);

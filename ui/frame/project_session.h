@@ -37,6 +37,7 @@ class ProjectSession final : public QObject {
   /// The open project; for the thread of the window only. Jobs open their own with folder().
   upkeep::Project& project() { return *project_; }
   const std::filesystem::path& folder() const { return folder_; }
+  QString whyReadOnly() const;  ///< a sentence; empty where it can be changed
   /// Its folder is where it was when it was opened: not moved, renamed or taken away with its disk.
   bool isThere() const;
   Error goneError() const;

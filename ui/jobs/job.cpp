@@ -5,7 +5,7 @@
 #include <mutex>
 #include <new>
 
-#include "ui/jobs/pace.h"
+#include "base/pace.h"
 
 namespace ostraka::ui {
 

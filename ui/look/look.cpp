@@ -72,7 +72,8 @@ const PhotographInks& photographInks() {
   static constexpr PhotographInks kInks = {
       QColor(0, 0, 0, 170),      rgb(0xffffff),           rgb(0xffff00),
       QColor(255, 255, 0, 60),   rgb(0x56b4e9),           rgb(0xff9466),
-      QColor(255, 255, 255, 46), QColor(0, 90, 190, 160), QColor(255, 255, 255, 160)};
+      QColor(255, 255, 255, 46), QColor(0, 90, 190, 160), QColor(255, 255, 255, 160),
+      QColor(0, 90, 190, 120)};
   return kInks;
 }
 

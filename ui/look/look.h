@@ -52,6 +52,7 @@ const Colours& coloursOf(const QPalette& palette);
 /// Inks upon photographs, whose ground is neither light nor dark.
 struct PhotographInks {
   QColor halo, line, lit, lit_ground, good, bad, free_place, sherd_brush, plate_brush;
+  QColor sherd;  ///< over what a mask takes for sherd: seen on every clay and on the plate
 };
 const PhotographInks& photographInks();
 

@@ -150,9 +150,9 @@ void MainWindow::takeProject(std::shared_ptr<upkeep::Project> project) {
 
 void MainWindow::showProject() {
   const std::filesystem::path folder = session()->folder();
-  const bool read_only = project_->isReadOnly();
+  const QString read_only = session()->whyReadOnly();
   const QString title = project_->title();
-  const QString shown = read_only ? tr("%1 (read-only)").arg(title) : title;
+  const QString shown = read_only.isEmpty() ? title : tr("%1 (read-only)").arg(title);
   session()->setInitials(settings_.initials);
   undo_->addStack(&session()->undo());
   undo_->setActiveStack(&session()->undo());
@@ -167,10 +167,8 @@ void MainWindow::showProject() {
     keepSettings();
   });
   connect(session(), &ProjectSession::personRefused, work_->footer(), &FooterLine::say);
-  if (read_only)
-    work_->footer()->say(
-        tr("This project is read-only: you can look at everything, but change nothing."));
-  care_->begin(folder, read_only);
+  if (!read_only.isEmpty()) work_->footer()->say(read_only);
+  care_->begin(folder, !read_only.isEmpty());
   file_watch_->look(folder);
 }
 

@@ -27,12 +27,6 @@ QString OpenProject::title() const {
                          : title;
 }
 
-bool OpenProject::isReadOnly() const {
-  const QString folder = QString::fromStdString(session_->folder().string());
-  return !QFileInfo(folder).isWritable() ||
-         !QFileInfo(folder + QStringLiteral("/catalogue.sqlite")).isWritable();
-}
-
 // The lock comes first: opening may bring the catalogue up to date.
 Result<void> OpenProject::open(const QString& path) {
   // A file manager hands over the catalogue's file; the project is its folder.

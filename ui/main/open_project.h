@@ -27,7 +27,6 @@ class OpenProject final : public QObject {
 
   ProjectSession* session() const { return session_.get(); }  ///< null: none is open
   QString title() const;
-  bool isReadOnly() const;
 
   /// path: its folder, or its catalogue's file. None may be open. Errors: it is open in another
   /// window, or cannot be read.

@@ -11,14 +11,12 @@
 #include "intake/settle_batch.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
+#include "ui/look/look.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
-
-// Seen on every clay and on the plate: a colour that neither has.
-constexpr QRgb kOverlay = qRgba(0, 90, 190, 120);
 
 struct OpenedMasks {
   std::vector<decisions::MaskedPhotograph> photographs;
@@ -43,9 +41,12 @@ Result<OpenedMasks> opened(const std::filesystem::path& output, const std::stop_
 
 QImage overlayOf(const QImage& mask) {
   QVector<QRgb> colours(256);
-  for (int level = 0; level < 256; ++level)
-    colours[level] =
-        qRgba(qRed(kOverlay), qGreen(kOverlay), qBlue(kOverlay), qAlpha(kOverlay) * level / 255);
+  QColor ink = photographInks().sherd;
+  const int most = ink.alpha();
+  for (int level = 0; level < 256; ++level) {
+    ink.setAlpha(most * level / 255);
+    colours[level] = ink.rgba();
+  }
   QImage grey = mask.convertToFormat(QImage::Format_Grayscale8);
   QImage indexed(grey.constBits(), grey.width(), grey.height(),
                  static_cast<int>(grey.bytesPerLine()), QImage::Format_Indexed8);
@@ -223,8 +224,8 @@ void MaskModel::drawOverlay() {
     painter.setCompositionMode(s.paint == decisions::MaskPaint::Sherd
                                    ? QPainter::CompositionMode_Source
                                    : QPainter::CompositionMode_Clear);
-    painter.setPen(QPen(QColor::fromRgba(kOverlay), 2 * s.radius_px, Qt::SolidLine, Qt::RoundCap,
-                        Qt::RoundJoin));
+    painter.setPen(
+        QPen(photographInks().sherd, 2 * s.radius_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(path);
   }
   painter.end();

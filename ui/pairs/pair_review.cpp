@@ -66,12 +66,17 @@ void PairReview::setPerson(const QString& initials) {
   emit personChanged();
 }
 
+QString PairReview::whyNotDecide() const {
+  if (!read_only_.isEmpty()) return read_only_;
+  return person_.isEmpty() ? tr("Enter your initials first: each decision keeps its name.")
+                           : QString();
+}
+
 QString PairReview::whyNotAccept() const {
   if (!batch_.isOpen() || hand_.front() < 0)
     return tr("No pair is chosen: give this back to a front first.");
   if (hand_.trial().back < 0) return tr("Choose a back first.");
-  if (person_.isEmpty()) return tr("Enter your initials first: each decision keeps its name.");
-  return {};
+  return whyNotDecide();
 }
 
 void PairReview::selectRow(int row) {
@@ -117,7 +122,7 @@ PairDecision PairReview::about(DecisionKind kind) const {
 void PairReview::accept() {
   if (const QString why = whyNotAccept(); !why.isEmpty()) {
     emit failed(why);
-    if (person_.isEmpty()) emit personWanted();
+    if (person_.isEmpty() && read_only_.isEmpty()) emit personWanted();
     return;
   }
   PairDecision decision = about(DecisionKind::Pair);
@@ -138,12 +143,12 @@ void PairReview::accept() {
 }
 
 void PairReview::setAside() {
-  if (hand_.row() < 0 || !personIsKnown()) return;
+  if (hand_.row() < 0 || !mayDecide()) return;
   decide(about(DecisionKind::Aside), tr("setting aside %1").arg(batch_.nameOf(hand_.trial())));
 }
 
 void PairReview::reshoot() {
-  if (hand_.row() < 0 || !personIsKnown()) return;
+  if (hand_.row() < 0 || !mayDecide()) return;
   PairDecision decision = about(DecisionKind::Reshoot);
   if (const review::ReviewCard* card = hand_.card(); card != nullptr && card->back >= 0)
     decision.scans.push_back(batch_.back(card->back));
@@ -151,7 +156,7 @@ void PairReview::reshoot() {
 }
 
 void PairReview::giveBack(int front, int back) {
-  if (!batch_.isOpen() || front < 0 || back < 0 || !personIsKnown()) return;
+  if (!batch_.isOpen() || front < 0 || back < 0 || !mayDecide()) return;
   const decisions::RegisteredCandidate* known = batch_.table().find(front, back);
   if (known == nullptr) {  // how they fit is to be seen first
     select(front);
@@ -165,7 +170,7 @@ void PairReview::giveBack(int front, int back) {
 
 void PairReview::joinWith(Side side, int row) {
   const int mine = hand_.row();
-  if (mine < 0 || row < 0 || row >= cards_.rowCount() || row == mine || !personIsKnown()) return;
+  if (mine < 0 || row < 0 || row >= cards_.rowCount() || row == mine || !mayDecide()) return;
   const ReviewRow &one = cards_.at(mine), &other = cards_.at(row);
   PairDecision decision = about(DecisionKind::Join);
   if (side == Side::Front && !one.isLoneBack() && !other.isLoneBack()) {
@@ -180,7 +185,7 @@ void PairReview::joinWith(Side side, int row) {
 }
 
 void PairReview::split(Side side, const Eigen::Vector2d& a_mm, const Eigen::Vector2d& b_mm) {
-  if (hand_.row() < 0 || !personIsKnown()) return;
+  if (hand_.row() < 0 || !mayDecide()) return;
   if ((side == Side::Back ? hand_.trial().back : hand_.trial().front) < 0) return;
   PairDecision decision = about(DecisionKind::Split);
   decision.cut_mm = {a_mm, b_mm};
@@ -194,10 +199,11 @@ void PairReview::split(Side side, const Eigen::Vector2d& a_mm, const Eigen::Vect
   decide(decision, tr("splitting %1").arg(nameOf(decision.scans[0])));
 }
 
-bool PairReview::personIsKnown() {
-  if (!person_.isEmpty()) return true;
-  emit failed(tr("Enter your initials first: each decision keeps its name."));
-  emit personWanted();
+bool PairReview::mayDecide() {
+  const QString why = whyNotDecide();
+  if (why.isEmpty()) return true;
+  emit failed(why);
+  if (read_only_.isEmpty()) emit personWanted();
   return false;
 }
 

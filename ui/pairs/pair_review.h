@@ -21,6 +21,9 @@ class PairReview final : public QObject {
   void close();
   void setPerson(const QString& initials);
   const QString& person() const { return person_; }
+  /// why: a sentence; empty where decisions can be written.
+  void setReadOnly(const QString& why) { read_only_ = why; }
+  const QString& whyReadOnly() const { return read_only_; }
   void setApply(ApplyDecision apply) { apply_ = std::move(apply); }  ///< unset: the file alone
 
   const ReviewedBatch& batch() const { return batch_; }
@@ -59,13 +62,14 @@ class PairReview final : public QObject {
   void show(const decisions::ScanRef& scan, const Trial& tried);  ///< as tried, if it is of its row
   void decide(decisions::PairDecision decision, const QString& text);
   decisions::PairDecision about(decisions::DecisionKind kind) const;  ///< the card in hand
-  bool personIsKnown();
+  QString whyNotDecide() const;
+  bool mayDecide();  ///< or says why not
   void fetchPictures();
   void fetchMore();
 
   JobRunner& runner_;
   QUndoStack& undo_;
-  QString person_;
+  QString person_, read_only_;
   ApplyDecision apply_;
   ReviewedBatch batch_;
   CardListModel cards_;

@@ -122,8 +122,9 @@ QueueRow BatchQueue::rowFrom(const records::BatchRecord& batch, const QueueRow* 
   } else {
     readDetails(project, row);
   }
-  row.masks_edited = row.state == QueueState::Review &&
-                     decisions::masksWantComputing(project.resultsFolder(batch.number));
+  const std::filesystem::path results = project.resultsFolder(batch.number);
+  row.has_masks = decisions::hasMasks(results);
+  row.masks_edited = row.state == QueueState::Review && decisions::masksWantComputing(results);
   return row;
 }
 
@@ -237,6 +238,7 @@ void BatchQueue::makeWayForADraft() {
 
 void BatchQueue::startNext() {
   if (session_ == nullptr || switches_->isPaused() || computation_->isLeaving()) return;
+  if (!session_->whyReadOnly().isEmpty()) return;
   if (computation_->isBusy()) return makeWayForADraft();
   QueueRow* next = nextToCompute();
   if (next == nullptr) return;

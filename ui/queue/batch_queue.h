@@ -37,7 +37,8 @@ struct QueueRow {
   JobProgress progress;
   QString failure;  ///< the sentence of the error, of Failed
   bool cancelled = false;
-  bool aside = false;         ///< Failed, and nobody wants it
+  bool aside = false;  ///< Failed, and nobody wants it
+  bool has_masks = false;
   bool masks_edited = false;  ///< Review: since its results were computed
   QString scale_doubts;       ///< why no measure is sure, a sentence a line
   std::optional<intake::BatchFigures> figures;

@@ -58,9 +58,6 @@ QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
   open_->setShortcuts({Qt::Key_Return, Qt::Key_Enter});
   drafts_ = addPageAct(this, "queueDrafts", "picture", tr("Drafts first"), Qt::Key_D);
   drafts_->setCheckable(true);
-  drafts_->setToolTip(
-      tr("Processes each new batch quickly and coarsely, for a check while the sherds are still "
-         "on the plate; reprocessing makes it final (D)"));
   calibrate_ = addPageAct(this, "queueCalibrate", "turntable", tr("Recalibrate rig"), Qt::Key_C);
   calibrate_->setToolTip(
       tr("A camera was bumped: this batch's photographs tell where the cameras stand now (C)"));
@@ -252,14 +249,16 @@ void QueueScreen::follow() {
   const int at = queue_->rowOf(selected());
   const QueueState state = at < 0 ? QueueState::Shooting : queue_->row(at).state;
   followCancel(state, at >= 0 && queue_->row(at).aside);
-  followNext(mending ? QueueState::Shooting : state);
   again_->setEnabled(state == QueueState::Failed || state == QueueState::Done ||
                      state == QueueState::Review);
   report_->setEnabled(state == QueueState::Done || state == QueueState::Review ||
                       state == QueueState::Failed);
   review_->setEnabled(state == QueueState::Review || state == QueueState::Done);
-  masks_->setEnabled(state == QueueState::Review || state == QueueState::Done ||
-                     state == QueueState::Failed);
+  const bool masks = at >= 0 && queue_->row(at).has_masks;
+  masks_->setEnabled(masks && (state == QueueState::Review || state == QueueState::Done ||
+                               state == QueueState::Failed));
+  masks_->setToolTip(at < 0 || masks ? QString() : tr("This batch has no masks."));
+  followReadOnly();
   const bool moved = at >= 0 && queue_->row(at).figures && !queue_->row(at).figures->moved.empty();
   calibrate_->setEnabled(moved);
   calibrate_->setVisible(moved);
@@ -267,6 +266,7 @@ void QueueScreen::follow() {
   if (mending)
     for (QAction* action : {cancel_, again_, report_, review_, masks_, calibrate_})
       action->setEnabled(false);
+  followNext(mending ? QueueState::Shooting : state);
   if (!queue_->switches()->trouble().isEmpty())
     message_->showError({ErrorCode::CannotWrite, queue_->switches()->trouble().toStdString(), {}},
                         tr("Resume"));
@@ -278,13 +278,31 @@ void QueueScreen::follow() {
   emit waitingChanged();
 }
 
+// What changes the project is not offered where that cannot be done.
+void QueueScreen::followReadOnly() {
+  const QString why = session_ == nullptr ? QString() : session_->whyReadOnly();
+  again_->setToolTip(why);
+  cancel_->setToolTip(why);
+  drafts_->setEnabled(why.isEmpty());
+  drafts_->setToolTip(
+      why.isEmpty()
+          ? tr("Processes each new batch quickly and coarsely, for a check while the sherds are "
+               "still on the plate; reprocessing makes it final (D)")
+          : why);
+  if (why.isEmpty()) return;
+  masks_->setToolTip(why);
+  for (QAction* action : {again_, cancel_, masks_}) action->setEnabled(false);
+}
+
 // What Enter, a double click and the one button do with the batch.
 void QueueScreen::followNext(QueueState state) {
   next_->setText(state == QueueState::Failed ? again_->text()
                  : state == QueueState::Done ? report_->text()
                                              : review_->text());
-  next_->setEnabled(state == QueueState::Failed || state == QueueState::Done ||
-                    state == QueueState::Review);
+  next_->setEnabled((state == QueueState::Failed && again_->isEnabled()) ||
+                    state == QueueState::Done || state == QueueState::Review);
+  next_->setToolTip(state == QueueState::Failed && !again_->isEnabled() ? again_->toolTip()
+                                                                        : QString());
 }
 
 void QueueScreen::openSelected() {

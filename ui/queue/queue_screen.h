@@ -50,6 +50,7 @@ class QueueScreen final : public Screen {
   QString selected() const;
   void follow();
   void followPause();
+  void followReadOnly();
   void openReport();
   void openSelected();
   void followNext(QueueState state);

@@ -160,6 +160,11 @@ void ReviewPane::buildActions() {
   tools_->addGroup(tr("View"), {mirror_, apart_, section_, measure_, along_fracture_, closed_});
   tools_->addGroup(tr("Fit"), {settle});
   tools_->addGroup(tr("Decide"), {aside, reshoot, join_, cut_});
+  if (review_.whyReadOnly().isEmpty()) return;
+  for (QAction* action : {aside, reshoot, join_, cut_}) {
+    action->setEnabled(false);
+    action->setToolTip(review_.whyReadOnly());
+  }
 }
 
 void ReviewPane::buildViewActions() {
@@ -390,7 +395,7 @@ void ReviewPane::showFigures() {
                                        : hand_.figuresText());
   // A missing name is said by the click, not by a dead button.
   accept_->setEnabled(review_.batch().isOpen() && hand_.front() >= 0 && hand_.trial().back >= 0 &&
-                      !isUnseen());
+                      !isUnseen() && review_.whyReadOnly().isEmpty());
   accept_->setToolTip(review_.whyNotAccept());
   if (review_.batch().isOpen() && !closed_->isChecked())
     view_->setPose(hand_.trial().front_from_back);

@@ -50,7 +50,6 @@ ReviewScreen::ReviewScreen(QWidget* parent) : PlateScreen(tr("Batch"), parent) {
   compute_ = new QPushButton(tr("Update changed models"), this);
   compute_->setObjectName("compute");
   compute_->setFocusPolicy(Qt::TabFocus);
-  compute_->setToolTip(tr("Reprocesses the pairs that were decided differently"));
   compute_->hide();
   auto* head = new QHBoxLayout;
   head->addWidget(batches_);
@@ -138,6 +137,11 @@ void ReviewScreen::openProject(ProjectSession& session) {
   closeProject();
   session_ = &session;
   review_ = new PairReview(session.jobs(), session.undo(), this);
+  const QString read_only = session.whyReadOnly();
+  review_->setReadOnly(read_only);
+  compute_->setEnabled(read_only.isEmpty());
+  compute_->setToolTip(
+      read_only.isEmpty() ? tr("Reprocesses the pairs that were decided differently") : read_only);
   pane_ = new ReviewPane(*review_, this);
   pane_->setCompact(compact_);
   layout()->addWidget(pane_);

@@ -259,7 +259,6 @@ void GlCanvas::mouseReleaseEvent(QMouseEvent* event) {
   setMoving(false);
   if (turning_back_) {
     turning_back_ = false;
-    emit releasedWithControl();
     return;
   }
   tell(*event);

@@ -38,7 +38,6 @@ class GlCanvas final : public QOpenGLWidget {
   void clicked(double x, double y, double z);  ///< a point under the mouse, while picking
   void draggedWithControl(double turn_x, double turn_y, double turn_z, double move_x, double move_y,
                           double move_z);
-  void releasedWithControl();
 
  protected:
   void initializeGL() override;

@@ -70,7 +70,6 @@ SherdView::SherdView(QWidget* parent) : QWidget(parent) {
           [this](double a, double b, double c, double x, double y, double z) {
             emit backMoved(Eigen::Vector3d(a, b, c), Eigen::Vector3d(x, y, z));
           });
-  connect(canvas_, &GlCanvas::releasedWithControl, this, &SherdView::backReleased);
   auto* idle = new QTimer(this);
   idle->setSingleShot(true);
   connect(idle, &QTimer::timeout, this, [this, idle] {
@@ -152,7 +151,6 @@ void SherdView::setApart(bool apart) {
     canvas_->scene().fitView();
     canvas_->redraw();
   }
-  emit apartChanged(apart);
 }
 
 void SherdView::setSection(bool section) {
@@ -173,7 +171,6 @@ void SherdView::setMeasuring(bool measuring) {
     canvas_->setCursor(measuring ? Qt::CrossCursor : Qt::ArrowCursor);
     if (!measuring) setMeasure({}, {}, {});
   }
-  emit measuringChanged(measuring);
 }
 
 void SherdView::resetView() {

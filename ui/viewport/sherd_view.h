@@ -65,10 +65,7 @@ class SherdView final : public QWidget {
   void pointPicked(const Eigen::Vector3d& point);  ///< while measuring; front's frame, mm
   /// The back is to be turned and moved by so much, in the front's frame.
   void backMoved(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
-  void backReleased();  ///< the hand let go
   void sectionChanged(bool on);
-  void apartChanged(bool apart);
-  void measuringChanged(bool on);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -51,6 +51,14 @@ TEST_F(MaskStrokes, AreReadBackAsTheyWerePainted) {
   EXPECT_EQ((*back)[1].at, "2026-07-14T09:30:12Z");
 }
 
+TEST_F(MaskStrokes, CanBePaintedOnlyWhereThereAreMasks) {
+  EXPECT_FALSE(hasMasks(out));
+  fs::create_directories(out / "work" / "scans_front");  // a batch of scans
+  EXPECT_FALSE(hasMasks(out));
+  fs::create_directories(out / "work" / "masks_back");
+  EXPECT_TRUE(hasMasks(out));
+}
+
 TEST_F(MaskStrokes, HoldOnlyForThePhotographTheyWerePaintedOn) {
   MaskStroke here = dot(MaskPaint::Sherd, 1, 2, 3), before = here, elsewhere = here;
   here.photograph = "aa";

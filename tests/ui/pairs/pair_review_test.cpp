@@ -28,6 +28,7 @@ class PairReviewTest : public ReviewModel {
   void whoTakesADecisionBackIsNamed();
   void whatIsDoneAgainIsComputedAlready();
   void nobodyDecidesNothing();
+  void nothingIsDecidedInAReadOnlyProject();
   void aBackGivenToAnotherFrontMovesTheOneThatHeldIt();
   void settingAsideAndShootingAgainAreDecisions();
   void aTurnByHandIsOneActAndTheFracturesSettleIt();
@@ -140,6 +141,21 @@ void PairReviewTest::nobodyDecidesNothing() {
   review_->giveBack(0, 0);
   QCOMPARE(failed.count(), 3);
   QVERIFY(failed[0][0].toString().contains("initials"));
+  QVERIFY(onDisk().empty());
+}
+
+void PairReviewTest::nothingIsDecidedInAReadOnlyProject() {
+  review_->setPerson({});
+  review_->setReadOnly("This project is read-only.");
+  QSignalSpy failed(review_.get(), &PairReview::failed);
+  QSignalSpy person(review_.get(), &PairReview::personWanted);
+  review_->accept();
+  review_->setAside();
+  review_->giveBack(0, 0);
+  QCOMPARE(failed.count(), 3);
+  for (const auto& said : failed) QCOMPARE(said[0].toString(), review_->whyReadOnly());
+  QCOMPARE(review_->whyNotAccept(), review_->whyReadOnly());
+  QCOMPARE(person.count(), 0);  // initials would not help
   QVERIFY(onDisk().empty());
 }
 

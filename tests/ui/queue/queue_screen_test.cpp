@@ -1,10 +1,16 @@
 // The queue's screen by keys.
 #include "ui/queue/queue_screen.h"
 
+#include <linux/capability.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
 #include <QListView>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QToolButton>
 #include <QtTest>
 #include <atomic>
 #include <thread>
@@ -19,6 +25,28 @@
 
 using namespace ostraka;
 using namespace ostraka::ui;
+
+namespace {
+
+// While it lives this thread is refused what its permissions refuse, even if it is root's.
+class WithoutPrivileges {
+ public:
+  WithoutPrivileges() {
+    ::syscall(SYS_capget, &header_, before_);
+    __user_cap_data_struct none[_LINUX_CAPABILITY_U32S_3]{};
+    for (int i = 0; i < _LINUX_CAPABILITY_U32S_3; ++i) none[i].permitted = before_[i].permitted;
+    ::syscall(SYS_capset, &header_, none);
+  }
+  ~WithoutPrivileges() { ::syscall(SYS_capset, &header_, before_); }
+  WithoutPrivileges(const WithoutPrivileges&) = delete;
+  WithoutPrivileges& operator=(const WithoutPrivileges&) = delete;
+
+ private:
+  __user_cap_header_struct header_{_LINUX_CAPABILITY_VERSION_3, 0};
+  __user_cap_data_struct before_[_LINUX_CAPABILITY_U32S_3]{};
+};
+
+}  // namespace
 
 class QueueScreenTest : public QObject {
   Q_OBJECT
@@ -141,6 +169,44 @@ class QueueScreenTest : public QObject {
     QTRY_VERIFY(!button->isVisible());  // the rig fits: nothing is offered
   }
 
+  void masksAreOfferedOnlyWhereThereAreAny() {
+    addBatch(records::BatchState::Done);
+    screen_->openProject(*session_);
+    const auto* masks = child<QToolButton>("queueMasksButton");
+    QVERIFY(!masks->isEnabled());
+    QVERIFY2(masks->toolTip().contains("no masks"), qPrintable(masks->toolTip()));
+    std::filesystem::create_directories(session_->folder() / "results/B0001/work/masks_front");
+    session_->tellBatchChanged("B0001");
+    QVERIFY(masks->isEnabled());
+    QVERIFY2(!masks->toolTip().contains("no masks"), qPrintable(masks->toolTip()));
+  }
+
+  void aReadOnlyProjectOffersNothingThatChangesIt() {
+    addBatch(records::BatchState::Done);
+    addBatch();
+    const std::filesystem::path folder = session_->folder();
+    std::filesystem::create_directories(folder / "results/B0001/work/masks_front");
+    session_.reset();
+    ::chmod((folder / "catalogue.sqlite").c_str(), 0444);
+    ::chmod(folder.c_str(), 0555);
+    {
+      const WithoutPrivileges refused;
+      session_ = std::make_unique<ProjectSession>(projectIn(folder), folder, *jobs_);
+    }
+    ::chmod(folder.c_str(), 0755);
+    QVERIFY(!session_->whyReadOnly().isEmpty());
+    screen_->openProject(*session_);
+    QCOMPARE(queue_->row(queue_->rowOf("B0002")).state, QueueState::Waiting);  // nor is it begun
+    screen_->showItem("B0001");
+    for (const char* name : {"queueAgainButton", "queueMasksButton", "queueDraftsButton"}) {
+      const auto* button = child<QToolButton>(name);
+      QVERIFY2(!button->isEnabled(), name);
+      QVERIFY2(button->toolTip().contains("read-only"), qPrintable(button->toolTip()));
+    }
+    QVERIFY(child<QToolButton>("queueReviewButton")->isEnabled());  // to be looked at
+    QVERIFY(child<QPushButton>("queueNext")->isEnabled());
+  }
+
   void aFullDiskIsSaidWithAButtonThatGoesOn() {
     refuse_ = true;
     addBatch();
@@ -160,9 +226,9 @@ class QueueScreenTest : public QObject {
   T* child(const char* name) {
     return named<T>(*screen_, name);
   }
-  void addBatch() {
+  void addBatch(records::BatchState state = records::BatchState::Queued) {
     records::BatchRecord record;
-    record.state = records::BatchState::Queued;
+    record.state = state;
     QVERIFY(catalogue::Batches(session_->project().catalogue()).add(record, {}).has_value());
   }
   std::atomic<int> begun_ = 0;

@@ -2,9 +2,10 @@
 #include <chrono>
 #include <optional>
 
-namespace ostraka::ui {
+namespace ostraka {
 
-/// Fraction and time left of a job that goes through stages of expected shares.
+/// Fraction and time left of work that goes through stages of expected shares; work without stages
+/// is one whole.
 class Pace {
  public:
   using Clock = std::chrono::steady_clock;
@@ -19,13 +20,11 @@ class Pace {
   std::optional<double> secondsLeft(Clock::time_point now) const;
 
  private:
-  void endStage(Clock::time_point now);
-
-  bool started_ = false;
+  bool in_stage_ = false;
   double stage_share_ = 1, share_before_ = 0, stage_done_ = 0;
   // Stages found whole from an earlier run take no time: the pace comes from the others.
   double worked_share_ = 0, worked_seconds_ = 0;
-  Clock::time_point stage_begin_;
+  std::optional<Clock::time_point> stage_begin_;  // empty before the first word of the work
 };
 
-}  // namespace ostraka::ui
+}  // namespace ostraka

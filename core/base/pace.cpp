@@ -1,8 +1,8 @@
-#include "ui/jobs/pace.h"
+#include "base/pace.h"
 
 #include <algorithm>
 
-namespace ostraka::ui {
+namespace ostraka {
 namespace {
 
 constexpr double kInstant_s = 0.5;  // a stage this short was found whole from an earlier run
@@ -13,44 +13,41 @@ double seconds(Pace::Clock::duration d) {
 
 }  // namespace
 
-void Pace::endStage(Clock::time_point now) {
-  if (!started_) return;
-  const double spent = seconds(now - stage_begin_);
-  if (spent > kInstant_s) {
-    worked_share_ += stage_share_;
-    worked_seconds_ += spent;
-  }
-  share_before_ += stage_share_;
-}
-
 void Pace::begin(double share, Clock::time_point now) {
-  endStage(now);
-  started_ = true;
+  if (in_stage_) {
+    const double spent = seconds(now - *stage_begin_);
+    if (spent > kInstant_s) {
+      worked_share_ += stage_share_;
+      worked_seconds_ += spent;
+    }
+    share_before_ += stage_share_;
+  }
+  in_stage_ = true;
   stage_share_ = share;
   stage_done_ = 0;
   stage_begin_ = now;
 }
 
 void Pace::report(double done, Clock::time_point now) {
-  if (!started_) begin(1, now);
+  if (!stage_begin_) stage_begin_ = now;
   stage_done_ = std::clamp(done, 0.0, 1.0);
 }
 
 void Pace::skip(Clock::duration idle) {
-  stage_begin_ += idle;
+  if (stage_begin_) *stage_begin_ += idle;
 }
 
 double Pace::fraction() const {
-  return std::clamp(share_before_ + (started_ ? stage_share_ * stage_done_ : 0), 0.0, 1.0);
+  return std::clamp(share_before_ + stage_share_ * stage_done_, 0.0, 1.0);
 }
 
 std::optional<double> Pace::secondsLeft(Clock::time_point now) const {
-  if (!started_) return {};
+  if (!stage_begin_) return {};
   const double share = worked_share_ + stage_share_ * stage_done_;
-  const double work = worked_seconds_ + seconds(now - stage_begin_);
+  const double work = worked_seconds_ + seconds(now - *stage_begin_);
   // Below three seconds or two hundredths the pace is a guess.
   if (work < 3 || share < 0.02) return {};
   return std::max(0.0, 1 - share_before_ - stage_share_ * stage_done_) * work / share;
 }
 
-}  // namespace ostraka::ui
+}  // namespace ostraka

@@ -158,6 +158,24 @@ TEST(CloseModel, APointEveryFewMillimetresMakesNoModel) {
   EXPECT_TRUE(closed(scanOfBox(coarse, false, 1), scanOfBox(coarse, true, 2)).has_value());
 }
 
+// Waves of 0.8 mm, 0.05 mm high: fine tool marks.
+TEST(CloseModel, ReliefOfFinePixelsStays) {
+  const BoxScan fine{.size = {8, 6, 3}, .spacing_mm = 0.08f, .noise_mm = 0.005f};
+  const auto wave = [](float x) { return std::sin(2 * static_cast<float>(M_PI) * x / 0.8f); };
+  PointCloud front = scanOfBox(fine, false, 1);
+  for (std::size_t i = 0; i < front.size(); ++i)
+    if (front.normals[i].z() > 0.7f) front.points[i].z() += 0.05f * wave(front.points[i].x());
+  const auto model = closed(front, scanOfBox(fine, true, 2));
+  ASSERT_TRUE(model.has_value());
+  double height = 0, square = 0;
+  for (const Eigen::Vector3f& p : model->mesh.vertices) {
+    if (p.z() < 1.2f || std::abs(p.x()) > 3.2f || std::abs(p.y()) > 2) continue;
+    height += wave(p.x()) * (p.z() - 1.5f);
+    square += wave(p.x()) * wave(p.x());
+  }
+  EXPECT_GT(height / square, 0.04);
+}
+
 TEST(CloseModel, ItStopsOnRequest) {
   std::stop_source stop;
   stop.request_stop();

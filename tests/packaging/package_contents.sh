@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs what was built into an empty folder and looks through it as through a package; then
+# Installs the program into an empty folder and looks through it as through a package; then
 # spoils it, to know that the looking finds what is wrong.
 #   package_contents.sh BUILD_FOLDER
 set -eu
@@ -7,7 +7,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 check=$here/../../packaging/check-contents.sh
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-DESTDIR=$tree cmake --install "$1" --prefix /usr > "$tree.log" || { cat "$tree.log"; exit 1; }
+DESTDIR=$tree cmake --install "$1" --prefix /usr --component program > "$tree.log" || { cat "$tree.log"; exit 1; }
 rm -f "$tree.log"
 "$check" "$tree"
 

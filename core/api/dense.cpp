@@ -1,0 +1,62 @@
+#include "api/dense.h"
+
+#include <opencv2/imgproc.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "stereo/background.h"
+#include "stereo/stereo.h"
+
+namespace ostraka::api {
+namespace {
+
+// OpenCV asks for writable memory even where it only reads.
+template <class Pixel>
+cv::Mat_<Pixel> over(const DensePhotograph& photograph, std::span<const std::uint8_t> bytes) {
+  return cv::Mat_<Pixel>(photograph.height, photograph.width,
+                         reinterpret_cast<Pixel*>(const_cast<std::uint8_t*>(bytes.data())));
+}
+
+Result<stereo::View> asView(const DensePhotograph& photograph, std::size_t index) {
+  const bool sized = photograph.width > 0 && photograph.height > 0;
+  const std::size_t pixels = sized ? static_cast<std::size_t>(photograph.width) *
+                                         static_cast<std::size_t>(photograph.height)
+                                   : 0;
+  if (!sized || photograph.rgb.size() != 3 * pixels ||
+      (!photograph.mask.empty() && photograph.mask.size() != pixels))
+    return Error::unusable(
+        "The pixels or the mask do not have the size that width and height state.",
+        "photograph " + std::to_string(index));
+  stereo::View view;
+  cv::cvtColor(over<cv::Vec3b>(photograph, photograph.rgb), view.photograph, cv::COLOR_RGB2BGR);
+  view.mask = photograph.mask.empty() ? stereo::possibleObject(view.photograph)
+                                      : over<std::uint8_t>(photograph, photograph.mask).clone();
+  view.camera.intrinsics = {photograph.width,     photograph.height, photograph.fx,
+                            photograph.fy,        photograph.cx,     photograph.cy,
+                            photograph.distortion};
+  view.camera.camera_from_plate = photograph.camera_from_world;
+  view.camera.file = std::to_string(index);
+  return view;
+}
+
+}  // namespace
+
+Result<DenseCloud> dense(std::span<const DensePhotograph> photographs, int threads,
+                         Progress& progress, std::stop_token stop) {
+  std::vector<stereo::View> views;
+  for (std::size_t i = 0; i < photographs.size(); ++i) {
+    Result<stereo::View> view = asView(photographs[i], i);
+    if (!view) return view.error();
+    views.push_back(std::move(*view));
+  }
+  stereo::DenseOptions options;
+  options.threads = threads;
+  Result<stereo::Reconstruction> found =
+      stereo::reconstruct(views, options, progress, std::move(stop));
+  if (!found) return found.error();
+  const stereo::Agreement& agreement = found->agreement;
+  return DenseCloud{std::move(found->cloud), agreement.confirmedShare(), agreement.plausible()};
+}
+
+}  // namespace ostraka::api

@@ -1,0 +1,148 @@
+// The functions that other programs call give what core gives them, and say what they cannot use.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "api/catalogue.h"
+#include "api/close_model.h"
+#include "api/dense.h"
+#include "api/point_files.h"
+#include "api/register.h"
+#include "api/version.h"
+#include "tests/core/catalogue/small_project.h"
+#include "tests/core/files/temporary_folder.h"
+#include "tests/core/model/shapes.h"
+#include "tests/core/pipeline/synthetic_out.h"
+#include "tests/core/stereo/textured_ball.h"
+
+namespace ostraka::api {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+QuietProgress quiet;
+
+TEST(Api, ClosesABoxOfKnownVolume) {
+  const model::BoxScan box;
+  const Result<ClosedModel> closed = closeModel(scanOfBox(box, false, 1), scanOfBox(box, true, 2),
+                                                Eigen::Isometry3d::Identity(), 2, quiet, {});
+  ASSERT_TRUE(closed.has_value()) << closed.error().sentence();
+  EXPECT_NEAR(closed->volume_mm3, box.size.prod(), 0.005 * box.size.prod());
+  EXPECT_NEAR(closed->length_mm, box.size.x(), 0.2);  // noise of 0.03 mm on both ends
+  EXPECT_NEAR(closed->width_mm, box.size.y(), 0.2);
+  EXPECT_NEAR(closed->thickness_mean_mm, box.size.z(), 0.1);
+  EXPECT_FALSE(closed->mesh.triangles.empty());
+}
+
+TEST(Api, PairsAndRegistersScansHandedInAsPoints) {
+  const TemporaryFolder folder;
+  pipeline::SyntheticOptions options;
+  options.sherds = 3;
+  options.swapped_look_alikes = false;
+  const pipeline::SyntheticOut truth = pipeline::writeSyntheticOut(folder.path() / "out", options);
+  std::vector<PointCloud> fronts, backs;
+  for (const int i : {1, 2, 3}) {
+    const std::string number = "00" + std::to_string(i) + ".ply";
+    fronts.push_back(*readCloud(truth.output / "work/scans_front" / ("f" + number)));
+    backs.push_back(*readCloud(truth.output / "work/scans_back" / ("b" + number)));
+  }
+  std::swap(backs.front(), backs.back());
+  const Result<RegisteredScans> found = registerScans(fronts, backs, 2, quiet, {});
+  ASSERT_TRUE(found.has_value()) << found.error().sentence();
+  ASSERT_EQ(found->pairs.size(), 3u);
+  for (const RegisteredPair& pair : found->pairs) EXPECT_EQ(pair.front + pair.back, 2);
+  EXPECT_TRUE(found->unpaired_front.empty() && found->unpaired_back.empty());
+
+  const Result<RegisteredScans> half =
+      registerScans(std::span(fronts).first(1), std::span(backs).first(2), 2, quiet, {});
+  ASSERT_TRUE(half.has_value()) << half.error().sentence();
+  EXPECT_FALSE(half->unpaired_back.empty());
+}
+
+TEST(Api, RefusesScansWithoutNormalsOrPointsAndNamesThem) {
+  const PointCloud good = scanOfBox(model::BoxScan{}, false, 1);
+  PointCloud flat = good;
+  flat.normals.clear();
+  const std::vector<PointCloud> fronts = {good}, flats = {good, flat}, few = {PointCloud{}};
+  const Result<RegisteredScans> no_normals = registerScans(fronts, flats, 1, quiet, {});
+  ASSERT_FALSE(no_normals.has_value());
+  EXPECT_EQ(no_normals.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(no_normals.error().sentence(), HasSubstr("back 1"));
+  EXPECT_EQ(registerScans(few, fronts, 1, quiet, {}).error().code, ErrorCode::NotEnough);
+  EXPECT_EQ(registerScans({}, fronts, 1, quiet, {}).error().code, ErrorCode::NotEnough);
+}
+
+TEST(Api, FindsABallInPhotographsWithKnownCameras) {
+  const stereo::TexturedBall ball;
+  std::vector<cv::Mat> kept;
+  std::vector<DensePhotograph> photographs;
+  for (const stereo::View& view : stereo::ballViews(ball, 6)) {
+    const rig::Intrinsics& camera = view.camera.intrinsics;
+    kept.push_back(view.photograph);  // grey: red, green and blue are alike
+    kept.push_back(view.mask);
+    photographs.push_back({camera.width,
+                           camera.height,
+                           {view.photograph.data, 3 * view.photograph.total()},
+                           {view.mask.data, view.mask.total()},
+                           camera.fx,
+                           camera.fy,
+                           camera.cx,
+                           camera.cy,
+                           camera.distortion,
+                           view.camera.camera_from_plate});
+  }
+  const Result<DenseCloud> found = dense(photographs, 2, quiet, {});
+  ASSERT_TRUE(found.has_value()) << found.error().sentence();
+  EXPECT_TRUE(found->plausible);
+  ASSERT_TRUE(found->cloud.hasNormals());
+  std::vector<double> off;
+  for (const Eigen::Vector3f& p : found->cloud.points)
+    off.push_back(std::abs((p.cast<double>() - ball.centre).norm() - ball.radius_mm));
+  std::sort(off.begin(), off.end());
+  EXPECT_LT(off[off.size() / 2], 0.06);  // stereo_test.cpp: bias 0.04, spread 0.08
+
+  photographs[1].height += 1;
+  const Result<DenseCloud> wrong = dense(photographs, 2, quiet, {});
+  ASSERT_FALSE(wrong.has_value());
+  EXPECT_EQ(wrong.error().where, "photograph 1");
+}
+
+using ReadCatalogue = catalogue::SmallProject;
+
+TEST_F(ReadCatalogue, GivesSherdsThatMatchWithTheirFields) {
+  numbered(context12);
+  numbered(context13);
+  draft(context12);
+  const fs::path folder = folder_.path() / "project";
+  const Result<CatalogueContents> all = readCatalogue(folder, "");
+  ASSERT_TRUE(all.has_value()) << all.error().sentence();
+  EXPECT_EQ(all->title, "Trial");
+  ASSERT_EQ(all->sherds.size(), 3u);
+  EXPECT_EQ(all->sherds.front().number, "ARM1-T3-0012-0001");
+  EXPECT_TRUE(all->sherds.back().number.empty()) << "drafts are last";
+  const Result<CatalogueContents> some = readCatalogue(folder, "context:0013");
+  ASSERT_TRUE(some.has_value()) << some.error().sentence();
+  ASSERT_EQ(some->sherds.size(), 1u);
+  EXPECT_THAT(some->sherds.front().fields, testing::Contains(testing::Pair("context", "0013")));
+}
+
+TEST(Api, SaysThatAFolderIsNoProject) {
+  const TemporaryFolder folder;
+  const Result<CatalogueContents> none = readCatalogue(folder.path(), "");
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().code, ErrorCode::UnusableInput);
+}
+
+TEST(Api, WritesWhatItReads) {
+  const TemporaryFolder folder;
+  const PointCloud cloud = scanOfBox(model::BoxScan{}, false, 1);
+  ASSERT_TRUE(writeCloud(folder.path() / "box.ply", cloud).has_value());
+  const Result<PointCloud> read = readCloud(folder.path() / "box.ply");
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_EQ(read->points, cloud.points);
+  EXPECT_EQ(read->normals, cloud.normals);
+}
+
+}  // namespace
+}  // namespace ostraka::api

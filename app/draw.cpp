@@ -9,7 +9,9 @@
 #include "command.h"
 #include "drawing/drawing.h"
 #include "drawing/drawing_files.h"
+#include "files/files.h"
 #include "shown.h"
+#include "texture/texture.h"
 
 namespace ostraka::app {
 namespace {
@@ -65,6 +67,17 @@ void print(const SherdDrawing& drawing) {
       show(stdout, "%s: %s\n", drawing.id.c_str(), sentence.c_str());
 }
 
+// Of a painted surface, where `process` has left them beside the model.
+Result<std::optional<texture::TexturedMesh>> photographsBeside(fs::path model, Surface surface) {
+  using Photographs = std::optional<texture::TexturedMesh>;
+  model.replace_extension(".glb");
+  std::error_code code;
+  if (surface != Surface::Painted || !fs::is_regular_file(model, code)) return Photographs();
+  const Result<std::string> bytes = readFile(model);
+  if (!bytes) return bytes.error();
+  return texture::openedGlb(*bytes, model.string());
+}
+
 int runDraw(const DrawArguments& arguments, Session& session) {
   if (!arguments.ids.empty() && arguments.ids.size() != arguments.models.size())
     return fail(session, {ErrorCode::UnusableInput,
@@ -82,7 +95,13 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     const Result<PlyContents> model = readPly(arguments.models[i]);
     if (!model) return fail(session, model.error());
     const std::string id = arguments.ids.empty() ? idOf(arguments.models[i]) : arguments.ids[i];
-    Result<SherdDrawing> drawing = drawSherd(model->mesh, id, arguments.drawing);
+    drawing::DrawingOptions how = arguments.drawing;
+    const auto photographs = photographsBeside(arguments.models[i], how.surface);
+    if (!photographs)
+      how.remarks.push_back("Drawn without its photographs: " + photographs.error().sentence());
+    else if (*photographs)
+      how.photographs = &**photographs;
+    Result<SherdDrawing> drawing = drawSherd(model->mesh, id, how);
     if (!drawing) return fail(session, drawing.error());
     list.push_back(asJson(*drawing));
     drawings.push_back(std::move(*drawing));

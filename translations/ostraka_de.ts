@@ -7339,9 +7339,24 @@
       <translation>%1 wird in voller Auflösung exportiert: %2</translation>
     </message>
     <message>
+      <source>%1 is exported without photographs: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wird ohne Fotos exportiert: %2</translation>
+    </message>
+    <message>
+      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Fotos lassen sich nicht auf ein Modell legen, das nicht geschlossen ist.</translation>
+    </message>
+    <message>
       <source>Not drawn: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nicht gezeichnet: %1</translation>
+    </message>
+    <message>
+      <source>Drawn without its photographs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ohne die Fotos gezeichnet: %1</translation>
     </message>
     <message>
       <source>No pictures with masks and poses of %1: %2</source>
@@ -8157,6 +8172,16 @@
       <source>Not every vertex has a place in the texture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nicht jeder Punkt des Netzes hat einen Platz in der Textur.</translation>
+    </message>
+    <message>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Textur dieses GLB-Modells ist nicht lesbar, deshalb wird das Modell ohne sie verwendet; seinen Durchgang neu verarbeiten, damit die Datei neu geschrieben wird.</translation>
+    </message>
+    <message>
+      <source>The texture of this model has more than 67,108,864 pixels, so the model is used without it; export the model with a smaller one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Textur dieses Modells hat mehr als 67.108.864 Pixel, deshalb wird das Modell ohne sie verwendet; das Modell mit einer kleineren exportieren.</translation>
     </message>
     <message>
       <source>The texture of sherd %1 lacks a photograph: %2</source>

@@ -7334,9 +7334,24 @@
       <translation>Το %1 εξάγεται ολόκληρο: %2</translation>
     </message>
     <message>
+      <source>%1 is exported without photographs: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 εξάγεται χωρίς φωτογραφίες: %2</translation>
+    </message>
+    <message>
+      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι φωτογραφίες δεν μπορούν να τοποθετηθούν σε μοντέλο που δεν είναι κλειστό.</translation>
+    </message>
+    <message>
       <source>Not drawn: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν σχεδιάστηκε: %1</translation>
+    </message>
+    <message>
+      <source>Drawn without its photographs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σχεδιάστηκε χωρίς τις φωτογραφίες του: %1</translation>
     </message>
     <message>
       <source>No pictures with masks and poses of %1: %2</source>
@@ -8152,6 +8167,16 @@
       <source>Not every vertex has a place in the texture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν έχουν όλες οι κορυφές θέση στην υφή.</translation>
+    </message>
+    <message>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η υφή αυτού του μοντέλου GLB δεν διαβάζεται, οπότε το μοντέλο χρησιμοποιείται χωρίς αυτήν· επεξεργαστείτε ξανά την παρτίδα του για να γραφτεί εκ νέου το αρχείο.</translation>
+    </message>
+    <message>
+      <source>The texture of this model has more than 67,108,864 pixels, so the model is used without it; export the model with a smaller one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η υφή αυτού του μοντέλου έχει πάνω από 67.108.864 εικονοστοιχεία, οπότε το μοντέλο χρησιμοποιείται χωρίς αυτήν· εξαγάγετε το μοντέλο με μικρότερη υφή.</translation>
     </message>
     <message>
       <source>The texture of sherd %1 lacks a photograph: %2</source>

@@ -7334,9 +7334,24 @@
       <translation>%1 se exporta con detalle completo: %2</translation>
     </message>
     <message>
+      <source>%1 is exported without photographs: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se exporta sin fotografías: %2</translation>
+    </message>
+    <message>
+      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las fotografías no se pueden aplicar a un modelo que no está cerrado.</translation>
+    </message>
+    <message>
       <source>Not drawn: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No dibujado: %1</translation>
+    </message>
+    <message>
+      <source>Drawn without its photographs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dibujado sin sus fotografías: %1</translation>
     </message>
     <message>
       <source>No pictures with masks and poses of %1: %2</source>
@@ -8152,6 +8167,16 @@
       <source>Not every vertex has a place in the texture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No todos los vértices tienen un lugar en la textura.</translation>
+    </message>
+    <message>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se puede leer la textura de este modelo GLB, por lo que el modelo se usa sin ella; vuelva a procesar su lote para escribir el archivo de nuevo.</translation>
+    </message>
+    <message>
+      <source>The texture of this model has more than 67,108,864 pixels, so the model is used without it; export the model with a smaller one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La textura de este modelo tiene más de 67 108 864 píxeles, por lo que el modelo se usa sin ella; exporte el modelo con una más pequeña.</translation>
     </message>
     <message>
       <source>The texture of sherd %1 lacks a photograph: %2</source>

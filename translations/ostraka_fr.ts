@@ -7334,9 +7334,24 @@
       <translation>%1 est exporté en détail complet : %2</translation>
     </message>
     <message>
+      <source>%1 is exported without photographs: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est exporté sans photographies : %2</translation>
+    </message>
+    <message>
+      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photographies ne peuvent pas être appliquées à un modèle qui n’est pas fermé.</translation>
+    </message>
+    <message>
       <source>Not drawn: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Non dessiné : %1</translation>
+    </message>
+    <message>
+      <source>Drawn without its photographs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dessiné sans ses photographies : %1</translation>
     </message>
     <message>
       <source>No pictures with masks and poses of %1: %2</source>
@@ -8152,6 +8167,16 @@
       <source>Not every vertex has a place in the texture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tous les sommets n’ont pas de place dans la texture.</translation>
+    </message>
+    <message>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La texture de ce modèle GLB est illisible, le modèle est donc utilisé sans elle ; retraitez son lot pour réécrire le fichier.</translation>
+    </message>
+    <message>
+      <source>The texture of this model has more than 67,108,864 pixels, so the model is used without it; export the model with a smaller one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La texture de ce modèle a plus de 67 108 864 pixels, le modèle est donc utilisé sans elle ; exportez le modèle avec une texture plus petite.</translation>
     </message>
     <message>
       <source>The texture of sherd %1 lacks a photograph: %2</source>

@@ -7334,9 +7334,24 @@
       <translation>%1-ն արտահանվում է ամբողջությամբ. %2</translation>
     </message>
     <message>
+      <source>%1 is exported without photographs: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն արտահանվում է առանց լուսանկարների. %2</translation>
+    </message>
+    <message>
+      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարները հնարավոր չէ դնել չփակված մոդելի վրա։</translation>
+    </message>
+    <message>
       <source>Not drawn: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծված չէ. %1</translation>
+    </message>
+    <message>
+      <source>Drawn without its photographs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գծվել է առանց իր լուսանկարների. %1</translation>
     </message>
     <message>
       <source>No pictures with masks and poses of %1: %2</source>
@@ -8152,6 +8167,16 @@
       <source>Not every vertex has a place in the texture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ բոլոր գագաթներն ունեն տեղ հյուսվածքում։</translation>
+    </message>
+    <message>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս GLB մոդելի հյուսվածքը հնարավոր չէ կարդալ, ուստի մոդելն օգտագործվում է առանց դրա. վերամշակեք դրա խմբաքանակը՝ ֆայլը նորից գրելու համար։</translation>
+    </message>
+    <message>
+      <source>The texture of this model has more than 67,108,864 pixels, so the model is used without it; export the model with a smaller one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս մոդելի հյուսվածքն ունի ավելի քան 67 108 864 պիքսել, ուստի մոդելն օգտագործվում է առանց դրա. արտահանեք մոդելն ավելի փոքր հյուսվածքով։</translation>
     </message>
     <message>
       <source>The texture of sherd %1 lacks a photograph: %2</source>

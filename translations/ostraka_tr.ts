@@ -7287,9 +7287,24 @@
       <translation>%1 olduğu gibi aktarıldı: %2</translation>
     </message>
     <message>
+      <source>%1 is exported without photographs: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 fotoğrafsız dışa aktarılıyor: %2</translation>
+    </message>
+    <message>
+      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraflar kapalı olmayan bir modele yerleştirilemez.</translation>
+    </message>
+    <message>
       <source>Not drawn: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizilmedi: %1</translation>
+    </message>
+    <message>
+      <source>Drawn without its photographs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğrafları olmadan çizildi: %1</translation>
     </message>
     <message>
       <source>No pictures with masks and poses of %1: %2</source>
@@ -8105,6 +8120,16 @@
       <source>Not every vertex has a place in the texture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Her köşenin dokuda bir yeri yok.</translation>
+    </message>
+    <message>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu GLB modelinin dokusu okunamıyor, bu nedenle model dokusuz kullanılıyor; dosyanın yeniden yazılması için partisini yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>The texture of this model has more than 67,108,864 pixels, so the model is used without it; export the model with a smaller one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu modelin dokusu 67.108.864 pikselden fazla, bu nedenle model dokusuz kullanılıyor; modeli daha küçük bir dokuyla dışa aktarın.</translation>
     </message>
     <message>
       <source>The texture of sherd %1 lacks a photograph: %2</source>

@@ -37,6 +37,10 @@ inline constexpr Limit kImagePixels{"Pixels of an image", std::uint64_t{1} << 30
                                     "OpenCV decodes no more"};
 inline constexpr Limit kImageBytes{"Image file", 2047 * kMiB, "bytes",
                                    "OpenCV counts the bytes of an image with 31 bits"};
+inline constexpr Limit kTexturePixels{"Pixels of a model's texture", std::uint64_t{1} << 26,
+                                      "pixels", "the program makes no larger page"};
+inline constexpr Limit kJpegScans{"Scans of a JPEG image", 100, "scans",
+                                  "each is a pass over the whole image; cameras write about 10"};
 inline constexpr Limit kNetworkBytes{"Network for masks (ONNX)", 1024 * kMiB, "bytes",
                                      "it is held in memory twice while it is read"};
 inline constexpr Limit kVertices{"Vertices of a PLY file", 200'000'000, "vertices",
@@ -47,6 +51,8 @@ inline constexpr Limit kFaceCorners{"Corners of a face", 1000, "corners",
                                     "each becomes a triangle; scanners write 3 or 4"};
 inline constexpr Limit kDecisions{"Decisions about a batch", 10'000, "decisions",
                                   "a person takes a few for each sherd"};
+inline constexpr Limit kMaskStrokes{"Strokes in the mask of a photograph", 1000, "strokes",
+                                    "a person draws a few"};
 inline constexpr Limit kDecisionReplaces{"Decisions that one decision replaces", 1000, "decisions",
                                          "no more scans lie on a plate"};
 inline constexpr Limit kModelExtent_mm{"Length, width or height of a model that is drawn", 2000,
@@ -59,16 +65,20 @@ inline constexpr Limit kTableBytes{"Table (CSV)", 256 * kMiB, "bytes",
                                    "it is held in memory whole, and shown"};
 inline constexpr Limit kTableRows{"Rows of a table", 1'000'000, "rows",
                                   "ten times the largest find database known"};
+inline constexpr Limit kTableColumns{"Columns of a table", 1000, "columns",
+                                     "each is compared with every other"};
 inline constexpr Limit kTableFieldBytes{"Field of a table", kMiB, "bytes",
                                         "a quotation mark that is never closed ends there"};
 inline constexpr Limit kValueBytes{"Text of a field in the catalogue", kMiB, "bytes",
                                    "a remark of 500 pages"};
 
 inline constexpr Limit kAll[] = {
-    kFileBytes,    kJsonBytes,     kJsonDepth,   kPlateMarkers, kPlateReach_mm,    kBoardSquares,
-    kRigCameras,   kRigStops,      kImageSide,   kImagePixels,  kImageBytes,       kNetworkBytes,
-    kVertices,     kFaces,         kFaceCorners, kDecisions,    kDecisionReplaces, kModelExtent_mm,
-    kRasterPixels, kManifestBytes, kTableBytes,  kTableRows,    kTableFieldBytes,  kValueBytes};
+    kFileBytes,      kJsonBytes,       kJsonDepth,     kPlateMarkers, kPlateReach_mm,
+    kBoardSquares,   kRigCameras,      kRigStops,      kImageSide,    kImagePixels,
+    kImageBytes,     kTexturePixels,   kJpegScans,     kNetworkBytes, kVertices,
+    kFaces,          kFaceCorners,     kDecisions,     kMaskStrokes,  kDecisionReplaces,
+    kModelExtent_mm, kRasterPixels,    kManifestBytes, kTableBytes,   kTableRows,
+    kTableColumns,   kTableFieldBytes, kValueBytes};
 
 }  // namespace limits
 }  // namespace ostraka

@@ -1,6 +1,8 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -30,6 +32,17 @@ Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbExtras& extras)
 /// With a texture in place of COLOR_0, which readers would multiply it with.
 Result<std::string> formatGlb(const TriangleMesh& mesh, const GlbTexture& texture,
                               const GlbExtras& extras);
+/// A mesh in mm, z up, with a picture on it.
+struct TexturedModel {
+  TriangleMesh mesh;  ///< without colours
+  GlbTexture texture;
+};
+/// What formatGlb made with a texture; nothing where the file has no picture. Everything lies
+/// within the bytes: what names another file or address is refused, and so is what formatGlb does
+/// not write (several meshes, moved nodes, extensions). Pictures are not decoded. Errors:
+/// UnusableInput.
+Result<std::optional<TexturedModel>> parseTexturedGlb(std::string_view bytes,
+                                                      const std::string& where);
 /// What formatGlb made, into this file; its error names the file.
 Result<void> writeGlb(const std::filesystem::path& path, const Result<std::string>& bytes);
 

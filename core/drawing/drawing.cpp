@@ -174,6 +174,7 @@ class Composer {
     ViewOptions view;
     view.scale = options_.scale;
     view.surface = options_.surface;
+    view.photographs = options_.photographs;
     return view;
   }
 

@@ -34,6 +34,7 @@ struct DrawingOptions {
   double scale = 1;  ///< mm on paper per mm: 1 or 0.5 by custom
   RimChoice rim = RimChoice::Propose;
   Surface surface = Surface::Relief;
+  const texture::TexturedMesh* photographs = nullptr;  ///< see ViewOptions
   HandMeasures by_hand;  ///< printed instead of what the model says; a mouth is drawn as wide
   std::vector<std::string> remarks;  ///< to be said before the drawing's own
   Wording wording;

@@ -37,9 +37,14 @@ float shadeOf(const Vector3f& normal) {
   return 0.12f + 0.8f * std::max(0.f, normal.dot(key)) + 0.14f * std::max(0.f, normal.dot(fill));
 }
 
-void drawTriangle(Canvas& canvas, const std::array<Vector3f, 3>& p,
-                  const std::array<float, 3>& shade) {
-  // p: column, row, depth towards the viewer.
+// How paint of this brightness changes the shade.
+float paintOf(float brightness, float mean) {
+  return std::clamp(0.25f + 0.75f * brightness / std::max(mean, 0.05f), 0.2f, 1.35f);
+}
+
+// p: column, row, depth towards the viewer; shadeAt: by the weights of the second and third corner.
+template <class ShadeAt>
+void drawTriangle(Canvas& canvas, const std::array<Vector3f, 3>& p, ShadeAt shadeAt) {
   const float area =
       (p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) - (p[2].x() - p[0].x()) * (p[1].y() - p[0].y());
   if (area == 0) return;
@@ -63,8 +68,44 @@ void drawTriangle(Canvas& canvas, const std::array<Vector3f, 3>& p,
       const float depth = p[0].z() + b * (p[1].z() - p[0].z()) + c * (p[2].z() - p[0].z());
       if (depth <= canvas.depth(y, x)) continue;
       canvas.depth(y, x) = depth;
-      canvas.shade(y, x) = shade[0] + b * (shade[1] - shade[0]) + c * (shade[2] - shade[0]);
+      canvas.shade(y, x) = shadeAt(b, c);
     }
+}
+
+Vector3f onCanvas(const Canvas& canvas, double scale, const Vector3f& in_view) {
+  const Vector2d paper = scale * Vector2d(in_view.y(), -in_view.z());
+  const Vector2d pixel = (paper - canvas.corner) * canvas.per_mm - Vector2d(0.5, 0.5);
+  return {static_cast<float>(pixel.x()), static_cast<float>(pixel.y()), in_view.x()};
+}
+
+// Each pixel by the photographs' texel, so that the drawing is as fine as they are.
+void paint(Canvas& canvas, const texture::TexturedMesh& photographs,
+           const Eigen::Isometry3d& view_from_model, double scale) {
+  const auto brightnessAt = [&](const Eigen::Vector2f& place) {
+    const cv::Vec3f bgr = texture::levelAt(photographs.texture.picture, place);
+    return (0.3f * bgr[2] + 0.59f * bgr[1] + 0.11f * bgr[0]) / 255.f;
+  };
+  Canvas painted = canvas;
+  painted.depth = cv::Mat1f(canvas.depth.size(), -1e18f);
+  painted.shade = cv::Mat1f(canvas.depth.size(), -1.f);
+  std::vector<Vector3f> places;
+  float mean = 0;
+  for (std::size_t v = 0; v < photographs.mesh.vertices.size(); ++v) {
+    const Eigen::Vector3d p = view_from_model * photographs.mesh.vertices[v].cast<double>();
+    places.push_back(onCanvas(canvas, scale, p.cast<float>()));
+    mean += brightnessAt(photographs.uv[v]) / static_cast<float>(photographs.uv.size());
+  }
+  for (const auto& t : photographs.mesh.triangles) {
+    const Eigen::Vector2f &first = photographs.uv[t[0]], &second = photographs.uv[t[1]],
+                          &third = photographs.uv[t[2]];
+    drawTriangle(painted, {places[t[0]], places[t[1]], places[t[2]]}, [&](float b, float c) {
+      return brightnessAt(first + b * (second - first) + c * (third - first));
+    });
+  }
+  for (int y = 0; y < canvas.shade.rows; ++y)
+    for (int x = 0; x < canvas.shade.cols; ++x)
+      if (canvas.depth(y, x) > -1e17f && painted.shade(y, x) >= 0)
+        canvas.shade(y, x) = std::min(1.f, canvas.shade(y, x) * paintOf(painted.shade(y, x), mean));
 }
 
 Canvas render(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model,
@@ -87,7 +128,10 @@ Canvas render(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model
   canvas.depth = cv::Mat1f(rows, columns, -1e18f);
   canvas.shade = cv::Mat1f(rows, columns, 1.f);
   const std::vector<Vector3f> normals = model::vertexNormals(mesh);
-  const bool painted = options.surface == Surface::Painted && mesh.colors.size() == places.size();
+  const texture::TexturedMesh* photographs =
+      options.surface == Surface::Painted ? options.photographs : nullptr;
+  const bool painted = options.surface == Surface::Painted && photographs == nullptr &&
+                       mesh.colors.size() == places.size();
   float mean = 1;
   if (painted) {
     mean = 0;
@@ -96,18 +140,17 @@ Canvas render(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model
   std::vector<float> shades;
   for (std::size_t i = 0; i < places.size(); ++i) {
     float shade = shadeOf(view_from_model.linear().cast<float>() * normals[i]);
-    if (painted)
-      shade *= std::clamp(0.25f + 0.75f * brightness(mesh.colors[i]) / std::max(mean, 0.05f), 0.2f,
-                          1.35f);
+    if (painted) shade *= paintOf(brightness(mesh.colors[i]), mean);
     shades.push_back(std::min(shade, 1.f));
-    const Vector2d paper = options.scale * Vector2d(places[i].y(), -places[i].z());
-    const Vector2d pixel = (paper - canvas.corner) * canvas.per_mm - Vector2d(0.5, 0.5);
-    places[i] =
-        Vector3f(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()), places[i].x());
+    places[i] = onCanvas(canvas, options.scale, places[i]);
   }
-  for (const auto& t : mesh.triangles)
-    drawTriangle(canvas, {places[t[0]], places[t[1]], places[t[2]]},
-                 {shades[t[0]], shades[t[1]], shades[t[2]]});
+  for (const auto& t : mesh.triangles) {
+    const float first = shades[t[0]], second = shades[t[1]], third = shades[t[2]];
+    drawTriangle(canvas, {places[t[0]], places[t[1]], places[t[2]]}, [&](float b, float c) {
+      return first + b * (second - first) + c * (third - first);
+    });
+  }
+  if (photographs != nullptr) paint(canvas, *photographs, view_from_model, options.scale);
   return canvas;
 }
 

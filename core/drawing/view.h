@@ -3,18 +3,21 @@
 
 #include "cloud/point_cloud.h"
 #include "paper/sheet.h"
+#include "texture/texture.h"
 
 namespace ostraka::drawing {
 
 enum class Surface {
   Relief,  ///< light and shade of the form alone
-  Painted  ///< and the brightness of the model's colours: paint, slip, temper
+  Painted  ///< and the brightness of its photographs or colours: paint, slip, temper
 };
 
 struct ViewOptions {
   double scale = 1;           ///< mm on paper per mm
   double pixels_per_mm = 12;  ///< on paper; about 300 dots per inch, fewer where it is very large
   Surface surface = Surface::Relief;
+  /// Of the same sherd, shown where it is painted instead of the colours at the mesh's vertices.
+  const texture::TexturedMesh* photographs = nullptr;
 };
 
 /// A sherd seen along -x of the view's frame, z up, y to the right: a shaded picture, light from

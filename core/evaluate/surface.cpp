@@ -134,6 +134,7 @@ int Surface::build(int first, int count) {
 SurfacePoint Surface::closest(const Eigen::Vector3d& query) const {
   double best = std::numeric_limits<double>::infinity();
   Eigen::Vector3d best_point = Eigen::Vector3d::Zero();
+  int best_item = -1;
   struct Waiting {
     int node;
     double squared;
@@ -154,6 +155,7 @@ SurfacePoint Surface::closest(const Eigen::Vector3d& query) const {
         if (squared < best) {
           best = squared;
           best_point = at;
+          best_item = order_[i];
         }
       }
       continue;
@@ -169,7 +171,7 @@ SurfacePoint Surface::closest(const Eigen::Vector3d& query) const {
       stack[top++] = {right, dr};
     }
   }
-  return {std::sqrt(best), best_point};
+  return {std::sqrt(best), best_point, best_item};
 }
 
 std::vector<SurfacePoint> Surface::closest(std::span<const Eigen::Vector3d> queries,

@@ -28,6 +28,7 @@ Eigen::Vector3d closestOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3
 struct SurfacePoint {
   double distance_mm = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  int triangle = -1;  ///< of the mesh, or the vertex where it has none
 };
 
 /// Exact closest points of a mesh by a tree of boxes; of a mesh without triangles, of its vertices.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "catalogue/files.h"
 #include "cloud/ply.h"
+#include "files/files.h"
 #include "files/open_folder.h"
 #include "records/sherd.h"
 #include "sherds/measurements.h"
@@ -51,6 +53,31 @@ Result<PlyContents> modelOf(const SherdRecord& sherd, const std::filesystem::pat
   return bytes ? parsePly(*bytes, open->name()) : Result<PlyContents>(bytes.error());
 }
 
+Result<std::optional<texture::TexturedMesh>> texturedModelOf(const catalogue::Catalogue& catalogue,
+                                                             const SherdRecord& sherd,
+                                                             const std::filesystem::path& project) {
+  using Textured = std::optional<texture::TexturedMesh>;
+  const Result<std::vector<records::FileRecord>> files = catalogue::Files(catalogue).of(sherd.row);
+  if (!files) return files.error();
+  const std::string path =
+      std::filesystem::path(sherd.model_path).replace_extension(".glb").generic_string();
+  const auto glb = std::find_if(files->begin(), files->end(),
+                                [&](const records::FileRecord& file) { return file.path == path; });
+  if (glb == files->end()) return Textured();
+  Result<OpenFile> open = OpenFile::within(project, glb->path);
+  if (!open) return open.error();
+  const Result<std::string> bytes = open->readAll();
+  if (!bytes) return bytes.error();
+  if (sha256(*bytes) != glb->sha256)
+    return Error::unusable(differsFromEntered(sherd), open->name());
+  return texture::openedGlb(*bytes, open->name());
+}
+
+std::string differsFromEntered(const SherdRecord& sherd) {
+  return "This model or picture of the sherd " + (sherd.number.empty() ? sherd.id : sherd.number) +
+         " differs from the recorded one; reprocess its batch " + sherd.batch_number + ".";
+}
+
 std::string leftOutAsVoid(const SherdRecord& sherd) {
   return nameOf(sherd) + " is void and was left out.";
 }
@@ -68,6 +95,15 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
   drawing::DrawingOptions how = options.drawing;
   if (Result<void> read = takeHandMeasures(catalogue, sherd.row, how.by_hand); !read)
     return read.error();
+  std::optional<texture::TexturedMesh> photographs;
+  if (how.surface == drawing::Surface::Painted) {
+    Result<std::optional<texture::TexturedMesh>> read = texturedModelOf(catalogue, sherd, project);
+    if (read)
+      photographs = std::move(*read);
+    else
+      how.remarks.push_back("Drawn without its photographs: " + read.error().sentence());
+    if (photographs) how.photographs = &*photographs;
+  }
   if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);
   if (sherd.state == records::SherdState::Void)
     how.remarks.push_back(sherd.void_reason.empty()

@@ -12,6 +12,7 @@
 #include "cloud/ply.h"
 #include "drawing/drawing.h"
 #include "records/sherd.h"
+#include "texture/texture.h"
 
 namespace ostraka::exchange {
 
@@ -28,6 +29,13 @@ struct DrawSherdsOptions {
 Result<PlyContents> modelOf(const records::SherdRecord& sherd,
                             const std::filesystem::path& project);
 
+/// The model with its photographs from the GLB that the catalogue names beside it, read likewise;
+/// nothing where there is none or it has no texture. Errors: a file that cannot be read or is
+/// another one than was entered.
+Result<std::optional<texture::TexturedMesh>> texturedModelOf(const catalogue::Catalogue& catalogue,
+                                                             const records::SherdRecord& sherd,
+                                                             const std::filesystem::path& project);
+
 /// A drawing of the catalogue's model, named by the sherd's number. Where a person says rim and no
 /// stretch of the edge can be one it is drawn without, and a remark says so; another one says that
 /// a sherd is void. What persons measured is printed instead of the model's measures. Errors: no
@@ -37,6 +45,8 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
                                         const std::filesystem::path& project,
                                         const DrawSherdsOptions& options);
 
+/// Of a file that is another one than was entered; a sentence.
+std::string differsFromEntered(const records::SherdRecord& sherd);
 /// Why a void sherd is in no plate and in no export's drawings; a sentence with its name.
 std::string leftOutAsVoid(const records::SherdRecord& sherd);
 

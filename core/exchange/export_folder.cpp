@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "archive/bagit.h"
 #include "base/text.h"
@@ -43,9 +44,10 @@ double saidOf(double off_mm) {
 
 class Exporting {
  public:
-  Exporting(const Catalogue& catalogue, const ExportOptions& options, archive::BagWriter& bag,
-            Progress& progress, std::stop_token stop)
+  Exporting(const Catalogue& catalogue, const fs::path& project, const ExportOptions& options,
+            archive::BagWriter& bag, Progress& progress, std::stop_token stop)
       : catalogue_(catalogue),
+        project_(project),
         options_(options),
         bag_(bag),
         progress_(progress),
@@ -134,18 +136,26 @@ class Exporting {
     Result<std::string> bytes = open.readAll();
     if (!bytes) return bytes.error();
     if (!file.sha256.empty() && sha256(*bytes) != file.sha256)
-      return Error::unusable(
-          "This model or picture of the sherd " + (sherd.number.empty() ? sherd.id : sherd.number) +
-              " differs from the recorded one; reprocess its batch " + sherd.batch_number + ".",
-          file.from.string());
+      return Error::unusable(differsFromEntered(sherd), file.from.string());
     ModelLabel label{sherd.id, sherd.number, licence, options_.program, scale_doubts};
+    const TriangleMesh* light = nullptr;
     if (isModel(file.form) && options_.deviation_mm > 0) {
-      const Result<LighterModel> lighter = lightened(sherd, *bytes, file.from.string());
+      const Result<LighterModel>& lighter = lightened(sherd, *bytes, file.from.string());
       if (!lighter) return lighter.error();
       label.deviation_mm = saidOf(lighter->deviation_mm);
       label.farthest_mm = saidOf(lighter->farthest_mm);
-      bytes = file.form == Form::Glb ? glbOf(lighter->mesh, sherd)
-                                     : formatPly(lighter->mesh, "plate_front");
+      light = &lighter->mesh;
+    }
+    const texture::TexturedMesh* photographs =
+        file.form == Form::Obj || (file.form == Form::Glb && light != nullptr)
+            ? photographsOf(sherd, light, file.to)
+            : nullptr;
+    if (file.form == Form::Obj && photographs != nullptr)
+      return addTexturedObj(file, *photographs, label);
+    if (file.form == Form::Glb && photographs != nullptr) {
+      bytes = glbOf(*photographs, sherd);
+    } else if (light != nullptr) {
+      bytes = file.form == Form::Glb ? glbOf(*light, sherd) : formatPly(*light, "plate_front");
     } else if (file.form == Form::Glb && file.from.extension() == ".ply") {
       const Result<PlyContents> model = parsePly(*bytes, file.from.string());
       if (!model) return model.error();
@@ -155,6 +165,47 @@ class Exporting {
     const Result<std::string> added = labelled(file.form, *bytes, label, file.from.string());
     if (!added) return added.error();
     return bag_.add(file.to, *added);
+  }
+
+  // On the mesh that is exported, once for all of the sherd's files; null where there are none.
+  const texture::TexturedMesh* photographsOf(const records::SherdRecord& sherd,
+                                             const TriangleMesh* light, const std::string& to) {
+    if (photographs_of_ != sherd.row) {
+      photographs_of_ = sherd.row;
+      photographs_.reset();
+      auto read = texturedModelOf(catalogue_, sherd, project_);
+      std::optional<Error> why;
+      if (!read) {
+        why = read.error();
+      } else if (*read && light == nullptr) {
+        photographs_ = std::move(*read);
+      } else if (*read) {
+        auto made = retextured(*light, **read);
+        if (made)
+          photographs_ = std::move(*made);
+        else
+          why = made.error();
+      }
+      if (why)
+        exported_.warnings.push_back(to + " is exported without photographs: " + why->sentence());
+    }
+    return photographs_ ? &*photographs_ : nullptr;
+  }
+
+  // Its material and picture come back with it when the export is read again.
+  Result<archive::BagFile> addTexturedObj(const PlannedFile& file,
+                                          const texture::TexturedMesh& model,
+                                          const ModelLabel& label) {
+    const fs::path to = file.to;
+    const Result<TexturedObj> made = labelledTexturedObj(model, label, to.stem().string());
+    if (!made) return made.error();
+    for (const auto& [ending, bytes] : {std::pair(".mtl", &made->mtl), {".png", &made->png}}) {
+      const std::string beside = fs::path(to).replace_extension(ending).string();
+      const Result<archive::BagFile> added = bag_.add(beside, *bytes);
+      if (!added) return added;
+      files_[file.sherd].push_back({file.role, beside, added->sha256, added->bytes});
+    }
+    return bag_.add(file.to, made->obj);
   }
 
   // A sherd's files come one after the other: its lighter model is made once for all of them.
@@ -285,6 +336,7 @@ class Exporting {
   }
 
   const Catalogue& catalogue_;
+  const fs::path& project_;
   const ExportOptions& options_;
   archive::BagWriter& bag_;
   Progress& progress_;
@@ -292,7 +344,8 @@ class Exporting {
   Exported exported_;
   std::set<Form> written_ = {Form::Csv, Form::Json, Form::Ods};  ///< tables have all sherds
   std::int64_t done_ = 0, total_ = 0;
-  store::SherdRow lighter_of_;
+  store::SherdRow lighter_of_, photographs_of_;
+  std::optional<texture::TexturedMesh> photographs_;
   Result<LighterModel> lighter_ = LighterModel();
   std::map<store::SherdRow, std::vector<metadata::SherdFile>> files_;
   FilesOfSherds named_;
@@ -313,7 +366,7 @@ Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& projec
     Result<archive::BagWriter> bag = archive::BagWriter::begin(options.target);
     if (!bag) return bag.error();
     Result<Exported> done =
-        Exporting(catalogue, options, *bag, progress, stop).run(*sherds, plan, rows);
+        Exporting(catalogue, project, options, *bag, progress, stop).run(*sherds, plan, rows);
     if (done) exported = std::move(*done);
     return done ? Result<void>() : done.error();
   });

@@ -143,11 +143,26 @@ Result<DrawnSheets> sheetsOf(const Catalogue& catalogue, const records::SherdRec
   return Error{ErrorCode::Failed, "The drawing needs a scale.", sherd.number};
 }
 
-Result<std::string> glbOf(const TriangleMesh& mesh, const records::SherdRecord& sherd) {
+namespace {
+
+GlbExtras extrasOf(const records::SherdRecord& sherd) {
   GlbExtras extras;
   if (sherd.measures.contains("filled_pct"))
     extras.filled_percent = sherd.measures.at("filled_pct");
-  return formatGlb(mesh, extras);
+  return extras;
+}
+
+}  // namespace
+
+Result<std::string> glbOf(const TriangleMesh& mesh, const records::SherdRecord& sherd) {
+  return formatGlb(mesh, extrasOf(sherd));
+}
+
+Result<std::string> glbOf(const texture::TexturedMesh& model, const records::SherdRecord& sherd) {
+  return formatGlb(
+      model.mesh,
+      {model.uv, texture::asJpeg(model.texture.picture), texture::asPng(model.texture.seen)},
+      extrasOf(sherd));
 }
 
 Result<std::string> labelled(Form form, const std::string& bytes, const ModelLabel& label,

@@ -13,6 +13,7 @@
 #include "files/open_folder.h"
 #include "paper/sheet.h"
 #include "records/sherd.h"
+#include "texture/texture.h"
 
 namespace ostraka::exchange {
 
@@ -95,6 +96,7 @@ Result<DrawnSheets> sheetsOf(const catalogue::Catalogue& catalogue,
                              const std::string& title);
 /// A model as GLB.
 Result<std::string> glbOf(const TriangleMesh& mesh, const records::SherdRecord& sherd);
+Result<std::string> glbOf(const texture::TexturedMesh& model, const records::SherdRecord& sherd);
 /// A model in one of its forms, labelled. bytes: a GLB for that form, a PLY for the others.
 Result<std::string> labelled(Form form, const std::string& bytes, const ModelLabel& label,
                              const std::string& where);

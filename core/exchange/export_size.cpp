@@ -3,6 +3,7 @@
 
 #include "catalogue/settings.h"
 #include "cloud/ply.h"
+#include "exchange/drawn_sherds.h"
 #include "exchange/export_plan.h"
 #include "exchange/lighter_model.h"
 #include "exchange/views_out.h"
@@ -88,13 +89,19 @@ class Sizing {
     size_.lightened = static_cast<int>(lightened.size());
     const auto* middle =
         middleOf(models, [](const PlannedFile& file) { return bytesOf(file.from); });
-    const std::map<Form, double> shares =
-        middle == nullptr ? std::map<Form, double>() : sharesOf(*middle);
+    const Shares shares = middle == nullptr ? Shares() : sharesOf(*middle);
     for (const PlannedFile& file : models) {
-      const auto share = shares.find(file.form);
-      const double bytes =
-          static_cast<double>(bytesOf(file.from)) * (share == shares.end() ? 1 : share->second);
-      add(file.to, static_cast<std::int64_t>(bytes), file.sherd, file.role);
+      const auto bytes = static_cast<double>(bytesOf(file.from));
+      const auto addAs = [&](const char* ending, double share) {
+        add(fs::path(file.to).replace_extension(ending).string(),
+            static_cast<std::int64_t>(bytes * share), file.sherd, file.role);
+      };
+      const std::string ending = fs::path(file.to).extension().string();
+      const auto share = shares.find(ending);
+      addAs(ending.c_str(), share == shares.end() ? 1 : share->second);
+      if (file.form != Form::Obj) continue;
+      for (const char* beside : {".mtl", ".png"})
+        if (const auto of = shares.find(beside); of != shares.end()) addAs(beside, of->second);
     }
     for (const auto& [batch, number] : plan_.viewed()) {
       if (stop_.stop_requested()) return Error::cancelled();
@@ -106,8 +113,10 @@ class Sizing {
     return {};
   }
 
-  // Of a PLY's bytes; nothing where it cannot be read, as the export will say.
-  std::map<Form, double> sharesOf(const PlannedFile& file) const {
+  // By a file's ending, of its PLY's bytes; nothing where it cannot be read, as the export will
+  // say.
+  using Shares = std::map<std::string, double>;
+  Shares sharesOf(const PlannedFile& file) const {
     Result<OpenFile> open = plan_.open(file);
     if (!open) return {};
     const Result<std::string> bytes = open->readAll();
@@ -121,14 +130,41 @@ class Sizing {
       if (Result<LighterModel> made = lighterModel(read->mesh, options_.deviation_mm))
         lighter = std::move(*made);
     const std::string plain = lighter ? formatPly(lighter->mesh, "plate_front") : *bytes;
-    std::map<Form, double> shares{{Form::Ply, static_cast<double>(plain.size()) / of}};
-    if (options_.forms.contains(Form::Obj))
-      if (const auto obj = labelled(Form::Obj, plain, {}, ply.string()))
-        shares[Form::Obj] = static_cast<double>(obj->size()) / of;
+    const std::optional<texture::TexturedMesh> textured =
+        texturedOf(file.sherd, lighter ? &lighter->mesh : nullptr);
+    Shares shares{{".ply", static_cast<double>(plain.size()) / of}};
+    const auto share = [&](const char* ending, std::size_t size) {
+      shares[ending] = static_cast<double>(size) / of;
+    };
+    // As long as a real one.
+    ModelLabel label{std::string(36, '0'), std::string(16, '0'), {}, options_.program, {}};
+    if (lighter) label.deviation_mm = label.farthest_mm = lighter->deviation_mm;
+    if (options_.forms.contains(Form::Obj) && textured) {
+      if (const auto made = labelledTexturedObj(*textured, label, "model")) {
+        share(".obj", made->obj.size());
+        share(".mtl", made->mtl.size());
+        share(".png", made->png.size());
+      }
+    } else if (options_.forms.contains(Form::Obj)) {
+      if (const auto obj = labelled(Form::Obj, plain, {}, ply.string())) share(".obj", obj->size());
+    }
     if (options_.forms.contains(Form::Glb))
-      if (const auto glb = glbOf(lighter ? lighter->mesh : read->mesh, {}))
-        shares[Form::Glb] = static_cast<double>(glb->size()) / of;
+      if (const auto glb = lighter && textured ? glbOf(*textured, {})
+                                               : glbOf(lighter ? lighter->mesh : read->mesh, {}))
+        share(".glb", glb->size());
     return shares;
+  }
+
+  // On the mesh that will be exported; nothing where there are none.
+  std::optional<texture::TexturedMesh> texturedOf(store::SherdRow row,
+                                                  const TriangleMesh* light) const {
+    const auto sherd = std::find_if(sherds_.begin(), sherds_.end(),
+                                    [&](const auto& record) { return record.row == row; });
+    if (sherd == sherds_.end()) return std::nullopt;
+    auto read = texturedModelOf(catalogue_, *sherd, plan_.project());
+    if (!read || !*read || light == nullptr) return read ? std::move(*read) : std::nullopt;
+    auto made = retextured(*light, **read);
+    return made ? std::optional(std::move(*made)) : std::nullopt;
   }
 
   // Shaded views take most of a drawing, and their pixels grow with the sherd, as its model does: a

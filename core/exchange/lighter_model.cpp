@@ -1,9 +1,13 @@
 #include "exchange/lighter_model.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "evaluate/surface.h"
 #include "model/model.h"
+#include "texture/atlas.h"
+#include "texture/charts.h"
+#include "texture/fill.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -23,6 +27,48 @@ void measure(const TriangleMesh& from, const evaluate::Surface& to, LighterModel
   lighter.farthest_mm = std::max(lighter.farthest_mm, *std::max_element(most, off_mm.end()));
 }
 
+// Of the model's texels on its surface, in the mean; 0 where it has none.
+double texelEdge_mm(const texture::TexturedMesh& model) {
+  double surface_mm2 = 0, texels = 0;
+  const Eigen::Vector2d page(model.texture.picture.cols, model.texture.picture.rows);
+  for (const auto& t : model.mesh.triangles) {
+    const auto corner = [&](std::size_t k) {
+      return model.mesh.vertices[static_cast<std::size_t>(t[k])].cast<double>().eval();
+    };
+    const auto place = [&](std::size_t k) {
+      return model.uv[static_cast<std::size_t>(t[k])].cast<double>().cwiseProduct(page).eval();
+    };
+    surface_mm2 += (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+    const Eigen::Vector2d a = place(1) - place(0), b = place(2) - place(0);
+    texels += std::abs(a.x() * b.y() - a.y() * b.x());
+  }
+  return texels > 0 ? std::sqrt(surface_mm2 / texels) : 0;
+}
+
+// Where a point of one of the model's triangles lies in its picture.
+Eigen::Vector2f placeOf(const texture::TexturedMesh& model, const evaluate::SurfacePoint& at) {
+  const auto& t = model.mesh.triangles[static_cast<std::size_t>(at.triangle)];
+  const auto corner = [&](std::size_t k) {
+    return model.mesh.vertices[static_cast<std::size_t>(t[k])].cast<double>().eval();
+  };
+  const Eigen::Vector3d a = corner(1) - corner(0), b = corner(2) - corner(0);
+  const Eigen::Vector3d normal = a.cross(b), off = at.point - corner(0);
+  const double area2 = normal.squaredNorm();
+  const Eigen::Vector2f& first = model.uv[static_cast<std::size_t>(t[0])];
+  if (!(area2 > 0)) return first;
+  const auto second = static_cast<float>(off.cross(b).dot(normal) / area2),
+             third = static_cast<float>(a.cross(off).dot(normal) / area2);
+  return first + second * (model.uv[static_cast<std::size_t>(t[1])] - first) +
+         third * (model.uv[static_cast<std::size_t>(t[2])] - first);
+}
+
+bool isSeenAt(const cv::Mat1b& seen, const Eigen::Vector2f& place) {
+  const auto texel = [](float share, int count) {
+    return std::clamp(static_cast<int>(share * static_cast<float>(count)), 0, count - 1);
+  };
+  return seen(texel(place.y(), seen.rows), texel(place.x(), seen.cols)) != 0;
+}
+
 }  // namespace
 
 Result<LighterModel> lighterModel(const TriangleMesh& model, double deviation_mm) {
@@ -39,6 +85,53 @@ Result<LighterModel> lighterModel(const TriangleMesh& model, double deviation_mm
     bound_mm *= std::max(0.25, 0.9 * deviation_mm / lighter.deviation_mm);
   }
   return LighterModel{model};
+}
+
+Result<texture::TexturedMesh> retextured(TriangleMesh mesh, const texture::TexturedMesh& model) {
+  const double texel_mm = texelEdge_mm(model);
+  if (!model::isClosedManifold(mesh) || !(texel_mm > 0))
+    return Error::unusable("The photographs cannot be laid on a model that is not closed.");
+  if (mesh.normals.size() != mesh.vertices.size()) mesh.normals = model::vertexNormals(mesh);
+  const std::vector<texture::Chart> charts = texture::chartsOf(mesh, texel_mm);
+  const texture::Atlas atlas = texture::packed(charts, texel_mm);
+  const texture::Texels texels = texture::texelsOf(charts, atlas);
+  std::vector<cv::Point> on_page;
+  std::vector<Eigen::Vector3d> on_mesh;
+  for (int y = 0; y < texels.face.rows; ++y)
+    for (int x = 0; x < texels.face.cols; ++x) {
+      if (texels.face(y, x) < 0) continue;
+      const auto& t = mesh.triangles[static_cast<std::size_t>(texels.face(y, x))];
+      const cv::Vec2f& w = texels.weights(y, x);
+      const Eigen::Vector3f point =
+          w[0] * mesh.vertices[static_cast<std::size_t>(t[0])] +
+          w[1] * mesh.vertices[static_cast<std::size_t>(t[1])] +
+          (1 - w[0] - w[1]) * mesh.vertices[static_cast<std::size_t>(t[2])];
+      on_page.emplace_back(x, y);
+      on_mesh.push_back(point.cast<double>());
+    }
+  const auto nearest = evaluate::Surface(model.mesh).closest(on_mesh, 0);
+  cv::Mat3f page(texels.face.size(), cv::Vec3f(0, 0, 0));
+  cv::Mat1b on_chart(texels.face.size(), uchar{0});
+  texture::TexturedMesh made;
+  made.texture.seen = cv::Mat1b(texels.face.size(), uchar{0});
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    if (nearest[i].triangle < 0) continue;
+    const Eigen::Vector2f place = placeOf(model, nearest[i]);
+    page(on_page[i]) = texture::levelAt(model.texture.picture, place);
+    on_chart(on_page[i]) = 255;
+    if (!isSeenAt(model.texture.seen, place)) continue;
+    made.texture.seen(on_page[i]) = 255;
+    ++seen;
+  }
+  made.texture.seen_share =
+      nearest.empty() ? 0 : static_cast<double>(seen) / static_cast<double>(nearest.size());
+  texture::filled(page, on_chart).convertTo(made.texture.picture, CV_8U);
+  texture::UnwrappedMesh unwrapped = texture::unwrapped(mesh, charts, atlas);
+  made.mesh = std::move(unwrapped.mesh);
+  made.uv = std::move(unwrapped.uv);
+  made.texel_mm = atlas.texel_mm;
+  return made;
 }
 
 }  // namespace ostraka::exchange

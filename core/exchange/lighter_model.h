@@ -1,6 +1,7 @@
 #pragma once
 #include "base/result.h"
 #include "cloud/point_cloud.h"
+#include "texture/texture.h"
 
 namespace ostraka::exchange {
 
@@ -15,5 +16,10 @@ struct LighterModel {
 /// Thinned out as far as deviation_mm allows; where four attempts do not reach that, the model
 /// itself. Errors: UnusableInput (not closed, no deviation above 0).
 Result<LighterModel> lighterModel(const TriangleMesh& model, double deviation_mm);
+
+/// The photographs of a model on a lighter one of the same sherd: charts of its own, on which each
+/// texel is what the model shows at the place nearest to it. mesh: closed, outward, mm. Error:
+/// UnusableInput (not closed).
+Result<texture::TexturedMesh> retextured(TriangleMesh mesh, const texture::TexturedMesh& model);
 
 }  // namespace ostraka::exchange

@@ -129,4 +129,13 @@ Result<std::string> labelledObj(std::string_view ply, const ModelLabel& label,
   return comments(label, "# ") + *obj;
 }
 
+Result<TexturedObj> labelledTexturedObj(const texture::TexturedMesh& model, const ModelLabel& label,
+                                        const std::string& name) {
+  const Result<std::string> obj = formatObj(model.mesh, model.uv, name + ".mtl");
+  if (!obj) return obj.error();
+  const std::string begin = comments(label, "# ");
+  return TexturedObj{begin + *obj, begin + formatMtl(name + ".png"),
+                     texture::asPng(model.texture.picture)};
+}
+
 }  // namespace ostraka::exchange

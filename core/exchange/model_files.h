@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "texture/texture.h"
 
 namespace ostraka::exchange {
 
@@ -24,5 +25,13 @@ Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
 /// An OBJ made from the PLY, with the same in comments.
 Result<std::string> labelledObj(std::string_view ply, const ModelLabel& label,
                                 const std::string& where);
+
+/// An OBJ with its material and the photographs beside it.
+struct TexturedObj {
+  std::string obj, mtl, png;
+};
+/// name: of the three files, without their endings. The label stands in the OBJ and the MTL.
+Result<TexturedObj> labelledTexturedObj(const texture::TexturedMesh& model, const ModelLabel& label,
+                                        const std::string& name);
 
 }  // namespace ostraka::exchange

@@ -59,10 +59,12 @@ constexpr Part kParts[] = {
     {"sherds.ods", "sherds, contexts and their columns as one spreadsheet"},
     {"sherds/", "one JSON record per sherd (format ostraka-sherd/1, terms in context.jsonld)"},
     {"models/",
-     "closed surfaces: PLY and OBJ in mm with z up, coloured; GLB in metres with y\n"
-     "                 up, simplified (nearly all of it by less than 0.05 mm), with the\n"
+     "closed surfaces: PLY in mm with z up, coloured; GLB in metres with y up,\n"
+     "                 simplified (nearly all of it by less than 0.05 mm), with the\n"
      "                 photographs as texture and a mask of the texels that were filled in;\n"
-     "                 models that were simplified state their deviation in the file"},
+     "                 OBJ in mm with z up, the surface of the GLB with its photographs as\n"
+     "                 MTL and PNG, or coloured where there are none; models that were\n"
+     "                 simplified further state their deviation in the file"},
     {"images/", "a picture of each model"},
     {"photographs/", "the photographs that the models were made from, unchanged"},
     {"drawings/", "drawings for print"},

@@ -112,6 +112,7 @@ class Raster {
       normal = view_ * (mesh_.vertices[t[1]] - mesh_.vertices[t[0]])
                            .cross(mesh_.vertices[t[2]] - mesh_.vertices[t[0]])
                            .cast<double>();
+    if (o_.color_at) color = o_.color_at(t, w);
     if (!seen) color = Vector3d(o_.filled[0], o_.filled[1], o_.filled[2]);
     const double light = shade(normal.normalized());
     cv::Vec3b& pixel = image_.at<cv::Vec3b>(y, x);

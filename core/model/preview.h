@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
+#include <functional>
 #include <opencv2/core.hpp>
 
 #include "cloud/point_cloud.h"
@@ -13,6 +14,10 @@ struct PreviewOptions {
   Color background = {255, 255, 255};
   Color filled = {220, 120, 40};  ///< faces that no camera saw
   int supersampling = 2;          ///< samples per pixel and axis
+  /// Colour (red, green, blue, 0..255) at a place of a triangle, by the weights of its corners;
+  /// empty: that of the mesh's vertices.
+  std::function<Eigen::Vector3d(const std::array<int, 3>&, const std::array<double, 3>&)> color_at =
+      {};
 };
 
 /// An orthographic, shaded picture (BGR, 8 bit) along view_from_model's -z axis (the viewer looks

@@ -1,6 +1,6 @@
 // The sizes of the sides, and the models: both sides together.
 #include <nlohmann/json.hpp>
-#include <opencv2/imgcodecs.hpp>
+#include <optional>
 
 #include "base/part_progress.h"
 #include "base/text.h"
@@ -35,10 +35,20 @@ ordered_json toJson(const model::Measures& m) {
           {"volume_mm3", m.volume_mm3}};
 }
 
-Result<void> writePreview(const fs::path& file, const TriangleMesh& mesh) {
-  std::vector<unsigned char> bytes;
-  cv::imencode(".png", model::renderPreview(mesh, {}), bytes);
-  return writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+// Each pixel by the photographs' texel, where there are any.
+Result<void> writePreview(const fs::path& file, const TriangleMesh& mesh,
+                          const std::optional<texture::TexturedMesh>& textured) {
+  model::PreviewOptions options;
+  if (textured)
+    options.color_at = [&](const std::array<int, 3>& t, const std::array<double, 3>& w) {
+      Eigen::Vector2f place = Eigen::Vector2f::Zero();
+      for (std::size_t k = 0; k < 3; ++k)
+        place += static_cast<float>(w[k]) * textured->uv[static_cast<std::size_t>(t[k])];
+      const cv::Vec3f bgr = texture::levelAt(textured->texture.picture, place);
+      return Eigen::Vector3d(bgr[2], bgr[1], bgr[0]);
+    };
+  return writeFileAtomically(
+      file, texture::asPng(model::renderPreview(textured ? textured->mesh : mesh, options)));
 }
 
 // Sherds that were seen all around have gaps of less than a hundredth; with parts of the break
@@ -59,26 +69,36 @@ std::vector<std::string> warningsAbout(const model::SherdModel& model,
   return warnings;
 }
 
-// With what the photographs show; the colours of the scan's points where there are none.
-Result<std::string> glbOf(const Run& run, const TriangleMesh& mesh, const GlbExtras& extras,
-                          const ViewsOfSherd& views, Progress& progress, StageNotes& notes) {
-  const auto plainly = [&](const Error& why) -> Result<std::string> {
+// With what the photographs show; nothing where they show nothing, and the notes say why.
+Result<std::optional<texture::TexturedMesh>> texturedOf(const Run& run, const TriangleMesh& mesh,
+                                                        const std::string& number,
+                                                        const ViewsOfSherd& views,
+                                                        Progress& progress, StageNotes& notes) {
+  using Textured = std::optional<texture::TexturedMesh>;
+  const auto plainly = [&](const Error& why) -> Result<Textured> {
     if (why.code == ErrorCode::Cancelled) return why;
-    notes.warnings.push_back("Sherd " + extras.number +
-                             " has no photographic texture: " + why.sentence());
-    return formatGlb(mesh, extras);
+    notes.warnings.push_back("Sherd " + number + " has no photographic texture: " + why.sentence());
+    return Textured();
   };
-  if (!views) return formatGlb(mesh, extras);
+  if (!views) return Textured();
   const Result<texture::Shown> shown = views();
   if (!shown) return plainly(shown.error());
-  const Result<texture::TexturedMesh> textured =
+  Result<texture::TexturedMesh> textured =
       texture::textured(mesh, shown->views, run.options.threads, progress, run.stop);
   if (!textured) return plainly(textured.error());
   for (const Error& error : shown->unread)
-    notes.warnings.push_back("The texture of sherd " + extras.number +
+    notes.warnings.push_back("The texture of sherd " + number +
                              " lacks a photograph: " + error.sentence());
   notes.figures["texel_mm"] = textured->texel_mm;
   notes.figures["texture_seen_share"] = textured->texture.seen_share;
+  return Textured(std::move(*textured));
+}
+
+// The colours of the scan's points where there are no photographs.
+Result<std::string> glbOf(const TriangleMesh& mesh,
+                          const std::optional<texture::TexturedMesh>& textured,
+                          const GlbExtras& extras) {
+  if (!textured) return formatGlb(mesh, extras);
   return formatGlb(textured->mesh,
                    {textured->uv, texture::asJpeg(textured->texture.picture),
                     texture::asPng(textured->texture.seen)},
@@ -106,11 +126,12 @@ Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::
   const Result<TriangleMesh> light = model::decimated(model->mesh, kGlbDeviation_mm);
   if (!light) return light.error();
   const GlbExtras extras{front.id + "+" + back.id, number, {}, 100 * model->filled_share};
-  StageNotes textured;
-  const Result<std::string> glb = glbOf(run, *light, extras, views, second, textured);
-  if (!glb && glb.error().code == ErrorCode::Cancelled) return glb.error();
-  if (const Result<void> r = writeGlb(folder / "model.glb", glb); !r) return r.error();
-  if (const Result<void> r = writePreview(folder / "preview.png", model->mesh); !r)
+  StageNotes notes;
+  const auto textured = texturedOf(run, *light, number, views, second, notes);
+  if (!textured) return textured.error();
+  if (const Result<void> r = writeGlb(folder / "model.glb", glbOf(*light, *textured, extras)); !r)
+    return r.error();
+  if (const Result<void> r = writePreview(folder / "preview.png", model->mesh, *textured); !r)
     return r.error();
   const model::Measures measures = model::measure(model->mesh);
   ordered_json figures = {{"model", true},
@@ -123,9 +144,9 @@ Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::
                           {"side_gap_mm", model->side_gap_mm},
                           {"filled_share", model->filled_share},
                           {"measures", toJson(measures)}};
-  figures.update(textured.figures);
+  figures.update(notes.figures);
   std::vector<std::string> warnings = warningsAbout(*model, measures, number);
-  warnings.insert(warnings.end(), textured.warnings.begin(), textured.warnings.end());
+  warnings.insert(warnings.end(), notes.warnings.begin(), notes.warnings.end());
   return StageNotes{std::move(figures), std::move(warnings)};
 }
 

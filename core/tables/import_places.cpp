@@ -23,7 +23,7 @@ const std::vector<ImportPlace>& importPlaces() {
        {"plate.json", "board.json", "scale.json", "rig.json"}},
       {"results", {".ply", ".png"}, {"pairs.json", "report.json"}},
       {"models", {".ply", ".glb", ".obj", ".png"}, {}},
-      {"imported", {".ply", ".glb", ".obj", ".png", ".jpg", ".svg", ".pdf"}, {}}};
+      {"imported", {".ply", ".glb", ".obj", ".mtl", ".png", ".jpg", ".svg", ".pdf"}, {}}};
   return kAll;
 }
 

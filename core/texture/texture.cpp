@@ -1,7 +1,12 @@
 #include "texture/texture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/limits.h"
+#include "batch/image_header.h"
+#include "batch/photograph.h"
 #include "model/model.h"
 
 namespace ostraka::texture {
@@ -9,6 +14,18 @@ namespace {
 
 Error nothingShown() {
   return {ErrorCode::NotEnough, "No photograph shows the sherd.", {}};
+}
+
+Result<cv::Mat> decoded(const std::string& file, const std::string& where) {
+  const Result<batch::ImageSize> size = batch::imageSize(file, where);
+  if (!size) return size.error();
+  if (static_cast<std::uint64_t>(size->width) * static_cast<std::uint64_t>(size->height) >
+      limits::kTexturePixels.most)
+    return Error::unusable(
+        "The texture of this model has more than 67,108,864 pixels, so the model is used without "
+        "it; export the model with a smaller one.",
+        where);
+  return batch::decodePhotograph(file, where);
 }
 
 }  // namespace
@@ -30,15 +47,50 @@ Result<TexturedMesh> textured(const TriangleMesh& plain, const std::vector<View>
                       atlas.texel_mm};
 }
 
+Result<TexturedMesh> opened(const TexturedModel& model, const std::string& where) {
+  Result<cv::Mat> picture = decoded(model.texture.jpeg, where);
+  if (!picture) return picture.error();
+  TexturedMesh opened{model.mesh, model.texture.uv, {}, 0};
+  opened.texture.picture = *picture;
+  opened.texture.seen = cv::Mat1b(picture->size(), 255);
+  if (model.texture.seen_png.empty()) return opened;
+  const Result<cv::Mat> seen = decoded(model.texture.seen_png, where);
+  if (!seen) return seen.error();
+  if (seen->size() == picture->size()) cv::extractChannel(*seen, opened.texture.seen, 0);
+  return opened;
+}
+
+Result<std::optional<TexturedMesh>> openedGlb(std::string_view glb, const std::string& where) {
+  using Textured = std::optional<TexturedMesh>;
+  const Result<std::optional<TexturedModel>> read = parseTexturedGlb(glb, where);
+  if (!read) return read.error();
+  if (!*read) return Textured();
+  Result<TexturedMesh> made = opened(**read, where);
+  return made ? Result<Textured>(std::move(*made)) : made.error();
+}
+
+cv::Vec3f levelAt(const cv::Mat3b& picture, const Eigen::Vector2f& place) {
+  // Texel centres lie half a texel within the picture's edge.
+  const float x = std::clamp(place.x() * static_cast<float>(picture.cols) - 0.5f, 0.f,
+                             static_cast<float>(picture.cols - 1)),
+              y = std::clamp(place.y() * static_cast<float>(picture.rows) - 0.5f, 0.f,
+                             static_cast<float>(picture.rows - 1));
+  const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+  const int x1 = std::min(x0 + 1, picture.cols - 1), y1 = std::min(y0 + 1, picture.rows - 1);
+  const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
+  return (1 - fy) * ((1 - fx) * cv::Vec3f(picture(y0, x0)) + fx * cv::Vec3f(picture(y0, x1))) +
+         fy * ((1 - fx) * cv::Vec3f(picture(y1, x0)) + fx * cv::Vec3f(picture(y1, x1)));
+}
+
 std::string asJpeg(const cv::Mat3b& picture) {
   std::vector<unsigned char> bytes;
   cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 95});
   return {bytes.begin(), bytes.end()};
 }
 
-std::string asPng(const cv::Mat1b& mask) {
+std::string asPng(const cv::Mat& picture) {
   std::vector<unsigned char> bytes;
-  cv::imencode(".png", mask, bytes);
+  cv::imencode(".png", picture, bytes);
   return {bytes.begin(), bytes.end()};
 }
 

@@ -1,11 +1,15 @@
 #pragma once
 #include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+#include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "cloud/glb.h"
 #include "cloud/point_cloud.h"
 #include "texture/bake.h"
 #include "texture/view.h"
@@ -25,9 +29,21 @@ struct TexturedMesh {
 Result<TexturedMesh> textured(const TriangleMesh& mesh, const std::vector<View>& views, int threads,
                               Progress& progress, const std::stop_token& stop);
 
+/// What parseTexturedGlb read, with its pictures decoded; without a mask of the same size all of it
+/// counts as seen, and the texel's size is not known. Errors: UnusableInput (no picture, or one
+/// that is larger than limits::kTexturePixels).
+Result<TexturedMesh> opened(const TexturedModel& model, const std::string& where);
+
+/// The same from a GLB's bytes; nothing where it has no texture. Errors: those of both.
+Result<std::optional<TexturedMesh>> openedGlb(std::string_view glb, const std::string& where);
+
+/// The picture's level, BGR 0..255, at a place of 0..1 from its top left corner, by the four texels
+/// around.
+cv::Vec3f levelAt(const cv::Mat3b& picture, const Eigen::Vector2f& place);
+
 /// The picture as a JPEG file, quality 95.
 std::string asJpeg(const cv::Mat3b& picture);
-/// The mask as a PNG file.
-std::string asPng(const cv::Mat1b& mask);
+/// A picture or mask as a PNG file.
+std::string asPng(const cv::Mat& picture);
 
 }  // namespace ostraka::texture

@@ -1,7 +1,9 @@
+#include <optional>
 #include <sstream>
 
 #include "capture/label_code.h"
 #include "catalogue/label_codes.h"
+#include "cloud/glb.h"
 #include "exchange/model_files.h"
 #include "must.h"
 #include "store/names.h"
@@ -22,6 +24,15 @@ void modelLabel(std::string_view bytes) {
   if (glb) {
     const Result<std::string> again = exchange::labelledGlb(*glb, label, "again.glb");
     must(again.has_value() && *again == *glb, "a label that is renewed stays the same");
+  }
+  const Result<std::optional<TexturedModel>> textured = parseTexturedGlb(bytes, "fuzz.glb");
+  mustNameItself(textured);
+  if (textured && *textured) {
+    const TexturedModel& model = **textured;
+    const auto count = static_cast<int>(model.mesh.vertices.size());
+    must(model.texture.uv.size() == model.mesh.vertices.size(), "each vertex has its place");
+    for (const auto& t : model.mesh.triangles)
+      for (const int v : t) must(v >= 0 && v < count, "faces refer to vertices that exist");
   }
   const Result<std::string> ply = exchange::labelledPly(bytes, label, "fuzz.ply");
   mustNameItself(ply);

@@ -96,6 +96,10 @@ Sentences CoreSentences::ofBase() {
           "The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'."),
       QT_TR_NOOP("The mesh has no faces to write."),
       QT_TR_NOOP("Not every vertex has a place in the texture."),
+      QT_TR_NOOP("The texture of this GLB model cannot be read, so the model is used without it; "
+                 "reprocess its batch to write the file anew."),
+      QT_TR_NOOP("The texture of this model has more than 67,108,864 pixels, so the model is used "
+                 "without it; export the model with a smaller one."),
       QT_TR_NOOP("A face of the mesh refers to a vertex that does not exist."),
       QT_TR_NOOP("Not a PLY file; choose one, or export the scan again."),
       QT_TR_NOOP("The PLY header states no format; export the file again."),

@@ -52,7 +52,10 @@ Sentences CoreSentences::ofExchange() {
       QT_TR_NOOP("This model or picture of the sherd %1 differs from the recorded one; reprocess "
                  "its batch %2."),
       QT_TR_NOOP("%1 is exported in full detail: %2"),
+      QT_TR_NOOP("%1 is exported without photographs: %2"),
+      QT_TR_NOOP("The photographs cannot be laid on a model that is not closed."),
       QT_TR_NOOP("Not drawn: %1"),
+      QT_TR_NOOP("Drawn without its photographs: %1"),
       QT_TR_NOOP("Check the drawing of %1: %2"),
       QT_TR_NOOP("No pictures with masks and poses of %1: %2"),
       QT_TR_NOOP("No sherds to export; select some first."),

@@ -62,6 +62,29 @@ TEST_F(DrawnSherds, AreNamedByTheirNumbersAndWhatCannotBeDrawnIsNamed) {
   EXPECT_THAT(drawn->left_out.front().why, HasSubstr("closed model"));
 }
 
+TEST_F(DrawnSherds, SayWhereTheirPhotographsCannotBeShown) {
+  records::FileRecord glb;
+  glb.path = "results/drawn/1.glb";
+  glb.sha256 = sha256("no GLB");
+  glb.bytes = 6;
+  glb.media_type = "model/gltf-binary";
+  glb.role = "model";
+  glb.sherd = rows[1];
+  put(project_->folder() / glb.path, "no GLB");
+  ASSERT_TRUE(catalogue::Files(catalogue()).save(glb, anna));
+  const std::vector<store::SherdRow> one = {rows[1]};
+  DrawSherdsOptions options;
+  const auto relief = drawSherds(catalogue(), project_->folder(), one, options, quiet, {});
+  ASSERT_TRUE(relief) << relief.error().sentence();
+  EXPECT_THAT(relief->drawings.front().remarks,
+              testing::Not(Contains(HasSubstr("without its photographs"))));
+  options.drawing.surface = drawing::Surface::Painted;
+  const auto painted = drawSherds(catalogue(), project_->folder(), one, options, quiet, {});
+  ASSERT_TRUE(painted) << painted.error().sentence();
+  EXPECT_THAT(painted->drawings.front().remarks,
+              Contains(testing::StartsWith("Drawn without its photographs: The texture of this")));
+}
+
 TEST_F(DrawnSherds, LeaveVoidOnesOutAndSayWhichUnlessOneAloneIsWanted) {
   model(0, closedShell());
   ASSERT_TRUE(set(rows[0], "part", "body"));

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "archive/bagit.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
@@ -12,6 +14,7 @@
 #include "sherds/sherds.h"
 #include "store/database.h"
 #include "tables/csv.h"
+#include "texture/texture.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -168,6 +171,85 @@ TEST_F(Export, LighterModelsSayHowFarOffTheyAreAndAreOfWhatWasEntered) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
   EXPECT_FALSE(fs::exists(options.target));
+}
+
+// The catalogued GLB of a sherd, with other bytes.
+void enterGlb(Catalogue& catalogue, const fs::path& project, store::SherdRow sherd,
+              const std::string& bytes, const records::Provenance& provenance) {
+  const auto files = *Files(catalogue).of(sherd);
+  for (records::FileRecord file : files) {
+    if (!file.path.ends_with(".glb")) continue;
+    EXPECT_TRUE(writeFileAtomically(project / file.path, bytes));
+    file.sha256 = sha256(bytes);
+    file.bytes = static_cast<std::int64_t>(bytes.size());
+    EXPECT_TRUE(Files(catalogue).save(file, provenance));
+  }
+}
+
+std::string texturedGlb(const cv::Mat3b& picture) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  return *formatGlb(mesh, {{{0, 0}, {1, 0}, {0, 1}, {0.25f, 0.75f}}, texture::asJpeg(picture), {}},
+                    {});
+}
+
+TEST_F(Export, AnObjHasThePhotographsOfItsModelBesideIt) {
+  const cv::Mat3b picture(8, 16, cv::Vec3b(30, 60, 200));
+  enterGlb(catalogue(), project_->folder(), rows[1], texturedGlb(picture), anna);
+  const Result<Exported> done = exportTo("out", {Form::Obj, Form::Json});
+  ASSERT_TRUE(done) << done.error().sentence();
+  EXPECT_THAT(done->warnings, testing::IsEmpty());
+  const fs::path data = folder_.path() / "out/data";
+  const std::string base = "models/ARM1-T3-0012-0002";
+  const std::string obj = *readFile(data / (base + ".obj"));
+  EXPECT_THAT(obj, testing::HasSubstr("\nmtllib ARM1-T3-0012-0002.mtl\n"));
+  EXPECT_THAT(obj, testing::HasSubstr("\nvt 0.25 0.25\n"));
+  EXPECT_THAT(*readFile(data / (base + ".mtl")),
+              testing::HasSubstr("\nmap_Kd ARM1-T3-0012-0002.png\n"));
+  const cv::Mat3b read = cv::imread((data / (base + ".png")).string());
+  ASSERT_EQ(read.size(), picture.size());
+  EXPECT_LT(cv::norm(read, picture, cv::NORM_INF), 4) << "of the JPEG";
+  const std::string record = *readFile(data / "sherds/ARM1-T3-0012-0002.json");
+  for (const char* ending : {".obj", ".mtl", ".png"})
+    EXPECT_THAT(record, testing::HasSubstr(base + ending)) << "it comes back with the sherd";
+  EXPECT_FALSE(fs::exists(data / "models/ARM1-T3-0012-0001.mtl")) << "without a texture";
+}
+
+TEST_F(Export, PhotographsStayOnLighterModelsAndTheirSizeIsKnownBefore) {
+  const cv::Mat3b picture(8, 16, cv::Vec3b(30, 60, 200));
+  for (const store::SherdRow row : rows)
+    enterGlb(catalogue(), project_->folder(), row, texturedGlb(picture), anna);
+  for (const double deviation_mm : {0.0, 0.1}) {
+    ExportOptions options;
+    options.target = folder_.path() / (deviation_mm > 0 ? "light" : "whole");
+    options.forms = {Form::Obj, Form::Glb};
+    options.deviation_mm = deviation_mm;
+    const auto size = sizeOfExport(catalogue(), project_->folder(), rows, options, {});
+    ASSERT_TRUE(size) << size.error().sentence();
+    const auto done = exportFolder(catalogue(), project_->folder(), rows, options, quiet, {});
+    ASSERT_TRUE(done) << done.error().sentence();
+    EXPECT_THAT(done->warnings, testing::IsEmpty());
+    EXPECT_EQ(size->files, done->files);
+    EXPECT_NEAR(static_cast<double>(size->bytes) / static_cast<double>(done->bytes), 1, 0.1);
+    const fs::path models = options.target / "data/models";
+    EXPECT_TRUE(fs::exists(models / "ARM1-T3-0012-0001.png"));
+    const auto glb = texture::openedGlb(*readFile(models / "ARM1-T3-0012-0001.glb"), "a");
+    ASSERT_TRUE(glb) << glb.error().sentence();
+    ASSERT_TRUE(glb->has_value());
+    const cv::Mat3b& page = (*glb)->texture.picture;
+    EXPECT_LT(cv::norm(page, cv::Mat3b(page.size(), cv::Vec3b(30, 60, 200)), cv::NORM_INF), 6);
+  }
+}
+
+TEST_F(Export, ATextureThatCannotBeReadLeavesTheObjItsColours) {
+  enterGlb(catalogue(), project_->folder(), rows[1], "no GLB", anna);
+  const Result<Exported> done = exportTo("out", {Form::Obj});
+  ASSERT_TRUE(done) << done.error().sentence();
+  EXPECT_THAT(done->warnings,
+              testing::ElementsAre(testing::StartsWith(
+                  "models/ARM1-T3-0012-0002.obj is exported without photographs: ")));
+  EXPECT_TRUE(fs::exists(folder_.path() / "out/data/models/ARM1-T3-0012-0002.obj"));
 }
 
 TEST_F(Export, TheTableNamesTheFilesOfEachSherd) {

@@ -7,6 +7,9 @@
 
 #include "evaluate/surface.h"
 #include "model/model.h"
+#include "texture/atlas.h"
+#include "texture/charts.h"
+#include "texture/fill.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -70,6 +73,69 @@ TEST(LighterModel, RefusesWhatItCannotThin) {
   open.triangles.pop_back();
   EXPECT_EQ(lighterModel(open, 0.1).error().code, ErrorCode::UnusableInput);
   EXPECT_EQ(lighterModel(dentedBall(), 0).error().code, ErrorCode::UnusableInput);
+}
+
+// Rings of paint around z, 19 mm from one to the next; nobody saw what lies above 10 mm.
+float paintAt(float z) {
+  return 128 + 100 * std::sin(z / 3);
+}
+
+texture::TexturedMesh paintedBall() {
+  TriangleMesh ball = dentedBall();
+  ball.normals = model::vertexNormals(ball);
+  const std::vector<texture::Chart> charts = texture::chartsOf(ball, 0.2);
+  const texture::Atlas atlas = texture::packed(charts, 0.2);
+  const texture::Texels texels = texture::texelsOf(charts, atlas);
+  texture::TexturedMesh painted;
+  cv::Mat3f page(texels.face.size(), cv::Vec3f(0, 0, 0));
+  cv::Mat1b known(texels.face.size(), uchar{0});
+  painted.texture.seen = cv::Mat1b(texels.face.size(), uchar{0});
+  for (int y = 0; y < page.rows; ++y)
+    for (int x = 0; x < page.cols; ++x) {
+      if (texels.face(y, x) < 0) continue;
+      const auto& t = ball.triangles[static_cast<std::size_t>(texels.face(y, x))];
+      const cv::Vec2f& w = texels.weights(y, x);
+      const float z = w[0] * ball.vertices[t[0]].z() + w[1] * ball.vertices[t[1]].z() +
+                      (1 - w[0] - w[1]) * ball.vertices[t[2]].z();
+      page(y, x) = {paintAt(z), 50, 50};
+      known(y, x) = 255;
+      painted.texture.seen(y, x) = z < 10 ? 255 : 0;
+    }
+  texture::filled(page, known).convertTo(painted.texture.picture, CV_8U);
+  texture::UnwrappedMesh unwrapped = texture::unwrapped(ball, charts, atlas);
+  painted.mesh = std::move(unwrapped.mesh);
+  painted.uv = std::move(unwrapped.uv);
+  return painted;
+}
+
+TEST(LighterModel, HasThePhotographsWhereTheyWere) {
+  const auto lighter = lighterModel(dentedBall(), 0.2);
+  ASSERT_TRUE(lighter.has_value());
+  const auto made = retextured(lighter->mesh, paintedBall());
+  ASSERT_TRUE(made.has_value()) << made.error().sentence();
+  EXPECT_EQ(made->mesh.triangles.size(), lighter->mesh.triangles.size());
+  ASSERT_EQ(made->uv.size(), made->mesh.vertices.size());
+  EXPECT_GT(made->texel_mm, 0.18);
+  EXPECT_LT(made->texel_mm, 0.3) << "charts are looked at along an axis: slopes have fewer texels";
+  std::size_t right = 0;
+  for (std::size_t v = 0; v < made->uv.size(); ++v) {
+    const float z = made->mesh.vertices[v].z();
+    const cv::Mat1b& mask = made->texture.seen;
+    const int x = std::min(mask.cols - 1, static_cast<int>(made->uv[v].x() * mask.cols)),
+              y = std::min(mask.rows - 1, static_cast<int>(made->uv[v].y() * mask.rows));
+    const bool seen = std::abs(z - 10) < 1 || (mask(y, x) != 0) == (z < 10);
+    // The model lies up to 0.2 mm off, which is 7 levels of paint.
+    const float off = texture::levelAt(made->texture.picture, made->uv[v])[0] - paintAt(z);
+    right += seen && std::abs(off) < 20 ? 1 : 0;
+  }
+  EXPECT_GE(static_cast<double>(right), 0.98 * static_cast<double>(made->uv.size()));
+  EXPECT_GT(made->texture.seen_share, 0.5);
+  EXPECT_LT(made->texture.seen_share, 0.9);
+}
+
+TEST(LighterModel, WithoutAClosedSurfaceHasNoPhotographs) {
+  const texture::TexturedMesh painted = paintedBall();
+  EXPECT_FALSE(retextured(painted.mesh, painted)) << "its charts are apart";
 }
 
 }  // namespace

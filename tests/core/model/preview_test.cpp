@@ -8,7 +8,7 @@
 namespace ostraka::model {
 namespace {
 
-constexpr PreviewOptions kSmall{.width_px = 60, .height_px = 40};
+const PreviewOptions kSmall{.width_px = 60, .height_px = 40};
 
 TEST(Preview, ABoxFillsThePictureUpToTheMargin) {
   TriangleMesh box = boxMesh({30, 20, 5});
@@ -27,6 +27,24 @@ TEST(Preview, FilledPlacesShowInTheirColour) {
   const cv::Vec3b filled =
       renderView(box, Eigen::Matrix3d::Identity(), kSmall).at<cv::Vec3b>(20, 30);
   EXPECT_GT(filled[2] - filled[0], 60 + seen[2] - seen[0]);  // orange
+}
+
+TEST(Preview, APictureOnTheSurfaceIsShownWithinItsTriangles) {
+  TriangleMesh box = boxMesh({30, 20, 5});
+  box.colors.assign(box.vertices.size(), {90, 90, 90});
+  PreviewOptions painted = kSmall;
+  painted.color_at = [&](const std::array<int, 3>& t, const std::array<double, 3>& w) {
+    double x = 0, left = 0;
+    for (std::size_t k = 0; k < 3; ++k) x += w[k] * box.vertices[t[k]].x();
+    for (const Eigen::Vector3f& v : box.vertices) left += v.x() / 8.0;
+    return std::abs(x - left) < 3 ? Eigen::Vector3d(200, 0, 0) : Eigen::Vector3d(0, 0, 200);
+  };
+  const cv::Mat picture = renderView(box, Eigen::Matrix3d::Identity(), painted);
+  const auto middle = picture.at<cv::Vec3b>(20, 30), beside = picture.at<cv::Vec3b>(20, 15);
+  EXPECT_GT(middle[2], 100);
+  EXPECT_LT(middle[0], 5);
+  EXPECT_GT(beside[0], 100);
+  EXPECT_LT(beside[2], 5);
 }
 
 TEST(Preview, ThreeViewsSideBySideAreTheSameEachTime) {

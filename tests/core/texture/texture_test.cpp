@@ -50,5 +50,43 @@ TEST(Texture, HasTexelsOfTheNearestPhotographsPixels) {
   EXPECT_NEAR(picture(picture.rows / 2, picture.cols / 2)[2], 150, 2);
 }
 
+TexturedModel painted(const cv::Mat3b& picture, const std::string& seen) {
+  TexturedModel model;
+  model.mesh = block({40, 30, 6}, 2);
+  model.texture.uv.assign(model.mesh.vertices.size(), {0.5f, 0.5f});
+  model.texture.jpeg = asPng(picture);
+  model.texture.seen_png = seen;
+  return model;
+}
+
+TEST(Texture, IsOpenedWithItsMask) {
+  cv::Mat3b picture(2, 4, cv::Vec3b(0, 0, 0));
+  picture(1, 3) = {10, 20, 200};
+  cv::Mat1b seen(2, 4, uchar{255});
+  seen(0, 0) = 0;
+  const auto made = opened(painted(picture, asPng(seen)), "a");
+  ASSERT_TRUE(made) << made.error().sentence();
+  EXPECT_EQ(cv::norm(made->texture.picture, picture, cv::NORM_INF), 0);
+  EXPECT_EQ(cv::norm(made->texture.seen, seen, cv::NORM_INF), 0);
+  EXPECT_EQ(levelAt(made->texture.picture, {0.875f, 0.75f}), cv::Vec3f(10, 20, 200))
+      << "a texel's middle";
+  EXPECT_EQ(levelAt(made->texture.picture, {0.75f, 0.75f}), cv::Vec3f(5, 10, 100));
+  EXPECT_EQ(levelAt(made->texture.picture, {9, 9}), cv::Vec3f(10, 20, 200));
+}
+
+TEST(Texture, ThatNoPageHoldsIsRefusedBeforeItIsDecoded) {
+  std::string huge = asPng(cv::Mat3b(2, 4, cv::Vec3b(0, 0, 0)));
+  huge[18] = '\x40';  // the width's third byte: 16,388
+  huge[22] = '\x40';
+  const auto made = opened(painted(cv::Mat3b(1, 1, cv::Vec3b(1, 2, 3)), {}), "a");
+  EXPECT_TRUE(made);
+  TexturedModel model = painted(cv::Mat3b(1, 1, cv::Vec3b(1, 2, 3)), {});
+  model.texture.jpeg = huge;
+  ASSERT_FALSE(opened(model, "a"));
+  EXPECT_NE(opened(model, "a").error().what.find("67,108,864"), std::string::npos);
+  model.texture.jpeg = "no picture";
+  EXPECT_FALSE(opened(model, "a"));
+}
+
 }  // namespace
 }  // namespace ostraka::texture

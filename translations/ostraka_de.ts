@@ -9259,6 +9259,11 @@
         <translation>eine Seite wurde verändert</translation>
     </message>
     <message>
+        <source>it is a backup, but the -wal file beside it belongs to the catalogue that it replaced</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>er ist eine Sicherung, aber die -wal-Datei daneben gehört zu dem Katalog, den sie ersetzt hat</translation>
+    </message>
+    <message>
         <source>its repair was interrupted</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>seine Reparatur wurde unterbrochen</translation>

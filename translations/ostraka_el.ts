@@ -9254,6 +9254,11 @@
         <translation>μια σελίδα άλλαξε</translation>
     </message>
     <message>
+        <source>it is a backup, but the -wal file beside it belongs to the catalogue that it replaced</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>είναι αντίγραφο ασφαλείας, αλλά το αρχείο -wal δίπλα του ανήκει στον κατάλογο που αντικατέστησε</translation>
+    </message>
+    <message>
         <source>its repair was interrupted</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>η επισκευή του διακόπηκε</translation>

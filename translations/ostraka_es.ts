@@ -9254,6 +9254,11 @@
         <translation>se modificó una página</translation>
     </message>
     <message>
+        <source>it is a backup, but the -wal file beside it belongs to the catalogue that it replaced</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>es una copia de seguridad, pero el archivo -wal junto a ella pertenece al catálogo que ha reemplazado</translation>
+    </message>
+    <message>
         <source>its repair was interrupted</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>su reparación se interrumpió</translation>

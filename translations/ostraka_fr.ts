@@ -9254,6 +9254,11 @@
         <translation>une page a été modifiée</translation>
     </message>
     <message>
+        <source>it is a backup, but the -wal file beside it belongs to the catalogue that it replaced</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>c’est une sauvegarde, mais le fichier -wal à côté appartient au catalogue qu’elle a remplacé</translation>
+    </message>
+    <message>
         <source>its repair was interrupted</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>sa réparation a été interrompue</translation>

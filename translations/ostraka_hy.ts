@@ -9254,6 +9254,11 @@
         <translation>մի էջ փոխվել է</translation>
     </message>
     <message>
+        <source>it is a backup, but the -wal file beside it belongs to the catalogue that it replaced</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>սա պահուստային պատճեն է, բայց կողքի -wal ֆայլը պատկանում է այն կատալոգին, որին այն փոխարինել է</translation>
+    </message>
+    <message>
         <source>its repair was interrupted</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>նրա վերականգնումն ընդհատվել է</translation>

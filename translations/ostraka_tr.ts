@@ -9207,6 +9207,11 @@
         <translation>bir sayfa değişmiş</translation>
     </message>
     <message>
+        <source>it is a backup, but the -wal file beside it belongs to the catalogue that it replaced</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>bu bir yedek, ama yanındaki -wal dosyası yerini aldığı kataloğa ait</translation>
+    </message>
+    <message>
         <source>its repair was interrupted</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>onarımı yarıda kalmış</translation>

@@ -367,7 +367,7 @@ void Database::copyTo(const fs::path& file) const {
       code = sqlite3_extended_errcode(target);
     }
   }
-  // The copy is one file: without a WAL beside it.
+  // The copy is one file, and its header says that it has no WAL (file_header.cpp).
   if (code == SQLITE_OK)
     code = sqlite3_exec(target, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
   const std::string text = sqlite3_errmsg(target);

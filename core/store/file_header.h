@@ -8,8 +8,12 @@ namespace ostraka::store {
 
 /// Looks at the first 100 bytes of a catalogue before SQLite opens it. Refused as Damaged: an
 /// empty file, one that is no database or another program's, one that nobody has made a catalogue
-/// of yet, and a header whose parts contradict each other.
+/// of yet, a header whose parts contradict each other, and a backup beside a WAL (hasWalOfAnother).
 Result<void> checkHeader(const std::filesystem::path& file);
+
+/// A backup was put in the place of a catalogue whose WAL was left: SQLite would write the newer
+/// pages into the older file. False of a file that cannot be read.
+bool hasWalOfAnother(const std::filesystem::path& file);
 
 /// why: an English clause that ui/words knows.
 Error damagedCatalogue(const std::string& why, const std::filesystem::path& file);

@@ -104,8 +104,9 @@ class Repair {
     if (!fresh) return fresh.error();
     Result<store::PartialFile> copy = store::PartialFile::beside(file_);
     if (!copy) return copy.error();
+    const bool foreign_wal = store::hasWalOfAnother(file_);
     fs::copy_file(file_, copy->path(), fs::copy_options::overwrite_existing, failed);
-    if (!failed && fs::exists(file_.string() + kWal))
+    if (!failed && !foreign_wal && fs::exists(file_.string() + kWal))
       fs::copy_file(file_.string() + kWal, copy->path().string() + kWal, failed);
     if (failed) return cannotWrite(file_, failed.value());
     progress_.report(0, 4);
@@ -124,10 +125,11 @@ class Repair {
       if (!whole) return whole.error();
       provable = *whole;
     }
-    if (provable && pages->by_bit + pages->by_backup == 0 && !pages->wal_damaged) return report_;
+    if (provable && pages->by_bit + pages->by_backup == 0 && !pages->wal_damaged && !foreign_wal)
+      return report_;
     if (!provable)
       if (Result<void> made = makeFrom(copy->path(), *pages, *fresh); !made) return made.error();
-    if (pages->wal_pages_lost > 0)
+    if (pages->wal_pages_lost > 0 || foreign_wal)
       report_.rows.push_back(
           {file_.filename().string() + kWal, 0, {}, {}, RepairedRow::From::Nowhere});
     progress_.report(3, 4);

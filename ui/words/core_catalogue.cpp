@@ -182,6 +182,8 @@ Sentences CoreSentences::ofCatalogue() {
       QT_TR_NOOP(
           "'%1' is not a path inside the project; it must be relative, with '/' and without '..'."),
       QT_TR_NOOP("a page was changed"),
+      QT_TR_NOOP(
+          "it is a backup, but the -wal file beside it belongs to the catalogue that it replaced"),
       QT_TR_NOOP("its repair was interrupted"),
       QT_TR_NOOP("its pages are inconsistent"),
       QT_TR_NOOP("the file is empty"),

@@ -54,6 +54,25 @@ class Repairing : public catalogue::SmallProject {
       EXPECT_TRUE(set(sherd, "note", std::string(60, 'n') + std::to_string(i)));
     }
   }
+  // Its exit status; it ends without closing anything, as a killed one does.
+  template <class Work>
+  static int inAnotherProcess(Work work) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(work());
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  // Saves more sherds and leaves them in the WAL.
+  void fillInAKilledProcess(int sherds) {
+    ASSERT_EQ(inAnotherProcess([&] {
+                project_ = std::make_unique<Project>(*Project::open(folder()));
+                fill(sherds);
+                return 0;
+              }),
+              0);
+    ASSERT_GT(fs::file_size(file().string() + "-wal"), 0u);
+  }
   QuietProgress quiet_;
 };
 
@@ -242,15 +261,6 @@ class KilledRepair : public Repairing {
     fs::remove_all(folder());
     fs::copy(damaged_, folder(), fs::copy_options::recursive);
   }
-  // Its exit status; it ends without closing anything, as a killed one does.
-  template <class Work>
-  static int inAnotherProcess(Work work) {
-    const pid_t child = ::fork();
-    if (child == 0) ::_exit(work());
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
   std::size_t sherds() const {
     const Project open = catalogue::valueIn(Project::open(folder()));
     EXPECT_TRUE(open.catalogue().checkIntegrity());
@@ -376,13 +386,7 @@ TEST_F(KilledRepair, NobodyWritesWhileItRuns) {
 
 TEST_F(Repairing, WhatFollowsADamagedPageOfTheWalIsKept) {
   project_.reset();
-  const pid_t child = ::fork();
-  if (child == 0) {
-    project_ = std::make_unique<Project>(*Project::open(folder()));
-    fill(4);
-    ::_exit(0);
-  }
-  ::waitpid(child, nullptr, 0);
+  fillInAKilledProcess(4);
   const fs::path wal = file().string() + "-wal";
   const std::string main = catalogue::bytesOf(file()), whole = catalogue::bytesOf(wal);
   const std::string content = *catalogue::contentOf(folder());
@@ -405,6 +409,43 @@ TEST_F(Repairing, WhatFollowsADamagedPageOfTheWalIsKept) {
   const RepairReport report = repaired();
   EXPECT_EQ(*catalogue::contentOf(folder()), content);
   EXPECT_EQ(catalogue::bytesOf(report.damaged.string() + "-wal"), bytes) << "it is kept";
+}
+
+TEST_F(Repairing, TakesTheWalOfAKilledProcessFromABackupThatWasPutBack) {
+  fill(4);
+  const fs::path backup = *project_->backUp();
+  const std::string content = *catalogue::contentOf(folder());
+  fill(2);
+  project_.reset();
+  fillInAKilledProcess(3);
+  fs::copy_file(backup, file(), fs::copy_options::overwrite_existing);
+  const std::string put_back = catalogue::bytesOf(file());
+  const std::string wal = catalogue::bytesOf(file().string() + "-wal");
+  const Result<Project> open = Project::open(folder());
+  ASSERT_FALSE(open);
+  EXPECT_EQ(open.error().code, ErrorCode::Damaged);
+  EXPECT_NE(open.error().what.find("it is a backup"), std::string::npos) << open.error().what;
+  EXPECT_FALSE(store::Database::open(file(), store::Database::Mode::ReadOnly));
+  EXPECT_EQ(catalogue::bytesOf(file()), put_back);
+  const RepairReport report = repaired();
+  ASSERT_EQ(report.rows.size(), 1u);
+  EXPECT_EQ(report.rows[0].table, "catalogue.sqlite-wal");
+  EXPECT_EQ(report.rows[0].from, RepairedRow::From::Nowhere);
+  EXPECT_EQ(catalogue::bytesOf(report.damaged.string() + "-wal"), wal) << "it is kept";
+  EXPECT_EQ(*catalogue::contentOf(folder()), content);
+  EXPECT_TRUE(repaired().damaged.empty());
+}
+
+TEST_F(Repairing, LosesNothingThatAKilledProcessSavedInABackupThatWasPutBack) {
+  fill(4);
+  const fs::path backup = *project_->backUp();
+  project_.reset();
+  fs::copy_file(backup, file(), fs::copy_options::overwrite_existing);
+  fillInAKilledProcess(3);
+  EXPECT_TRUE(repaired().damaged.empty());
+  const Result<Project> open = Project::open(folder());
+  ASSERT_TRUE(open) << open.error().sentence();
+  EXPECT_EQ(sherds::Sherds(open->catalogue()).rows({}, {})->size(), 7u);
 }
 
 TEST_F(Repairing, PrefersItsOwnBackupToOneOfLater) {

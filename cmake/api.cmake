@@ -31,4 +31,4 @@ install(FILES ${core}/api/catalogue.h ${core}/api/close_model.h ${core}/api/dens
   DESTINATION ${headers} COMPONENT development)
 install(FILES ${core}/base/progress.h ${core}/base/result.h DESTINATION ${headers}/base
   COMPONENT development)
-install(FILES ${core}/cloud/point_cloud.h DESTINATION ${headers}/cloud COMPONENT development)
+install(FILES ${core}/cloud/points_and_meshes.h DESTINATION ${headers}/cloud COMPONENT development)

@@ -5269,9 +5269,9 @@
       <translation>Ein anderes Programm benutzt den Katalog; es schließen und noch einmal versuchen.</translation>
     </message>
     <message>
-      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <source>Another program is repairing or using the catalogue; this one waits up to 10 seconds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein anderes Programm repariert oder benutzt den Katalog; dieses wartet, bis es fertig ist.</translation>
+      <translation>Ein anderes Programm repariert oder benutzt den Katalog; dieses wartet bis zu 10 Sekunden.</translation>
     </message>
     <message>
       <source>The image file is truncated; copy it from the camera again.</source>

@@ -5264,9 +5264,9 @@
       <translation>Ένα άλλο πρόγραμμα κρατά απασχολημένο τον κατάλογο· κλείστε το και δοκιμάστε ξανά.</translation>
     </message>
     <message>
-      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <source>Another program is repairing or using the catalogue; this one waits up to 10 seconds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα άλλο πρόγραμμα επιδιορθώνει ή χρησιμοποιεί τον κατάλογο· αυτό περιμένει να τελειώσει.</translation>
+      <translation>Ένα άλλο πρόγραμμα επιδιορθώνει ή χρησιμοποιεί τον κατάλογο· αυτό περιμένει έως 10 δευτερόλεπτα.</translation>
     </message>
     <message>
       <source>The image file is truncated; copy it from the camera again.</source>

@@ -5264,9 +5264,9 @@
       <translation>Otro programa está usando el catálogo; ciérrelo e inténtelo otra vez.</translation>
     </message>
     <message>
-      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <source>Another program is repairing or using the catalogue; this one waits up to 10 seconds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otro programa está reparando o usando el catálogo; este espera a que termine.</translation>
+      <translation>Otro programa está reparando o usando el catálogo; este espera hasta 10 segundos.</translation>
     </message>
     <message>
       <source>The image file is truncated; copy it from the camera again.</source>

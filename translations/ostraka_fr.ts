@@ -5264,9 +5264,9 @@
       <translation>Un autre programme utilise le catalogue ; fermez-le, puis réessayez.</translation>
     </message>
     <message>
-      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <source>Another program is repairing or using the catalogue; this one waits up to 10 seconds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre programme répare ou utilise le catalogue ; celui-ci attend qu’il ait terminé.</translation>
+      <translation>Un autre programme répare ou utilise le catalogue ; celui-ci attend jusqu’à 10 secondes.</translation>
     </message>
     <message>
       <source>The image file is truncated; copy it from the camera again.</source>

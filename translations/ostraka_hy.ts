@@ -5264,9 +5264,9 @@
       <translation>Մեկ այլ ծրագիր զբաղեցրել է կատալոգը. փակեք այն և նորից փորձեք։</translation>
     </message>
     <message>
-      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <source>Another program is repairing or using the catalogue; this one waits up to 10 seconds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մեկ այլ ծրագիր վերանորոգում կամ օգտագործում է կատալոգը. սա սպասում է դրա ավարտին։</translation>
+      <translation>Մեկ այլ ծրագիր վերանորոգում կամ օգտագործում է կատալոգը. սա սպասում է մինչև 10 վայրկյան։</translation>
     </message>
     <message>
       <source>The image file is truncated; copy it from the camera again.</source>

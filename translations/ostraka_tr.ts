@@ -5217,9 +5217,9 @@
       <translation>Başka bir program kataloğu meşgul ediyor; onu kapatın, sonra yeniden deneyin.</translation>
     </message>
     <message>
-      <source>Another program is repairing or using the catalogue; this one waits until it has ended.</source>
+      <source>Another program is repairing or using the catalogue; this one waits up to 10 seconds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka bir program kataloğu onarıyor ya da kullanıyor; bu, onun bitmesini bekliyor.</translation>
+      <translation>Başka bir program kataloğu onarıyor ya da kullanıyor; bu, en çok 10 saniye bekliyor.</translation>
     </message>
     <message>
       <source>The image file is truncated; copy it from the camera again.</source>

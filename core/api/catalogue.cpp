@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "api/checked.h"
 #include "catalogue/settings.h"
 #include "sherds/filter.h"
 #include "sherds/sherd_fields.h"
@@ -26,9 +27,7 @@ CatalogueSherd asSherd(const records::SherdRecord& record, const fs::path& proje
   return sherd;
 }
 
-}  // namespace
-
-Result<CatalogueContents> readCatalogue(const fs::path& project, std::string_view filter) {
+Result<CatalogueContents> contentsOf(const fs::path& project, std::string_view filter) {
   const Result<sherds::Filter> parsed = sherds::parseFilter(filter);
   if (!parsed) return parsed.error();
   const Result<upkeep::Project> opened = upkeep::Project::open(project);
@@ -52,6 +51,12 @@ Result<CatalogueContents> readCatalogue(const fs::path& project, std::string_vie
   });
   if (!read) return read.error();
   return contents;
+}
+
+}  // namespace
+
+Result<CatalogueContents> readCatalogue(const fs::path& project, std::string_view filter) {
+  return withoutExceptions([&] { return contentsOf(project, filter); });
 }
 
 }  // namespace ostraka::api

@@ -32,7 +32,8 @@ struct CatalogueContents {
 /// moment, while others may write. A catalogue of an older version is brought up to date first,
 /// after a backup, and what an interrupted command left half written is removed, as the program
 /// does when it opens a project; nothing else is changed.
-/// Errors: UnusableInput (no project, a word of the filter, a newer version), Damaged.
+/// Errors: UnusableInput (no project, a word of the filter, a newer version), CannotWrite (the
+/// backup), Damaged, Failed (another program keeps the catalogue for 10 s).
 OSTRAKA_API Result<CatalogueContents> readCatalogue(const std::filesystem::path& project,
                                                     std::string_view filter);
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/checked.h"
 #include "stereo/background.h"
 #include "stereo/stereo.h"
 
@@ -40,10 +41,8 @@ Result<stereo::View> asView(const DensePhotograph& photograph, std::size_t index
   return view;
 }
 
-}  // namespace
-
-Result<DenseCloud> dense(std::span<const DensePhotograph> photographs, int threads,
-                         Progress& progress, std::stop_token stop) {
+Result<DenseCloud> reconstructed(std::span<const DensePhotograph> photographs, int threads,
+                                 Progress& progress, const std::stop_token& stop) {
   std::vector<stereo::View> views;
   for (std::size_t i = 0; i < photographs.size(); ++i) {
     Result<stereo::View> view = asView(photographs[i], i);
@@ -52,11 +51,17 @@ Result<DenseCloud> dense(std::span<const DensePhotograph> photographs, int threa
   }
   stereo::DenseOptions options;
   options.threads = threads;
-  Result<stereo::Reconstruction> found =
-      stereo::reconstruct(views, options, progress, std::move(stop));
+  Result<stereo::Reconstruction> found = stereo::reconstruct(views, options, progress, stop);
   if (!found) return found.error();
   const stereo::Agreement& agreement = found->agreement;
   return DenseCloud{std::move(found->cloud), agreement.confirmedShare(), agreement.plausible()};
+}
+
+}  // namespace
+
+Result<DenseCloud> dense(std::span<const DensePhotograph> photographs, int threads,
+                         Progress& progress, std::stop_token stop) {
+  return withoutExceptions([&] { return reconstructed(photographs, threads, progress, stop); });
 }
 
 }  // namespace ostraka::api

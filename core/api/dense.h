@@ -7,7 +7,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "cloud/point_cloud.h"
+#include "cloud/points_and_meshes.h"
 #include "version.h"
 
 namespace ostraka::api {

@@ -1,5 +1,6 @@
 #include "api/point_files.h"
 
+#include "api/checked.h"
 #include "cloud/ply.h"
 
 namespace ostraka::api {
@@ -10,15 +11,15 @@ constexpr const char* kFrame = "as given";
 }  // namespace
 
 Result<PointCloud> readCloud(const std::filesystem::path& file) {
-  return readPlyCloud(file);
+  return withoutExceptions([&] { return readPlyCloud(file); });
 }
 
 Result<void> writeCloud(const std::filesystem::path& file, const PointCloud& cloud) {
-  return writePly(file, cloud, kFrame);
+  return withoutExceptions([&] { return writePly(file, cloud, kFrame); });
 }
 
 Result<void> writeMesh(const std::filesystem::path& file, const TriangleMesh& mesh) {
-  return writePly(file, mesh, kFrame);
+  return withoutExceptions([&] { return writePly(file, mesh, kFrame); });
 }
 
 }  // namespace ostraka::api

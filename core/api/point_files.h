@@ -2,7 +2,7 @@
 #include <filesystem>
 
 #include "base/result.h"
-#include "cloud/point_cloud.h"
+#include "cloud/points_and_meshes.h"
 #include "version.h"
 
 namespace ostraka::api {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "api/checked.h"
 #include "decisions/pair_sides.h"
 #include "decisions/scan_folder.h"
 #include "scan/fracture.h"
@@ -19,8 +20,7 @@ Result<decisions::ScanFolder> asScans(std::span<const PointCloud> clouds, const 
     if (clouds[i].size() < kFewestPoints)
       return Error{ErrorCode::NotEnough, "The scan has fewer than 100 points; rescan this side.",
                    id};
-    if (!clouds[i].hasNormals())
-      return Error::unusable("The scan has no normals; export it with nx, ny and nz.", id);
+    if (const Result<void> good = checkCloud(clouds[i], id); !good) return good.error();
     folder.scans.push_back({id, clouds[i], {}, scan::estimateUp(clouds[i])});
     folder.files.push_back(std::filesystem::path(side) / std::to_string(i));
   }
@@ -30,11 +30,9 @@ Result<decisions::ScanFolder> asScans(std::span<const PointCloud> clouds, const 
   return folder;
 }
 
-}  // namespace
-
-Result<RegisteredScans> registerScans(std::span<const PointCloud> fronts,
-                                      std::span<const PointCloud> backs, int threads,
-                                      Progress& progress, std::stop_token stop) {
+Result<RegisteredScans> registered(std::span<const PointCloud> fronts,
+                                   std::span<const PointCloud> backs, int threads,
+                                   Progress& progress, const std::stop_token& stop) {
   const Result<decisions::ScanFolder> front = asScans(fronts, "front");
   if (!front) return front.error();
   const Result<decisions::ScanFolder> back = asScans(backs, "back");
@@ -46,8 +44,8 @@ Result<RegisteredScans> registerScans(std::span<const PointCloud> fronts,
   registration::Constraints constraints;
   if (decisions::standOnPlate(front->scans)) constraints.front_support.emplace();
   if (decisions::standOnPlate(back->scans)) constraints.back_support.emplace();
-  const Result<decisions::PairTable> table = decisions::pairSides(
-      front->scans, back->scans, constraints, options, progress, std::move(stop));
+  const Result<decisions::PairTable> table =
+      decisions::pairSides(front->scans, back->scans, constraints, options, progress, stop);
   if (!table) return table.error();
   RegisteredScans result{{}, table->unpaired_front, table->unpaired_back};
   for (const decisions::SherdPair& pair : table->pairs) {
@@ -57,6 +55,14 @@ Result<RegisteredScans> registerScans(std::span<const PointCloud> fronts,
                             found.uncertainty_mm, pair.decision.ambiguous, pair.decision.reason});
   }
   return result;
+}
+
+}  // namespace
+
+Result<RegisteredScans> registerScans(std::span<const PointCloud> fronts,
+                                      std::span<const PointCloud> backs, int threads,
+                                      Progress& progress, std::stop_token stop) {
+  return withoutExceptions([&] { return registered(fronts, backs, threads, progress, stop); });
 }
 
 }  // namespace ostraka::api

@@ -7,7 +7,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "cloud/point_cloud.h"
+#include "cloud/points_and_meshes.h"
 #include "version.h"
 
 namespace ostraka::api {
@@ -30,12 +30,14 @@ struct RegisteredScans {
   std::vector<int> unpaired_front, unpaired_back;  ///< rising
 };
 
-/// Which back belongs to which front, and where: `ostraka register` without files. A scan is one
+/// Which back belongs to which front, and where: as `ostraka register`, which also leaves out
+/// points at the origin and far from all others; here they count. A scan is one
 /// sherd seen from one side: at least 100 points with outward unit normals, mm, any frame; scans
 /// that stand on z = 0 with their faces up help each other. One front and one back may be handed
 /// in. threads: 0 for all processors; the result does not depend on it.
-/// Errors: UnusableInput (a scan without normals, scans not in mm), NotEnough (no scan, or one with
-/// too few points), Cancelled. About 0.3 s for each pair that could belong together, on one core.
+/// Errors: UnusableInput (a scan without normals or with a value that is not finite, scans not in
+/// mm), NotEnough (no scan, or one with too few points), Cancelled. About 0.3 s for each pair that
+/// could belong together, on one core.
 OSTRAKA_API Result<RegisteredScans> registerScans(std::span<const PointCloud> fronts,
                                                   std::span<const PointCloud> backs, int threads,
                                                   Progress& progress, std::stop_token stop);

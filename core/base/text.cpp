@@ -2,6 +2,7 @@
 
 #include <locale.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdarg>
 #include <cstdio>
@@ -39,7 +40,8 @@ std::string vformatted(const char* format, std::va_list arguments) {
   const locale_t before = ::uselocale(plain);  // of this thread alone
   std::va_list again;
   va_copy(again, arguments);
-  std::string text(static_cast<std::size_t>(std::vsnprintf(nullptr, 0, format, arguments)), ' ');
+  const int length = std::max(0, std::vsnprintf(nullptr, 0, format, arguments));
+  std::string text(static_cast<std::size_t>(length), ' ');
   std::vsnprintf(text.data(), text.size() + 1, format, again);
   va_end(again);
   ::uselocale(before);

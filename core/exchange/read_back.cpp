@@ -290,6 +290,7 @@ class ReadingBack {
   /// What copyFiles wrote, as far as the catalogue does not name it by now, and the folders that it
   /// made, as far as they are empty.
   void removeCopies() {
+    project_.catalogue().database().setWaiting({});  // a stop is no reason to leave them
     // Within a transaction: nobody can come to name a file between the question and its removal.
     const Result<void> removed = project_.catalogue().database().inTransaction([&] {
       std::set<std::string> named;

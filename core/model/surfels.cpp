@@ -236,6 +236,13 @@ double sideGap(const Sources& all, const std::vector<Fit>& own_fits, float radiu
   return gap.size() < 20 ? 0 : medianOf(std::move(gap));
 }
 
+// Of points at places of their own: files of triangles hold each corner many times.
+double spacingOf(const PointCloud& cloud) {
+  constexpr double kSamePlace_mm = 0.01;
+  const double spacing = medianSpacing(cloud);
+  return spacing > kSamePlace_mm ? spacing : medianSpacing(thinned(cloud, kSamePlace_mm));
+}
+
 Error tooFew() {
   return {ErrorCode::NotEnough,
           "The scans contain too few points that agree with each other for a model.",
@@ -296,7 +303,7 @@ Result<Surfels> mergedSurfels(const PointCloud& front, const PointCloud& back,
   Sources raw;
   append(raw, front, 0);
   append(raw, transformed(back, front_from_back), 1);
-  const double given = std::max(medianSpacing(front), medianSpacing(back));
+  const double given = std::max(spacingOf(front), spacingOf(back));
   const float spacing = static_cast<float>(given);
   const float radius =
       std::max(kLeastSpacings * spacing, std::min(kLeastRadius_mm, kWindowSpacings * spacing));

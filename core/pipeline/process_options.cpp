@@ -11,9 +11,9 @@ Result<void> ProcessOptions::check() const {
   if (batch.empty()) return Error::unusable("No batch folder was given.");
   if (output.empty()) return Error::unusable("No output folder was given (--output OUT).");
   if (Result<void> good = checkOutputPlace(output, "results"); !good) return good;
-  if (Result<void> good = checkNoLinkInProject(batch); !good) return good;
   std::error_code failed;
   for (const fs::path& input : {batch, back.value_or(batch)}) {
+    if (Result<void> good = checkNoLinkInProject(input); !good) return good;
     const fs::path folder = fs::weakly_canonical(input, failed);
     const fs::path beyond = fs::weakly_canonical(output, failed).lexically_relative(folder);
     if (!beyond.empty() && *beyond.begin() != "..")

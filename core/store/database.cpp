@@ -130,7 +130,7 @@ static int lookAgain(void* of, int times) {
   if (times == kTimesUnsaid && waiting.progress != nullptr)
     waiting.progress->note(NoteLevel::Warning,
                            "Another program is repairing or using the catalogue; this one waits "
-                           "until it has ended.");
+                           "up to 10 seconds.");
   std::this_thread::sleep_for(kPause);
   return 1;
 }

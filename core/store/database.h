@@ -34,6 +34,8 @@ class Database {
   enum class Mode { Create, ReadWrite, ReadOnly };
   static Result<std::unique_ptr<Database>> open(const std::filesystem::path& file, Mode mode,
                                                 Waiting waiting = {});
+  /// From now on: what must not be left half done waits without regard to a stop.
+  void setWaiting(Waiting waiting) { waiting_ = std::move(waiting); }
   /// Makes the journal a WAL, which writes into the file: not before it is known as ours. Errors:
   /// Damaged while a repair is to be ended.
   Result<void> writeAhead();

@@ -313,6 +313,7 @@ void ImportModel::enter() {
   job_ = session_->jobs().start(makeJob(tr("Import"), work), this);
   connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
     fraction_ = progress.fraction;
+    problem_.clear();  // it waits no longer
     emit changed();
   });
   connect(job_, &JobHandle::noted, this, [this](NoteLevel level, const QString& text) {

@@ -9,8 +9,8 @@ Sentences CoreSentences::ofCatalogue() {
       QT_TR_NOOP("The context %1 needs its site; enter both."),
       QT_TR_NOOP("The disk is full; free some space, then try again. No data was lost."),
       QT_TR_NOOP("Another program is using the catalogue; close it, then try again."),
-      QT_TR_NOOP("Another program is repairing or using the catalogue; this one waits until it has "
-                 "ended."),
+      QT_TR_NOOP("Another program is repairing or using the catalogue; this one waits up to 10 "
+                 "seconds."),
       QT_TR_NOOP("'%1' is not a kind of context; use layer, cut, fill, structure, surface or "
                  "unstratified."),
       QT_TR_NOOP("A plate holds 1 to 60 sherds; 0 means not counted."),

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "api/catalogue.h"
 #include "api/close_model.h"
@@ -71,6 +72,21 @@ TEST(Api, RefusesScansWithoutNormalsOrPointsAndNamesThem) {
   EXPECT_THAT(no_normals.error().sentence(), HasSubstr("back 1"));
   EXPECT_EQ(registerScans(few, fronts, 1, quiet, {}).error().code, ErrorCode::NotEnough);
   EXPECT_EQ(registerScans({}, fronts, 1, quiet, {}).error().code, ErrorCode::NotEnough);
+}
+
+TEST(Api, RefusesPointsThatAreNotFiniteAndListsOfOtherLengths) {
+  const PointCloud good = scanOfBox(model::BoxScan{}, false, 1);
+  PointCloud nowhere = good, few_colours = good;
+  nowhere.points[7].x() = std::numeric_limits<float>::quiet_NaN();
+  few_colours.colors.resize(3);
+  for (const PointCloud& bad : {nowhere, few_colours}) {
+    const std::vector<PointCloud> fronts = {good}, backs = {bad};
+    EXPECT_EQ(registerScans(fronts, backs, 1, quiet, {}).error().code, ErrorCode::UnusableInput);
+    const auto closed = closeModel(good, bad, Eigen::Isometry3d::Identity(), 1, quiet, {});
+    ASSERT_FALSE(closed.has_value());
+    EXPECT_EQ(closed.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(closed.error().where, "back");
+  }
 }
 
 TEST(Api, FindsABallInPhotographsWithKnownCameras) {

@@ -158,6 +158,22 @@ TEST(CloseModel, APointEveryFewMillimetresMakesNoModel) {
   EXPECT_TRUE(closed(scanOfBox(coarse, false, 1), scanOfBox(coarse, true, 2)).has_value());
 }
 
+TEST(CloseModel, PointsThatStandTwiceInTheFileChangeNothingMuch) {
+  BoxScan scan;
+  scan.size = {12, 9, 4};
+  const auto twice = [](PointCloud cloud) {
+    const std::size_t count = cloud.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      cloud.points.push_back(cloud.points[i]);
+      cloud.normals.push_back(cloud.normals[i]);
+    }
+    return cloud;
+  };
+  const auto model = closed(twice(scanOfBox(scan, false, 1)), twice(scanOfBox(scan, true, 2)));
+  ASSERT_TRUE(model.has_value()) << model.error().sentence();
+  EXPECT_NEAR(measure(model->mesh).volume_mm3, scan.size.prod(), 0.02 * scan.size.prod());
+}
+
 // Waves of 0.8 mm, 0.05 mm high: fine tool marks.
 TEST(CloseModel, ReliefOfFinePixelsStays) {
   const BoxScan fine{.size = {8, 6, 3}, .spacing_mm = 0.08f, .noise_mm = 0.005f};

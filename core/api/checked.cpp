@@ -1,0 +1,21 @@
+#include "api/checked.h"
+
+#include <algorithm>
+
+namespace ostraka::api {
+
+Result<void> checkCloud(const PointCloud& cloud, const std::string& name) {
+  const auto finite = [](const Eigen::Vector3f& v) { return v.allFinite(); };
+  const std::size_t count = cloud.size();
+  if (cloud.normals.size() != count)
+    return Error::unusable("The scan has no normals; export it with nx, ny and nz.", name);
+  if ((!cloud.colors.empty() && cloud.colors.size() != count) ||
+      (!cloud.quality.empty() && cloud.quality.size() != count))
+    return Error::unusable("The colours or the qualities are not as many as the points.", name);
+  if (!std::all_of(cloud.points.begin(), cloud.points.end(), finite) ||
+      !std::all_of(cloud.normals.begin(), cloud.normals.end(), finite))
+    return Error::unusable("A point or a normal is not finite; leave such points out.", name);
+  return {};
+}
+
+}  // namespace ostraka::api

@@ -6984,6 +6984,11 @@
       <translation>Der Text ist kein gültiges UTF-8 oder enthält ein Nullbyte.</translation>
     </message>
     <message>
+      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Text enthält Steuerzeichen, die Dokumente nicht enthalten können; ihn neu eingeben.</translation>
+    </message>
+    <message>
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Tag wie 2026-07-14 schreiben (Jahr-Monat-Tag).</translation>
@@ -7282,6 +7287,11 @@
       <source>The table has more than 1,000,000 rows; split it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Tabelle hat mehr als 1 000 000 Zeilen; sie aufteilen.</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000 columns; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Tabelle hat mehr als 1000 Spalten; sie aufteilen.</translation>
     </message>
     <message>
       <source>Line %1 has an unclosed quotation mark.</source>
@@ -7767,6 +7777,11 @@
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine Liste von Maskenstrichen; eine frühere zurücklegen oder sie löschen.</translation>
+    </message>
+    <message>
+      <source>A mask holds at most 1,000 strokes and 100,000 points; nothing is saved until you undo some.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Maske fasst höchstens 1000 Striche und 100 000 Punkte; nichts wird gespeichert, bis Sie einige rückgängig machen.</translation>
     </message>
     <message>
       <source>This batch has no masks yet; process it first.</source>

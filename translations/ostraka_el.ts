@@ -6979,6 +6979,11 @@
       <translation>Το κείμενο δεν είναι έγκυρο UTF-8 ή περιέχει μηδενικό byte.</translation>
     </message>
     <message>
+      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το κείμενο περιέχει χαρακτήρες ελέγχου, που τα έγγραφα δεν μπορούν να περιέχουν· πληκτρολογήστε το ξανά.</translation>
+    </message>
+    <message>
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια ημέρα γράφεται 2026-07-14 (έτος-μήνας-ημέρα).</translation>
@@ -7277,6 +7282,11 @@
       <source>The table has more than 1,000,000 rows; split it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο πίνακας έχει πάνω από 1.000.000 γραμμές· χωρίστε τον.</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000 columns; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο πίνακας έχει πάνω από 1.000 στήλες· χωρίστε τον.</translation>
     </message>
     <message>
       <source>Line %1 has an unclosed quotation mark.</source>
@@ -7762,6 +7772,11 @@
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό δεν είναι λίστα πινελιών σε μάσκες· επαναφέρετε μια παλιότερη ή αφαιρέστε την.</translation>
+    </message>
+    <message>
+      <source>A mask holds at most 1,000 strokes and 100,000 points; nothing is saved until you undo some.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια μάσκα χωρά το πολύ 1.000 πινελιές και 100.000 σημεία· δεν αποθηκεύεται τίποτα μέχρι να αναιρέσετε μερικές.</translation>
     </message>
     <message>
       <source>This batch has no masks yet; process it first.</source>

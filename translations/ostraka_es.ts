@@ -6979,6 +6979,11 @@
       <translation>El texto no es UTF-8 válido o contiene un byte nulo.</translation>
     </message>
     <message>
+      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El texto contiene caracteres de control, que los documentos no pueden contener; escríbalo de nuevo.</translation>
+    </message>
+    <message>
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escriba el día como 2026-07-14 (año-mes-día).</translation>
@@ -7277,6 +7282,11 @@
       <source>The table has more than 1,000,000 rows; split it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tabla tiene más de 1 000 000 de filas; divídala.</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000 columns; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tabla tiene más de 1000 columnas; divídala.</translation>
     </message>
     <message>
       <source>Line %1 has an unclosed quotation mark.</source>
@@ -7762,6 +7772,11 @@
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esto no es una lista de trazos en máscaras; restablezca una anterior o bórrela.</translation>
+    </message>
+    <message>
+      <source>A mask holds at most 1,000 strokes and 100,000 points; nothing is saved until you undo some.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una máscara admite como máximo 1000 trazos y 100 000 puntos; no se guarda nada hasta que deshaga algunos.</translation>
     </message>
     <message>
       <source>This batch has no masks yet; process it first.</source>

@@ -6979,6 +6979,11 @@
       <translation>Le texte n’est pas de l’UTF-8 valide, ou contient un octet nul.</translation>
     </message>
     <message>
+      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le texte contient des caractères de contrôle, que les documents ne peuvent pas contenir ; saisissez-le à nouveau.</translation>
+    </message>
+    <message>
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Écrivez le jour comme 2026-07-14 (année-mois-jour).</translation>
@@ -7277,6 +7282,11 @@
       <source>The table has more than 1,000,000 rows; split it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le tableau a plus de 1 000 000 de lignes ; divisez-le.</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000 columns; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tableau a plus de 1 000 colonnes ; divisez-le.</translation>
     </message>
     <message>
       <source>Line %1 has an unclosed quotation mark.</source>
@@ -7762,6 +7772,11 @@
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas une liste de traits sur des masques ; remettez-en une plus ancienne ou supprimez-la.</translation>
+    </message>
+    <message>
+      <source>A mask holds at most 1,000 strokes and 100,000 points; nothing is saved until you undo some.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un masque contient au plus 1 000 traits et 100 000 points ; rien n’est enregistré tant que vous n’en annulez pas.</translation>
     </message>
     <message>
       <source>This batch has no masks yet; process it first.</source>

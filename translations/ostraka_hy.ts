@@ -6979,6 +6979,11 @@
       <translation>Տեքստը ճիշտ UTF-8 չէ կամ պարունակում է զրոյական բայտ։</translation>
     </message>
     <message>
+      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեքստը պարունակում է կառավարման նիշեր, որոնք փաստաթղթերը չեն կարող պարունակել. մուտքագրեք այն կրկին։</translation>
+    </message>
+    <message>
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օրը գրվում է 2026-07-14 (տարի-ամիս-օր)։</translation>
@@ -7277,6 +7282,11 @@
       <source>The table has more than 1,000,000 rows; split it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Աղյուսակն ունի 1 000 000-ից ավելի տող. բաժանեք այն։</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000 columns; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակն ունի 1000-ից ավելի սյունակ. բաժանեք այն։</translation>
     </message>
     <message>
       <source>Line %1 has an unclosed quotation mark.</source>
@@ -7762,6 +7772,11 @@
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա դիմակների վրայի վրձնահարվածների ցանկ չէ. ետ դրեք նախորդը կամ հեռացրեք այն։</translation>
+    </message>
+    <message>
+      <source>A mask holds at most 1,000 strokes and 100,000 points; nothing is saved until you undo some.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դիմակը պարունակում է առավելագույնը 1000 վրձնահարված և 100 000 կետ. ոչինչ չի պահպանվում, մինչև մի քանիսը չհետարկեք։</translation>
     </message>
     <message>
       <source>This batch has no masks yet; process it first.</source>

@@ -6932,6 +6932,11 @@
       <translation>Metin geçerli UTF-8 değil ya da sıfır bayt içeriyor.</translation>
     </message>
     <message>
+      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Metin, belgelerin içeremeyeceği denetim karakterleri içeriyor; yeniden yazın.</translation>
+    </message>
+    <message>
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gün 2026-07-14 gibi yazılır (yıl-ay-gün).</translation>
@@ -7230,6 +7235,11 @@
       <source>The table has more than 1,000,000 rows; split it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tabloda 1.000.000’dan çok satır var; bölün.</translation>
+    </message>
+    <message>
+      <source>The table has more than 1,000 columns; split it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabloda 1.000’den çok sütun var; bölün.</translation>
     </message>
     <message>
       <source>Line %1 has an unclosed quotation mark.</source>
@@ -7715,6 +7725,11 @@
       <source>Not a list of mask strokes; restore an earlier one, or delete it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, maskelerdeki fırça izlerinin listesi değil; eskisini geri koyun ya da kaldırın.</translation>
+    </message>
+    <message>
+      <source>A mask holds at most 1,000 strokes and 100,000 points; nothing is saved until you undo some.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir maske en çok 1.000 vuruş ve 100.000 nokta alır; bazılarını geri alana kadar hiçbir şey kaydedilmez.</translation>
     </message>
     <message>
       <source>This batch has no masks yet; process it first.</source>

@@ -51,10 +51,12 @@ inline constexpr Limit kFaceCorners{"Corners of a face", 1000, "corners",
                                     "each becomes a triangle; scanners write 3 or 4"};
 inline constexpr Limit kDecisions{"Decisions about a batch", 10'000, "decisions",
                                   "a person takes a few for each sherd"};
-inline constexpr Limit kMaskStrokes{"Strokes in the mask of a photograph", 1000, "strokes",
-                                    "a person draws a few"};
 inline constexpr Limit kDecisionReplaces{"Decisions that one decision replaces", 1000, "decisions",
                                          "no more scans lie on a plate"};
+inline constexpr Limit kMaskStrokes{"Strokes on the mask of a photograph", 1000, "strokes",
+                                    "each is painted again whenever the mask is used"};
+inline constexpr Limit kMaskPoints{"Points of the strokes on a mask", 100'000, "points",
+                                   "half an hour of painting; a brush fills a disc at each"};
 inline constexpr Limit kModelExtent_mm{"Length, width or height of a model that is drawn", 2000,
                                        "mm", "the largest storage jars; more is another unit"};
 inline constexpr Limit kRasterPixels{"Pixels that a model is drawn with", 100'000'000, "pixels",
@@ -73,12 +75,12 @@ inline constexpr Limit kValueBytes{"Text of a field in the catalogue", kMiB, "by
                                    "a remark of 500 pages"};
 
 inline constexpr Limit kAll[] = {
-    kFileBytes,      kJsonBytes,       kJsonDepth,     kPlateMarkers, kPlateReach_mm,
-    kBoardSquares,   kRigCameras,      kRigStops,      kImageSide,    kImagePixels,
-    kImageBytes,     kTexturePixels,   kJpegScans,     kNetworkBytes, kVertices,
-    kFaces,          kFaceCorners,     kDecisions,     kMaskStrokes,  kDecisionReplaces,
-    kModelExtent_mm, kRasterPixels,    kManifestBytes, kTableBytes,   kTableRows,
-    kTableColumns,   kTableFieldBytes, kValueBytes};
+    kFileBytes,    kJsonBytes,      kJsonDepth,       kPlateMarkers,     kPlateReach_mm,
+    kBoardSquares, kRigCameras,     kRigStops,        kImageSide,        kImagePixels,
+    kImageBytes,   kTexturePixels,  kJpegScans,       kNetworkBytes,     kVertices,
+    kFaces,        kFaceCorners,    kDecisions,       kDecisionReplaces, kMaskStrokes,
+    kMaskPoints,   kModelExtent_mm, kRasterPixels,    kManifestBytes,    kTableBytes,
+    kTableRows,    kTableColumns,   kTableFieldBytes, kValueBytes};
 
 }  // namespace limits
 }  // namespace ostraka

@@ -54,6 +54,16 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
+std::size_t forbiddenInXml(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
+  };
+  if (byte(at) < 0x20) return text[at] == '\t' || text[at] == '\n' || text[at] == '\r' ? 0 : 1;
+  const bool no_character = byte(at) == 0xEF && byte(at + 1) == 0xBF && byte(at + 2) >= 0xBE;
+  const bool half_of_pair = byte(at) == 0xED && byte(at + 1) >= 0xA0;
+  return no_character || half_of_pair ? std::min<std::size_t>(3, text.size() - at) : 0;
+}
+
 std::string joined(std::span<const std::string> words, const char* between) {
   std::string text;
   for (const std::string& word : words) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace ostraka {
 
@@ -17,6 +18,10 @@ std::string fixed(double value, int digits);
 
 /// A to Z as a to z; other characters, those of UTF-8 too, stay as they are.
 std::string lowerCase(std::string text);
+
+/// The bytes of the character at `at` of a text in UTF-8 if XML 1.0 forbids it, else 0: control
+/// characters other than tab and line ends, U+FFFE, U+FFFF and halves of surrogate pairs.
+std::size_t forbiddenInXml(std::string_view text, std::size_t at);
 
 std::string joined(std::span<const std::string> words, const char* between);
 

@@ -61,6 +61,7 @@ std::size_t afterScan(const Bytes& bytes, std::size_t offset) {
 Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
   std::optional<ImageSize> size;
   std::size_t offset = 2;
+  std::uint64_t scans = 0;
   while (true) {
     const auto lead = bytes.at(offset, 1, true);
     const auto marker = bytes.at(offset + 1, 1, true);
@@ -87,7 +88,10 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
       size = *found;
     }
     offset += 2 + *length;
-    if (*marker == 0xDA) offset = afterScan(bytes, offset);
+    if (*marker != 0xDA) continue;
+    if (++scans > limits::kJpegScans.most)
+      return Error::unusable("The JPEG image is damaged; copy it again.", where);
+    offset = afterScan(bytes, offset);
   }
   if (!size) return Error::unusable("The JPEG file contains no image.", where);
   return *size;

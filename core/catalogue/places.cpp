@@ -64,6 +64,7 @@ class Saving {
   template <class... Values>
   std::int64_t done(const char* columns, const std::string& label,
                     const std::vector<SavedField>& fields, const Values&... values) {
+    for (const SavedField& field : fields) checked(store::checkedText(field.value), field.name);
     if (row_ == 0) {
       row_ = addRow(catalogue_, provenance_, table_, id_, columns, values...);
       remember(catalogue_, provenance_, table_, row_, "", "", label);

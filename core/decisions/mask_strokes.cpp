@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 #include <set>
 #include <tuple>
 
+#include "base/limits.h"
 #include "batch/moved_batch.h"
 #include "files/files.h"
 #include "files/json.h"
@@ -49,6 +51,18 @@ bool isUsable(const MaskStroke& s) {
                      [&](const Eigen::Vector2d& p) { return near(p.x()) && near(p.y()); });
 }
 
+bool areTooMany(const std::vector<MaskStroke>& strokes) {
+  struct Sum {
+    std::uint64_t strokes = 0, points = 0;
+  };
+  std::map<std::tuple<batch::Side, int, int, std::string>, Sum> of_photographs;
+  return std::any_of(strokes.begin(), strokes.end(), [&](const MaskStroke& s) {
+    Sum& sum = of_photographs[{s.side, s.camera, s.stop, s.photograph}];
+    sum.points += s.path_px.size();
+    return ++sum.strokes > limits::kMaskStrokes.most || sum.points > limits::kMaskPoints.most;
+  });
+}
+
 MaskStroke strokeFrom(const json& value) {
   MaskStroke s;
   s.side = value.at("side").get<std::string>() == "back" ? batch::Side::Back : batch::Side::Front;
@@ -84,6 +98,7 @@ Result<std::vector<MaskStroke>> readMaskStrokes(const fs::path& output) {
   } catch (const json::exception& refused) {
     return unusableJson(refused, bad.what, bad.where);
   }
+  if (areTooMany(strokes)) return bad;
   return strokes;
 }
 
@@ -112,6 +127,11 @@ std::string photographHash(const fs::path& photograph) {
 }
 
 Result<void> writeMaskStrokes(const fs::path& output, const std::vector<MaskStroke>& strokes) {
+  if (areTooMany(strokes))
+    return Error::unusable(
+        "A mask holds at most 1,000 strokes and 100,000 points; nothing is saved until you undo "
+        "some.",
+        strokesFile(output).string());
   return writeJson(strokesFile(output), {{"format", kFormatName}, {"strokes", toJson(strokes)}});
 }
 
@@ -136,14 +156,20 @@ void paintStroke(cv::Mat1b& mask, const MaskStroke& stroke) {
   std::vector<cv::Point> path;
   for (const Eigen::Vector2d& p : stroke.path_px) path.emplace_back(cvRound(p.x()), cvRound(p.y()));
   const int radius = std::max(1, cvRound(stroke.radius_px));
-  cv::Mat1b painted(mask.size(), 0);
+  // Painted apart, where it reaches: its soft edge takes nothing from what is there.
+  const cv::Rect reach = cv::boundingRect(path) + cv::Size(2 * radius + 4, 2 * radius + 4) -
+                         cv::Point(radius + 2, radius + 2);
+  const cv::Rect within = reach & cv::Rect({}, mask.size());
+  if (within.empty()) return;
+  for (cv::Point& p : path) p -= within.tl();
+  cv::Mat1b painted(within.size(), 0);
   if (path.size() == 1)
     cv::circle(painted, path[0], radius, 255, cv::FILLED, cv::LINE_AA);
   else
     cv::polylines(painted, path, false, 255, 2 * radius, cv::LINE_AA);
   // As plain matrices: of two Mat1b std::max would be taken.
   const cv::Mat brush = painted, others = 255 - painted;
-  cv::Mat whole = mask;
+  cv::Mat whole = mask(within);
   if (stroke.paint == MaskPaint::Sherd)
     cv::max(whole, brush, whole);
   else

@@ -26,7 +26,8 @@ struct MaskStroke {
 };
 
 /// OUT/mask_strokes.json, in the order painted; none when there is no such file. What the program
-/// computes never changes it. Errors: UnusableInput names the file.
+/// computes never changes it. Errors: UnusableInput names the file; also of more strokes or points
+/// on a photograph than limits.h allows, which are not written, either.
 Result<std::vector<MaskStroke>> readMaskStrokes(const std::filesystem::path& output);
 /// All of them; an empty list takes the masks back to those of the program.
 Result<void> writeMaskStrokes(const std::filesystem::path& output,

@@ -2,11 +2,19 @@
 
 #include <openssl/evp.h>
 
+#include "base/text.h"
+
 namespace ostraka {
 
 std::string markupText(std::string_view text) {
   std::string out;
-  for (const char c : text) switch (c) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (const std::size_t bytes = forbiddenInXml(text, i); bytes > 0) {
+      out += ' ';
+      i += bytes - 1;
+      continue;
+    }
+    switch (text[i]) {
       case '&':
         out += "&amp;";
         break;
@@ -20,8 +28,9 @@ std::string markupText(std::string_view text) {
         out += "&quot;";
         break;
       default:
-        out += static_cast<unsigned char>(c) < 32 ? ' ' : c;
+        out += static_cast<unsigned char>(text[i]) < 32 ? ' ' : text[i];
     }
+  }
   return out;
 }
 

@@ -4,7 +4,8 @@
 
 namespace ostraka {
 
-/// Text as it may stand in XML or HTML, in attributes too; control characters become blanks.
+/// Text as it may stand in XML or HTML, in attributes too; control characters and
+/// what else XML forbids become blanks.
 std::string markupText(std::string_view text);
 
 /// Bytes as base64 (RFC 4648, section 4), with padding and without line breaks.

@@ -4,6 +4,7 @@
 #include <unicode/unorm2.h>
 #include <unicode/ustring.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace ostraka::store {
@@ -132,7 +133,9 @@ std::string sortKey(std::string_view text) {
   return out;
 }
 
-std::string slug(std::string_view text) {
+namespace {
+
+std::string inPlainLetters(std::string_view text) {
   std::string out;
   for (const char c : composed(text)) {
     const auto byte = static_cast<unsigned char>(c);
@@ -142,8 +145,27 @@ std::string slug(std::string_view text) {
   return out.empty() ? "_" : out;
 }
 
+// Windows keeps these for devices.
+bool isDevice(std::string_view name) {
+  const std::string key = uniqueKey(name);
+  if (key == "con" || key == "prn" || key == "aux" || key == "nul") return true;
+  return key.size() == 4 && (key.starts_with("com") || key.starts_with("lpt")) &&
+         std::isdigit(static_cast<unsigned char>(key[3])) != 0;
+}
+
+}  // namespace
+
+std::string slug(std::string_view text) {
+  std::string name = inPlainLetters(text);
+  // Also with an ending: CON.txt is the console.
+  const std::size_t stem = std::min(name.find('.'), name.size());
+  if (isDevice(name.substr(0, stem))) name.insert(stem, "_");
+  if (name.ends_with('.')) name += '_';
+  return name;
+}
+
 bool isFolderName(std::string_view text) {
-  return !text.empty() && slug(text) == text;
+  return !text.empty() && inPlainLetters(text) == text;
 }
 
 bool hasInvisible(std::string_view text) {

@@ -15,10 +15,11 @@ std::string plainKey(std::string_view text);
 /// Orders 9 before 10 and A2 before A10, capitals with small letters.
 std::string sortKey(std::string_view text);
 /// A file's name: letters, digits, '-', '.' and '_'; everything else becomes '_'. Never empty,
-/// never hidden, no '%', no line break.
+/// never hidden, no '%', no line break; a name that Windows keeps for a device, and one that ends
+/// with '.', which it cannot hold, get a '_' more.
 std::string slug(std::string_view text);
-/// One component of a path that leads nowhere else and that everybody sees: what slug() leaves as
-/// it is. Whatever is deleted below a name is deleted below one of these.
+/// One component of a path that leads nowhere else and that everybody sees: the letters of slug(),
+/// though not on any system. Whatever is deleted below a name is deleted below one of these.
 bool isFolderName(std::string_view text);
 /// Letters that nobody sees: they turn the direction of writing or take no room (U+200B to U+200F,
 /// U+202A to U+202E, U+2066 to U+2069, U+FEFF). In a number they make two of what looks like one.

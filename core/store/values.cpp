@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "base/limits.h"
+#include "base/text.h"
 #include "files/contained_path.h"
 #include "files/json_text.h"
 #include "store/names.h"
@@ -74,6 +75,10 @@ bool isEdtfDate(std::string_view text) {
 Result<std::string> checkedText(std::string_view text) {
   if (text.size() > kMostBytes) return Error::unusable("The text is longer than 1 MB.");
   if (!isUtf8(text)) return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (forbiddenInXml(text, i) > 0)
+      return Error::unusable(
+          "The text contains control characters, which documents cannot hold; type it again.");
   return composed(trimmed(text));
 }
 
@@ -229,14 +234,6 @@ Result<std::string> checkedNumber(std::string_view number) {
 
 namespace {
 
-// Also with an ending: CON.txt is the console.
-bool isDevice(std::string_view name) {
-  const std::string key = uniqueKey(name.substr(0, name.find('.')));
-  constexpr std::string_view kDevices[] = {"con", "prn", "aux", "nul"};
-  if (std::find(std::begin(kDevices), std::end(kDevices), key) != std::end(kDevices)) return true;
-  return key.size() == 4 && (key.starts_with("com") || key.starts_with("lpt")) && isDigit(key[3]);
-}
-
 std::size_t lettersOf(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
     return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
@@ -250,8 +247,8 @@ Result<std::string> checkedBatchNumber(std::string_view number) {
   const std::string_view digits = number.substr(number.starts_with('B') ? 1 : number.size());
   const auto counted = static_cast<std::size_t>(
       std::find_if_not(digits.begin(), digits.end(), isDigit) - digits.begin());
-  if (isFolderName(number) && !hasInvisible(number) && !number.ends_with('.') &&
-      !isDevice(number) && lettersOf(number) <= kMostLetters && counted <= kBatchDigits)
+  if (slug(number) == number && !hasInvisible(number) && lettersOf(number) <= kMostLetters &&
+      counted <= kBatchDigits)
     return std::string(number);
   return Error::unusable(
       "The number of a batch is also the name of its folder; use letters and digits.",

@@ -10,7 +10,7 @@ namespace ostraka::store {
 // Each takes a text as typed or imported and gives its canonical form, or an error whose sentence
 // says what is expected. An empty text stays empty.
 
-/// Composed, trimmed; refuses NUL, bad UTF-8, more than 1 MB.
+/// Composed, trimmed; refuses bad UTF-8, what XML forbids (forbiddenInXml), more than 1 MB.
 Result<std::string> checkedText(std::string_view text);
 /// 2026-07-14, a day that exists.
 Result<std::string> checkedDay(std::string_view text);

@@ -35,21 +35,18 @@ class Values {
     const auto index = static_cast<std::size_t>(found - table_.columns.begin());
     return index < row_.values.size() ? row_.values[index] : std::string();
   }
-  void text(const std::string& column, std::string& value) const {
-    const std::string read = raw(column);
-    if (!read.empty()) value = read == "<clear>" ? std::string() : read;
-  }
+  void text(const std::string& column, std::string& value) const { take(raw(column), value); }
   // The user's own fields with what their columns say.
   std::string extra(const std::string& before) const {
     nlohmann::ordered_json fields = orderedJsonOrDiscarded(before);
     if (!fields.is_object()) fields = nlohmann::ordered_json::object();
-    for (const std::string& column : table_.columns) {
-      if (!column.starts_with("extra.")) continue;
-      const std::string name = column.substr(6);
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+      if (!table_.columns[i].starts_with("extra.")) continue;
+      const std::string name = table_.columns[i].substr(6);
       std::string value = fields.contains(name) && fields[name].is_string()
                               ? fields[name].get<std::string>()
                               : std::string();
-      text(column, value);
+      take(row_.values[i], value);
       value.empty() ? (void)fields.erase(name) : (void)(fields[name] = value);
     }
     return fields.dump();
@@ -70,6 +67,10 @@ class Values {
   }
 
  private:
+  static void take(const std::string& read, std::string& value) {
+    if (!read.empty()) value = read == "<clear>" ? std::string() : read;
+  }
+
   const CsvTable& table_;
   const CsvRow& row_;
   const NumberRemarks& unclear_;
@@ -184,6 +185,11 @@ class ContextRows {
   }  // a table of contexts is there to make them
 
   Result<void> row(const CsvRow& row) {
+    for (std::size_t i = 0; i < row.values.size(); ++i)
+      if (const auto good = store::checkedText(row.values[i]); !good) {
+        refuse({row.line, table_.columns[i], row.values[i], good.error().what});
+        return {};
+      }
     const Values values(table_, row, unclear_);
     const auto known =
         catalogue::Places(catalogue_)

@@ -9,6 +9,7 @@ namespace ostraka::tables {
 namespace {
 
 constexpr std::size_t kMostRows = limits::kTableRows.most,
+                      kMostColumns = limits::kTableColumns.most,
                       kMostField = limits::kTableFieldBytes.most;
 constexpr std::string_view kBom = "\xEF\xBB\xBF";
 constexpr std::string_view kFormulaStarts = "=+-@\t\r\n";
@@ -53,6 +54,13 @@ std::string fromUtf16(std::string_view bytes, bool big_endian) {
   return out;
 }
 
+// Programs that put their mark before a text that has one leave several.
+std::size_t marksBefore(std::string_view text) {
+  std::size_t marks = 0;
+  while (text.substr(marks).starts_with(kBom)) marks += kBom.size();
+  return marks;
+}
+
 Result<std::string> decoded(std::string_view bytes, const std::string& where) {
   std::string text;
   if (bytes.starts_with("\xFF\xFE"))
@@ -61,8 +69,7 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
     text = fromUtf16(bytes, true);
   else
     text = bytes;
-  // Programs that put their mark before a text that has one leave several.
-  while (text.starts_with(kBom)) text.erase(0, kBom.size());
+  text.erase(0, marksBefore(text));
   if (text.find('\0') != std::string::npos)
     return Error::unusable("Not a text file: it contains binary data, which a table never does.",
                            where);
@@ -83,9 +90,8 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
 
 // Some programs quote the first name together with the mark of the file.
 std::string columnNamed(std::string_view written) {
-  std::string name = store::trimmed(written);
-  while (name.starts_with(kBom)) name = store::trimmed(name.substr(kBom.size()));
-  return name;
+  const std::string name = store::trimmed(written);
+  return store::trimmed(std::string_view(name).substr(marksBefore(name)));
 }
 
 // Of the three, the one that the header has most of, outside quotation marks.
@@ -117,12 +123,16 @@ class Parser {
       while (more) {
         Result<std::string> value = field();
         if (!value) return value.error();
+        // FileMaker writes the line ends inside a value so.
+        std::replace(value->begin(), value->end(), '\v', '\n');
         row.values.push_back(std::move(*value));
         more = at_ < text_.size() && text_[at_] == separator_;
         if (more) ++at_;
       }
       endOfLine();
       if (row.values.size() == 1 && row.values[0].empty()) continue;
+      if (all.empty() && row.values.size() > kMostColumns)
+        return Error::unusable("The table has more than 1,000 columns; split it.", where_);
       if (all.size() > kMostRows)
         return Error::unusable("The table has more than 1,000,000 rows; split it.", where_);
       all.push_back(std::move(row));

@@ -18,8 +18,8 @@ struct CsvTable {
 };
 
 /// RFC 4180. UTF-8 with or without BOM, UTF-16 with BOM; the separator (, ; or tabulator) is taken
-/// from the header; line ends CRLF, LF or CR; empty lines are left out. At most 1,000,000 rows and
-/// 1 MB a field. Errors name the line.
+/// from the header; line ends CRLF, LF or CR; empty lines are left out. At most 1,000,000 rows,
+/// 1,000 columns and 1 MB a field. A vertical tab in a value is a line end. Errors name the line.
 Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where);
 
 /// Comma, CRLF; values with any separator, a quotation mark or a line end are quoted.

@@ -38,7 +38,8 @@ std::vector<ImportRow> sherdRowsOf(const CsvTable& table, const NumberRemarks& u
     row.doubtful = ofLine(doubtful, read.line);
     for (std::size_t i = 0; i < read.values.size(); ++i) {
       if (table.columns[i] != "measured_by_hand") {
-        row.values[table.columns[i]] = read.values[i];
+        // Blank is as if absent; wide tables are mostly blank.
+        if (!read.values[i].empty()) row.values[table.columns[i]] = read.values[i];
         continue;
       }
       const std::vector<std::string> columns = store::splitTerms(read.values[i]);
@@ -76,12 +77,12 @@ void addBroken(ImportReport& report, const std::vector<Refusal>& broken) {
 
 // A refusal names the column as the table does.
 void nameColumns(std::vector<Refusal>& refusals, const TableMapping& mapping) {
+  std::map<std::string, std::string> columns;
+  for (const ColumnChoice& choice : mapping.columns)
+    if (!choice.field.empty()) columns.emplace(choice.field, choice.column);
   for (Refusal& refusal : refusals)
-    for (const ColumnChoice& choice : mapping.columns)
-      if (!choice.field.empty() && choice.field == refusal.column) {
-        refusal.column = choice.column;
-        break;
-      }
+    if (const auto column = columns.find(refusal.column); column != columns.end())
+      refusal.column = column->second;
 }
 
 // A column that has no field: its name says nothing, or another one has its field.

@@ -174,6 +174,8 @@ Sentences CoreSentences::ofCatalogue() {
       QT_TR_NOOP("The sherd of this label has no number yet."),
       QT_TR_NOOP("The text is longer than 1 MB."),
       QT_TR_NOOP("The text is not valid UTF-8 or contains a zero byte."),
+      QT_TR_NOOP("The text contains control characters, which documents cannot hold; type it "
+                 "again."),
       QT_TR_NOOP("Write the day as 2026-07-14 (year-month-day)."),
       QT_TR_NOOP("Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? "
                  "or 0350/..; years have four digits."),

@@ -35,6 +35,7 @@ Sentences CoreSentences::ofExchange() {
       QT_TR_NOOP("Not a text file: it contains binary data, which a table never does."),
       QT_TR_NOOP("Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again."),
       QT_TR_NOOP("The table has more than 1,000,000 rows; split it."),
+      QT_TR_NOOP("The table has more than 1,000 columns; split it."),
       QT_TR_NOOP("Line %1 has an unclosed quotation mark."),
       QT_TR_NOOP("Line %1 has characters after a closing quotation mark."),
       QT_TR_NOOP("Line %1 has a value longer than 1 MB."),

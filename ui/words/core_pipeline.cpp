@@ -56,6 +56,8 @@ Sentences CoreSentences::ofPipeline() {
       QT_TR_NOOP("%1 may be two sherds that touch, %2 and %3 of the other side: split it in the "
                  "review, or move them apart and reshoot its side."),
       QT_TR_NOOP("Not a list of mask strokes; restore an earlier one, or delete it."),
+      QT_TR_NOOP("A mask holds at most 1,000 strokes and 100,000 points; nothing is saved until "
+                 "you undo some."),
       QT_TR_NOOP("This batch has no masks yet; process it first."),
       QT_TR_NOOP("This file does not state how well the rig fits."),
       QT_TR_NOOP("This calibration is for other cameras than those of the batch; calibrate the rig "

@@ -35,6 +35,17 @@ TEST(Text, OnlyLettersOfAsciiBecomeSmall) {
   EXPECT_EQ(lowerCase("\xC3\x84"), "\xC3\x84");  // Ä
 }
 
+TEST(Text, KnowsWhatXmlForbids) {
+  for (const char* text :
+       {"\x01", "\v", "\x1F", "\uFFFE", "\uFFFF", "\xED\xA0\x80", "\xED\xBF\xBF"})
+    EXPECT_EQ(forbiddenInXml(text, 0), std::string_view(text).size()) << text;
+  EXPECT_EQ(forbiddenInXml(std::string_view("\0", 1), 0), 1u);
+  EXPECT_EQ(forbiddenInXml("\xED\xA0", 0), 2u) << "broken off";
+  for (const char* text :
+       {"\t", "\n", "\r", " ", "a", "\x7F", "\uFFFD", "\uD7FF", "\uE000", "\U0001F3FA", "\xEF"})
+    EXPECT_EQ(forbiddenInXml(text, 0), 0u) << text;
+}
+
 TEST(Text, WordsAreJoinedWithSomethingBetweenThem) {
   EXPECT_EQ(joined(std::vector<std::string>{"a", "", "c"}, ", "), "a, , c");
   EXPECT_EQ(joined({}, ", "), "");

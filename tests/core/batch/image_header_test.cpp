@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "base/limits.h"
 #include "batch_folder.h"
 
 namespace ostraka::batch {
@@ -48,6 +49,19 @@ TEST_P(EveryFormat, SurvivesChangedBytes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, EveryFormat, testing::Values(".jpg", ".png", ".tif"));
+
+TEST(ImageSize, RefusesAJpegWithMoreScansThanAnyCameraWrites) {
+  const std::string whole = encoded(".jpg", 61, 37);
+  const auto with = [&](std::uint64_t scans) {
+    std::string more = whole.substr(0, whole.size() - 2);  // before the end of the image
+    for (std::uint64_t i = 1; i < scans; ++i)
+      more += std::string("\xFF\xDA\0\x08\x01\x01\0\x01\x3F\0\x7F", 11);
+    return more + "\xFF\xD9";
+  };
+  EXPECT_TRUE(imageSize(with(limits::kJpegScans.most), "x"));
+  EXPECT_THAT(imageSize(with(limits::kJpegScans.most + 1), "x").error().what,
+              HasSubstr("JPEG image is damaged"));
+}
 
 TEST(ImageSize, ReadsBigEndianTiffByHand) {
   // MM, one directory at 8: width 3, height 2 (SHORT), one strip of 6 bytes at offset 70.

@@ -83,6 +83,18 @@ TEST_F(PlacesTest, WhatCannotBeIsRefused) {
   EXPECT_FALSE(Places(catalogue()).save(b, anna));
 }
 
+TEST_F(PlacesTest, ATextThatNoDocumentCanHoldIsRefusedByItsField) {
+  records::ContextRecord context;
+  context.site = site;
+  context.number = "15";
+  context.note = "dark\x01 fill";
+  const auto refused = Places(catalogue()).save(context, anna);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().sentence(),
+            "note: The text contains control characters, which documents cannot hold; type it "
+            "again.");
+}
+
 TEST_F(PlacesTest, ACodeHasNoLettersThatNobodySees) {
   records::SiteRecord turned;
   turned.code = "ARM\u202E2";

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/limits.h"
 #include "files/files.h"
 #include "tests/core/files/temporary_folder.h"
 
@@ -89,6 +92,48 @@ TEST_F(MaskStrokes, ThatAreNoneAreRefusedByTheFilesName) {
     EXPECT_EQ(read.error().code, ErrorCode::UnusableInput);
     EXPECT_NE(read.error().where.find("mask_strokes.json"), std::string::npos);
   }
+}
+
+TEST_F(MaskStrokes, HaveALimitForEachPhotograph) {
+  std::vector<MaskStroke> strokes(limits::kMaskStrokes.most, dot(MaskPaint::Sherd, 1, 2, 3));
+  strokes.push_back(strokes.back());
+  strokes.back().stop = 6;
+  ASSERT_TRUE(writeMaskStrokes(out, strokes).has_value());
+  EXPECT_TRUE(readMaskStrokes(out).has_value());
+  strokes.back().stop = 5;
+  EXPECT_EQ(writeMaskStrokes(out, strokes).error().what,
+            "A mask holds at most 1,000 strokes and 100,000 points; nothing is saved until you "
+            "undo some.");
+  EXPECT_EQ(readMaskStrokes(out)->size(), strokes.size()) << "what was there is still there";
+  const std::string text = nlohmann::ordered_json{
+      {"format", "ostraka-mask-strokes/1"},
+      {"strokes",
+       toJson(strokes)}}.dump();
+  ASSERT_TRUE(writeFileAtomically(out / "mask_strokes.json", text).has_value());
+  EXPECT_FALSE(readMaskStrokes(out).has_value());
+  strokes.resize(1);
+  strokes[0].path_px.resize(limits::kMaskPoints.most, {1, 1});
+  EXPECT_TRUE(writeMaskStrokes(out, strokes).has_value());
+  strokes[0].path_px.emplace_back(1, 1);
+  EXPECT_FALSE(writeMaskStrokes(out, strokes).has_value());
+}
+
+TEST_F(MaskStrokes, CostWhatTheyCoverHoweverLargeThePhotograph) {
+  cv::Mat1b mask(4000, 6000, uchar{0});
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 1000; ++i) paintStroke(mask, dot(MaskPaint::Sherd, 6 * i, 4 * i, 5));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3))
+      << "with a picture for each stroke it takes half a minute";
+  EXPECT_EQ(mask(2000, 3000), 255);
+}
+
+TEST_F(MaskStrokes, ReachTheEdgesOfThePhotograph) {
+  cv::Mat1b mask(200, 300, uchar{0});
+  MaskStroke line = dot(MaskPaint::Sherd, -50, 100, 5);
+  line.path_px.emplace_back(350, 100);
+  paintStroke(mask, line);
+  EXPECT_EQ(cv::countNonZero(mask.row(100)), 300);
+  EXPECT_EQ(mask(90, 150), 0);
 }
 
 TEST_F(MaskStrokes, CoverADiscOrAWayOfTheBrushsWidth) {

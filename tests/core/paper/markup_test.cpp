@@ -9,6 +9,13 @@ TEST(Markup, EscapesWhatWouldEndATextOrAnAttribute) {
   EXPECT_EQ(markupText("a<b> & \"c\"\n'd'"), "a&lt;b&gt; &amp; &quot;c&quot; 'd'");
 }
 
+TEST(Markup, WritesNothingThatXmlForbids) {
+  EXPECT_EQ(markupText("a\x01"
+                       "b\uFFFE"
+                       "c\uFFFF<\xED\xA0\x80>é\uFFFD"),
+            "a b c &lt; &gt;é\uFFFD");
+}
+
 // The vectors of RFC 4648, section 10.
 TEST(Markup, WritesBase64AsTheStandardDoes) {
   const char* vectors[][2] = {{"", ""},

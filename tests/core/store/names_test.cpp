@@ -61,5 +61,15 @@ TEST(Names, AFileNameHoldsNothingThatAFileSystemOrAManifestCouldMisread) {
   EXPECT_EQ(slug("Գ-1"), "Գ-1");
 }
 
+TEST(Names, AFileNameIsOneThatWindowsCanHold) {
+  EXPECT_EQ(slug("CON"), "CON_");
+  EXPECT_EQ(slug("aux.2"), "aux_.2") << "an ending does not help";
+  EXPECT_EQ(slug("Com1"), "Com1_");
+  EXPECT_EQ(slug("LPT9..."), "LPT9_..._");
+  EXPECT_EQ(slug("arm-4."), "arm-4._");
+  for (const char* name : {"CONE", "CON_", "A.CON", "COM", "COM12", "arm-4.a"})
+    EXPECT_EQ(slug(name), name);
+}
+
 }  // namespace
 }  // namespace ostraka::store

@@ -8,6 +8,15 @@
 namespace ostraka::store {
 namespace {
 
+TEST(Values, TextsThatNoDocumentCanHoldAreRefused) {
+  EXPECT_EQ(*checkedText(" two\nlines\tand \u202Emore "), "two\nlines\tand \u202Emore");
+  for (const char* text : {"a\x01"
+                           "b",
+                           "a\v", "\x1B[2J", "x\uFFFEy", "\uFFFF"})
+    EXPECT_EQ(checkedText(text).error().what,
+              "The text contains control characters, which documents cannot hold; type it again.");
+}
+
 TEST(Values, DaysThatDoNotExistAreRefused) {
   for (const char* day : {"2026-07-14", "2024-02-29", "2000-02-29", "1999-12-31"})
     EXPECT_TRUE(checkedDay(day)) << day;

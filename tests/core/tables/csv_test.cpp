@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <random>
+
+#include "base/limits.h"
 
 namespace ostraka::tables {
 namespace {
@@ -21,6 +24,10 @@ std::vector<std::vector<std::string>> rowsOf(const std::string& text) {
 TEST(Csv, QuotesLineEndsAndSeparatorsInsideValuesAreText) {
   EXPECT_THAT(rowsOf("a,b\r\n\"x,\"\"y\"\"\",\"two\nlines\"\r\n1,2\r\n"),
               ElementsAre(ElementsAre("x,\"y\"", "two\nlines"), ElementsAre("1", "2")));
+}
+
+TEST(Csv, AVerticalTabIsALineEndInsideAValue) {
+  EXPECT_THAT(rowsOf("a,b\n\"two\vlines\",x\vy\n"), ElementsAre(ElementsAre("two\nlines", "x\ny")));
 }
 
 TEST(Csv, TheSeparatorIsTakenFromTheHeader) {
@@ -104,6 +111,27 @@ TEST(Csv, AMarkInsideTheFirstQuotationIsNoPartOfTheName) {
   const Result<CsvTable> table = parseCsv("\"\xEF\xBB\xBFnumber\",part\r\n1,rim\r\n", "t");
   ASSERT_TRUE(table);
   EXPECT_EQ(table->columns, (std::vector<std::string>{"number", "part"}));
+}
+
+TEST(Csv, ManyMarksAreTakenOffAtOnce) {
+  std::string marks;
+  for (int i = 0; i < 300'000; ++i) marks += "\xEF\xBB\xBF";
+  const auto begin = std::chrono::steady_clock::now();
+  for (const char* quote : {"", "\""}) {
+    const Result<CsvTable> table = parseCsv(quote + marks + "number" + quote + ",part\n", "t");
+    ASSERT_TRUE(table);
+    EXPECT_EQ(table->columns, (std::vector<std::string>{"number", "part"}));
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5))
+      << "taken off one by one they take minutes";
+}
+
+TEST(Csv, MoreColumnsThanCanBeComparedAreRefused) {
+  const std::string most(limits::kTableColumns.most - 1, ',');
+  EXPECT_TRUE(parseCsv(most + "\n", "t"));
+  EXPECT_EQ(parseCsv(most + ",\n", "t").error().what,
+            "The table has more than 1,000 columns; split it.");
+  EXPECT_TRUE(parseCsv("a,b\n" + most + ",\n", "t")) << "such a row is refused alone";
 }
 
 TEST(Csv, AColumnNamedWithSemicolonsStaysOne) {

@@ -27,5 +27,14 @@ TEST(Ods, KeepsBlanksLinesAndSigns) {
       << "an empty number is no zero";
 }
 
+TEST(Ods, HoldsNothingThatXmlForbids) {
+  OdsSheet sheet("a\uFFFF", {{"b\x01"}});
+  sheet.row({"c\uFFFE d\v"});
+  const Result<std::string> ods = formatOds({sheet});
+  ASSERT_TRUE(ods);
+  for (const char* part : {"table:name=\"a \"", "<text:p>b </text:p>", "<text:p>c  d </text:p>"})
+    EXPECT_NE(ods->find(part), std::string::npos) << part;
+}
+
 }  // namespace
 }  // namespace ostraka::tables

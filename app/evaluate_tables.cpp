@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
+#include "files/json.h"
 
 namespace ostraka::app {
 namespace {
@@ -14,10 +15,6 @@ using nlohmann::ordered_json;
 
 std::string figure(const std::optional<double>& value, int digits = 3) {
   return value ? formatted("%.*f", digits, *value) : "-";
-}
-
-ordered_json orNull(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? ordered_json(*value) : ordered_json(nullptr);
 }
 
 std::string verdictWords(const PairVerdict& v) {

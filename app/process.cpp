@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "command.h"
+#include "files/json.h"
 #include "pipeline/process_batch.h"
 #include "registration/within.h"
 #include "shown.h"
@@ -25,7 +26,7 @@ ordered_json asJson(const ProcessSummary& summary) {
     sherds.push_back({{"number", s.number},
                       {"front", s.front},
                       {"back", s.back},
-                      {"score", s.score},
+                      {"score", orNull(s.score)},
                       {"ambiguous", s.ambiguous},
                       {"decided_by", s.decided_by},
                       {"fracture_rms_mm",
@@ -56,8 +57,9 @@ void printTable(const ProcessSummary& summary) {
     const std::string state = std::string(s.ambiguous ? "AMBIGUOUS " : "") +
                               (s.decided_by.empty() ? "" : "decided by " + s.decided_by + " ") +
                               (s.has_model ? "" : "no model ") + s.remark;
-    show(stdout, "%-6s %-8s %-8s %7.4f %15s %12.2f  %s\n", s.number.c_str(), s.front.c_str(),
-         s.back.c_str(), s.score, s.fracturesCompared() ? fixed(s.fracture_rms_mm, 3).c_str() : "-",
+    show(stdout, "%-6s %-8s %-8s %7s %15s %12.2f  %s\n", s.number.c_str(), s.front.c_str(),
+         s.back.c_str(), s.score ? fixed(*s.score, 4).c_str() : "-",
+         s.fracturesCompared() ? fixed(s.fracture_rms_mm, 3).c_str() : "-",
          registration::within95_mm(s.uncertainty_mm), state.c_str());
   }
   printNames("Fronts without a back", summary.unpaired_front);

@@ -801,6 +801,21 @@
       <translation>Ein anderer Partner passt fast ebenso gut.</translation>
     </message>
     <message>
+      <source>no probability</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>keine Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+      <source>The nearest outline; no probability is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der nächstliegende Umriss; eine Wahrscheinlichkeit ist nicht bekannt.</translation>
+    </message>
+    <message>
+      <source>Another front takes the same back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine andere Vorderseite nimmt dieselbe Rückseite.</translation>
+    </message>
+    <message>
       <source>The two scans share almost no fracture; only their outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die beiden Scans haben fast keinen gemeinsamen Bruch; nur die Umrisse passen.</translation>

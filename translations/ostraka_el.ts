@@ -801,6 +801,21 @@
       <translation>Ένα άλλο ταίρι ταιριάζει σχεδόν εξίσου καλά.</translation>
     </message>
     <message>
+      <source>no probability</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χωρίς πιθανότητα</translation>
+    </message>
+    <message>
+      <source>The nearest outline; no probability is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πλησιέστερο περίγραμμα· δεν είναι γνωστή καμία πιθανότητα.</translation>
+    </message>
+    <message>
+      <source>Another front takes the same back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια άλλη μπροστινή όψη παίρνει την ίδια πίσω όψη.</translation>
+    </message>
+    <message>
       <source>The two scans share almost no fracture; only their outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι δύο σαρώσεις δεν έχουν σχεδόν καμία κοινή θραύση· μόνο τα περιγράμματα τις συνδέουν.</translation>

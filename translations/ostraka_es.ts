@@ -801,6 +801,21 @@
       <translation>Otra pareja encaja casi igual de bien.</translation>
     </message>
     <message>
+      <source>no probability</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sin probabilidad</translation>
+    </message>
+    <message>
+      <source>The nearest outline; no probability is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El contorno más parecido; no se conoce ninguna probabilidad.</translation>
+    </message>
+    <message>
+      <source>Another front takes the same back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro anverso toma el mismo reverso.</translation>
+    </message>
+    <message>
       <source>The two scans share almost no fracture; only their outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los dos escaneos casi no comparten fractura; solo los contornos los unen.</translation>

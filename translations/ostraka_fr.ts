@@ -801,6 +801,21 @@
       <translation>Un autre partenaire va presque aussi bien.</translation>
     </message>
     <message>
+      <source>no probability</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>aucune probabilité</translation>
+    </message>
+    <message>
+      <source>The nearest outline; no probability is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le contour le plus proche ; aucune probabilité n’est connue.</translation>
+    </message>
+    <message>
+      <source>Another front takes the same back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une autre face avant prend la même face arrière.</translation>
+    </message>
+    <message>
       <source>The two scans share almost no fracture; only their outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les deux numérisations n’ont presque pas de cassure commune ; seuls les contours les lient.</translation>

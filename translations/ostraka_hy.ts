@@ -801,6 +801,21 @@
       <translation>Մեկ այլ զույգ գրեթե նույնքան լավ է հարմարվում։</translation>
     </message>
     <message>
+      <source>no probability</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հավանականություն չկա</translation>
+    </message>
+    <message>
+      <source>The nearest outline; no probability is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ամենամոտ ուրվագիծը. հավանականություն հայտնի չէ։</translation>
+    </message>
+    <message>
+      <source>Another front takes the same back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մեկ այլ առջևի երես վերցնում է նույն հետևի երեսը։</translation>
+    </message>
+    <message>
       <source>The two scans share almost no fracture; only their outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երկու սկանները գրեթե չունեն ընդհանուր կոտրվածք. նրանց կապում են միայն ուրվագծերը։</translation>

@@ -795,6 +795,21 @@
       <translation>Başka bir eş neredeyse aynı ölçüde uyuyor.</translation>
     </message>
     <message>
+      <source>no probability</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>olasılık yok</translation>
+    </message>
+    <message>
+      <source>The nearest outline; no probability is known.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En yakın dış çizgi; bir olasılık bilinmiyor.</translation>
+    </message>
+    <message>
+      <source>Another front takes the same back.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir ön yüz aynı arka yüzü alıyor.</translation>
+    </message>
+    <message>
       <source>The two scans share almost no fracture; only their outlines match.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İki taramanın neredeyse hiç ortak kırığı yok; onları yalnız dış çizgiler bağlıyor.</translation>

@@ -51,7 +51,7 @@ Result<RegisteredScans> registered(std::span<const PointCloud> fronts,
   for (const decisions::SherdPair& pair : table->pairs) {
     const registration::Registration& found = pair.registration;
     result.pairs.push_back({pair.decision.front, pair.decision.back, found.front_from_back,
-                            pair.decision.score, found.fracture_rms_mm, found.fracture_overlap,
+                            *pair.decision.score, found.fracture_rms_mm, found.fracture_overlap,
                             found.uncertainty_mm, pair.decision.ambiguous, pair.decision.reason});
   }
   return result;

@@ -23,8 +23,9 @@ constexpr std::array<const char*, 8> kFailedChecks = {"",
                                                       "fracture_loose",
                                                       "rival_place",
                                                       "outlines_alone"};
-constexpr std::array<const char*, 6> kDoubts = {"",          "self_check", "other_partner",
-                                                "unrelated", "other_pose", "displaced"};
+constexpr std::array<const char*, 7> kDoubts = {
+    "", "self_check", "other_partner", "unrelated", "other_pose", "displaced", "shared_back"};
+constexpr const char* kPaper = "paper";  // of the key "pairing"; absent: the default
 
 FailedCheck slipOf(const std::string& name) {
   for (std::size_t i = 0; i < kFailedChecks.size(); ++i)
@@ -56,34 +57,41 @@ void readScans(const json& list, batch::Side side, std::vector<ScanRef>& scans,
 
 ordered_json toJson(const RegisteredCandidate& c, const CandidateTable& table) {
   ordered_json starts = ordered_json::array();
+  const bool paper = table.method == pairing::Method::Paper;
+  const auto likelihood = [&](double value) {
+    return paper ? ordered_json() : ordered_json(value);
+  };
   for (const pairing::StartPose& start : c.starts)
     starts.push_back({{"shift", start.shift},
                       {"contour_rms_mm", start.contour_rms_mm},
-                      {"log_likelihood", start.log_likelihood},
+                      {"log_likelihood", likelihood(start.log_likelihood)},
                       {"T_front_from_back", ostraka::toJson(start.front_from_back)}});
   const registration::Registration& r = c.registration;
-  return {{"front", table.fronts[static_cast<std::size_t>(c.evidence.front)].id},
-          {"back", table.backs[static_cast<std::size_t>(c.evidence.back)].id},
-          {"log_likelihood", c.evidence.log_likelihood},
-          {"fracture_rms_mm", r.fracture_rms_mm},
-          {"fracture_overlap", r.fracture_overlap},
-          {"uncertainty_mm", r.uncertainty_mm},
-          {"runner_up_gap", r.runner_up_gap},
-          {"runner_up_mm", r.runner_up_mm},
-          {"crossing_share", r.crossing_share},
-          {"thickness_mm", r.thickness_mm},
-          {"scale", r.scale},
-          {"check_failed", r.check_failed},
-          {"failed_check", name(r.failed_check)},
-          {"reason", r.reason},
-          {"start", r.start},
-          {"T_front_from_back", ostraka::toJson(r.front_from_back)},
-          {"starts", starts}};
+  ordered_json value = {{"front", table.fronts[static_cast<std::size_t>(c.evidence.front)].id},
+                        {"back", table.backs[static_cast<std::size_t>(c.evidence.back)].id},
+                        {"log_likelihood", likelihood(c.evidence.log_likelihood)},
+                        {"fracture_rms_mm", r.fracture_rms_mm},
+                        {"fracture_overlap", r.fracture_overlap},
+                        {"uncertainty_mm", r.uncertainty_mm},
+                        {"runner_up_gap", r.runner_up_gap},
+                        {"runner_up_mm", r.runner_up_mm},
+                        {"crossing_share", r.crossing_share},
+                        {"thickness_mm", r.thickness_mm},
+                        {"scale", r.scale},
+                        {"check_failed", r.check_failed},
+                        {"failed_check", name(r.failed_check)},
+                        {"reason", r.reason},
+                        {"start", r.start},
+                        {"T_front_from_back", ostraka::toJson(r.front_from_back)},
+                        {"starts", starts}};
+  if (paper) value["distance_rad"] = c.evidence.distance_rad;
+  return value;
 }
 
 Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTable& table,
                                           const std::string& where) {
   RegisteredCandidate c;
+  const bool paper = table.method == pairing::Method::Paper;
   registration::Registration& r = c.registration;
   r.fracture_rms_mm = numberAt(value, "fracture_rms_mm");
   r.fracture_overlap = numberAt(value, "fracture_overlap");
@@ -104,7 +112,7 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
     pairing::StartPose start;
     start.shift = wholeAt(entry, "shift");
     start.contour_rms_mm = numberAt(entry, "contour_rms_mm");
-    start.log_likelihood = numberAt(entry, "log_likelihood");
+    if (!paper) start.log_likelihood = numberAt(entry, "log_likelihood");
     const Result<Eigen::Isometry3d> begin = isometryFromJson(entry.at("T_front_from_back"), where);
     if (!begin) return begin.error();
     start.front_from_back = *begin;
@@ -114,7 +122,8 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
   c.evidence.back = indexOf(table.backs, value.at("back").get<std::string>());
   if (c.evidence.front < 0 || c.evidence.back < 0 || c.starts.empty())
     return Error::unusable("A candidate refers to a scan that does not exist.", where);
-  c.evidence.log_likelihood = numberAt(value, "log_likelihood");
+  if (paper) c.evidence.distance_rad = numberAt(value, "distance_rad", 0);
+  if (!paper) c.evidence.log_likelihood = numberAt(value, "log_likelihood");
   c.evidence.fracture_rms_mm = r.fracture_rms_mm;
   c.evidence.overlap = r.fracture_overlap;
   c.evidence.check_failed = r.check_failed;
@@ -212,13 +221,15 @@ Error notATable(const std::filesystem::path& file) {
 ordered_json toJson(const CandidateTable& table) {
   ordered_json candidates = ordered_json::array();
   for (const RegisteredCandidate& c : table.candidates) candidates.push_back(toJson(c, table));
-  return {{"unit", "mm"},
-          {"fronts", scansJson(table.fronts, table.front_files)},
-          {"backs", scansJson(table.backs, table.back_files)},
-          {"back_scale", table.back_scale},
-          {"has_scale", table.has_scale},
-          {"supports", supportsJson(table.supports)},
-          {"candidates", candidates}};
+  ordered_json value = {{"unit", "mm"},
+                        {"fronts", scansJson(table.fronts, table.front_files)},
+                        {"backs", scansJson(table.backs, table.back_files)},
+                        {"back_scale", table.back_scale},
+                        {"has_scale", table.has_scale},
+                        {"supports", supportsJson(table.supports)},
+                        {"candidates", candidates}};
+  if (table.method == pairing::Method::Paper) value["pairing"] = kPaper;
+  return value;
 }
 
 Result<CandidateTable> readCandidates(const std::filesystem::path& file) {
@@ -228,6 +239,7 @@ Result<CandidateTable> readCandidates(const std::filesystem::path& file) {
   try {
     readScans(text->at("fronts"), batch::Side::Front, table.fronts, table.front_files);
     readScans(text->at("backs"), batch::Side::Back, table.backs, table.back_files);
+    if (text->value("pairing", "") == kPaper) table.method = pairing::Method::Paper;
     table.back_scale = numberAt(*text, "back_scale");
     table.has_scale = text->at("has_scale").get<bool>();
     const auto supports = supportsFrom(text->at("supports"));

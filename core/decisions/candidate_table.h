@@ -36,8 +36,9 @@ struct RegisteredDecision {
 /// What the pairs are decided from: all that is left of a batch when its fractures were compared.
 struct CandidateTable {
   std::vector<ScanRef> fronts, backs;
-  std::vector<std::string> front_files, back_files;  ///< PLY, relative to OUT/work
-  std::vector<RegisteredCandidate> candidates;       ///< by front, then back
+  std::vector<std::string> front_files, back_files;   ///< PLY, relative to OUT/work
+  std::vector<RegisteredCandidate> candidates;        ///< by front, then back
+  pairing::Method method = pairing::Method::Default;  ///< how they were found and are assigned
   double back_scale = 1;  ///< backs and their cameras are brought to the fronts' size by it
   bool has_scale = true;  ///< false: no length is known
   std::array<rig::Support, 2> supports;  ///< by side, as registration::Constraints has them

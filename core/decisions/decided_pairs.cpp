@@ -86,7 +86,7 @@ pairing::Decision ownWord(const PairTable& free, int front, int back) {
     for (const pairing::Alternative& a : d.alternatives)
       if (a.front == front && a.back == back && a.score > own.score) {
         own.score = a.score;
-        own.margin = a.score - d.score;
+        own.margin = a.score - d.score.value_or(0);
       }
   }
   return own;
@@ -102,6 +102,9 @@ SherdPair decidedPair(const CandidateTable& table, const PairTable& free,
                       const Settled::Pair& settled) {
   SherdPair pair;
   pair.decision = ownWord(free, settled.front, settled.back);
+  if (table.method == pairing::Method::Paper) {
+    pair.decision.score = pair.decision.margin = std::nullopt;
+  }
   pair.decision.ambiguous = false;
   pair.decision.doubt = pairing::Doubt::None;
   pair.decision.reason.clear();

@@ -94,19 +94,38 @@ std::vector<double> fracturesOf(const std::vector<Registered>& registered,
   return fractures;
 }
 
-pairing::Evidence evidenceOf(const Registered& r, const scan::Scan& back, double fracture,
-                             double place_log_likelihood, int n_scans) {
+pairing::Evidence evidenceOf(const Registered& r) {
   const registration::Registration& found = *r.registration;
   pairing::Evidence evidence;
   evidence.front = r.candidate->front;
   evidence.back = r.candidate->back;
-  evidence.log_likelihood =
-      pairing::jointLogLikelihood(outlineOf(r, back), fracture, n_scans) + place_log_likelihood;
   evidence.fracture_rms_mm = found.fracture_rms_mm;
   evidence.overlap = found.fracture_overlap;
   evidence.check_failed = found.check_failed;
-  evidence.runner_up_start_log_likelihood = evidence.log_likelihood - found.runner_up_gap;
+  evidence.distance_rad = r.candidate->distance_rad;
   return evidence;
+}
+
+// Outlines, fractures and places together. candidates: of those that are registered, in their
+// order.
+void weigh(const std::vector<Registered>& registered, std::span<const scan::Scan> fronts,
+           std::span<const scan::Scan> backs, PlaceEvidence hints,
+           std::vector<RegisteredCandidate>& candidates) {
+  const std::vector<double> fractures = fracturesOf(registered, backs);
+  const int n_scans = static_cast<int>(std::max(fronts.size(), backs.size()));
+  auto next = candidates.begin();
+  for (std::size_t i = 0; i < registered.size(); ++i) {
+    const Registered& r = registered[i];
+    if (!r.registration) continue;
+    const scan::Scan& front = fronts[static_cast<std::size_t>(r.candidate->front)];
+    const scan::Scan& back = backs[static_cast<std::size_t>(r.candidate->back)];
+    const double hint = hints == PlaceEvidence::None ? 0.0 : placeLogLikelihood(front, back);
+    pairing::Evidence& evidence = next++->evidence;
+    evidence.log_likelihood =
+        pairing::jointLogLikelihood(outlineOf(r, back), fractures[i], n_scans) + hint;
+    evidence.runner_up_start_log_likelihood =
+        evidence.log_likelihood - r.registration->runner_up_gap;
+  }
 }
 
 struct PreparedStrip {
@@ -184,23 +203,15 @@ Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
   });
   if (stop.stop_requested()) return Error::cancelled();
 
-  const std::vector<double> fractures = fracturesOf(registered, backs);
-  const int n_scans = static_cast<int>(std::max(fronts.size(), backs.size()));
   CandidateTable table;
+  table.method = options.candidates.method;
   for (const scan::Scan& scan : fronts) table.fronts.push_back(refOf(scan, batch::Side::Front));
   for (const scan::Scan& scan : backs) table.backs.push_back(refOf(scan, batch::Side::Back));
-  for (std::size_t i = 0; i < registered.size(); ++i) {
-    const Registered& r = registered[i];
-    if (!r.registration) continue;
-    const double hint =
-        options.place == PlaceEvidence::None
-            ? 0.0
-            : placeLogLikelihood(fronts[static_cast<std::size_t>(r.candidate->front)],
-                                 backs[static_cast<std::size_t>(r.candidate->back)]);
-    table.candidates.push_back({evidenceOf(r, backs[static_cast<std::size_t>(r.candidate->back)],
-                                           fractures[i], hint, n_scans),
-                                *r.registration, r.candidate->starts});
-  }
+  for (const Registered& r : registered)
+    if (r.registration)
+      table.candidates.push_back({evidenceOf(r), *r.registration, r.candidate->starts});
+  if (table.method == pairing::Method::Default)
+    weigh(registered, fronts, backs, options.place, table.candidates);
   return table;
 }
 
@@ -208,9 +219,12 @@ Result<PairTable> assigned(const CandidateTable& candidates,
                            const pairing::AssignOptions& options) {
   std::vector<pairing::Evidence> evidence;
   for (const RegisteredCandidate& c : candidates.candidates) evidence.push_back(c.evidence);
+  const int n_front = static_cast<int>(candidates.fronts.size());
+  const int n_back = static_cast<int>(candidates.backs.size());
   const Result<pairing::Assignment> assignment =
-      pairing::assignPairs(evidence, static_cast<int>(candidates.fronts.size()),
-                           static_cast<int>(candidates.backs.size()), options);
+      candidates.method == pairing::Method::Paper
+          ? pairing::nearestPairs(evidence, n_front, n_back)
+          : pairing::assignPairs(evidence, n_front, n_back, options);
   if (!assignment) return assignment.error();
   PairTable table;
   table.unpaired_front = assignment->unpaired_front;
@@ -219,7 +233,7 @@ Result<PairTable> assigned(const CandidateTable& candidates,
   for (pairing::Decision decision : assignment->pairs) {
     const RegisteredCandidate* c = candidates.find(decision.front, decision.back);
     if (c == nullptr) continue;
-    if (c->registration.check_failed) decision.reason = c->registration.reason;
+    if (decision.doubt == pairing::Doubt::SelfCheck) decision.reason = c->registration.reason;
     table.pairs.push_back({decision, c->registration, c->start().contour_rms_mm, {}, {}, {}});
   }
   return table;
@@ -246,8 +260,8 @@ ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
           {{"front", front(a.front)}, {"back", back(a.back)}, {"score", a.score}});
     pairs.push_back({{"front", front(pair.decision.front)},
                      {"back", back(pair.decision.back)},
-                     {"score", pair.decision.score},
-                     {"margin", pair.decision.margin},
+                     {"score", orNull(pair.decision.score)},
+                     {"margin", orNull(pair.decision.margin)},
                      {"ambiguous", pair.decision.ambiguous},
                      {"reason", pair.decision.reason},
                      {"alternatives", alternatives},
@@ -261,6 +275,7 @@ ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
     if (pair.registration.fracture_rms_mm > 0)
       pairs.back()["fracture_rms_mm"] =
           pair.registration.fracture_rms_mm;  // null: no fractures to compare
+    if (pair.decision.distance_rad) pairs.back()["distance_rad"] = *pair.decision.distance_rad;
     if (!pair.decided.empty())
       pairs.back()["decided"] = {
           {"id", pair.decided}, {"by", pair.decided_by}, {"at", pair.decided_at}};

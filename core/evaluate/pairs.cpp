@@ -142,7 +142,8 @@ Result<PairsEvaluation> evaluatePairs(const Proposal& proposal, const PairsTruth
       return Error::unusable("Scan " + pair.front + " or " + pair.back +
                                  " is not in the truth; is this the result of another batch?",
                              truth.set);
-    if (!seen_fronts.insert(pair.front).second || !seen_backs.insert(pair.back).second)
+    const bool again = !seen_backs.insert(pair.back).second && !pair.ambiguous;
+    if (!seen_fronts.insert(pair.front).second || again)  // who shares a back must say so
       return Error::unusable("Scan " + pair.front + " or " + pair.back + " stands in two pairs.",
                              truth.set);
     Result<PairVerdict> verdict = judge(pair, names, read_scan);

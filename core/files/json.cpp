@@ -1,6 +1,7 @@
 #include "files/json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -131,6 +132,10 @@ nlohmann::ordered_json toJson(const Eigen::Isometry3d& transform) {
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+nlohmann::ordered_json orNull(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
 Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const std::string& where) {

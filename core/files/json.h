@@ -2,6 +2,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string_view>
 
 #include "base/result.h"
@@ -18,6 +19,7 @@ Result<void> writeJson(const std::filesystem::path& path, const nlohmann::ordere
 /// 4x4, row by row. Reading refuses what is not finite, not 4x4 (nested or flat) or not rigid
 /// (1e-3).
 nlohmann::ordered_json toJson(const Eigen::Isometry3d& transform);
+nlohmann::ordered_json orNull(const std::optional<double>& value);
 Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const std::string& where);
 
 }  // namespace ostraka

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "base/result.h"
@@ -67,6 +68,13 @@ template <class Json>
 double numberAt(const Json& object, const char* name, double least = -kMostNumber,
                 double most = kMostNumber) {
   return numberIn(object.at(name), name, least, most);
+}
+
+/// The same where null says that there is none.
+template <class Json>
+std::optional<double> numberOrNone(const Json& object, const char* name) {
+  if (object.at(name).is_null()) return std::nullopt;
+  return numberAt(object, name);
 }
 
 /// The same where the field may be absent.

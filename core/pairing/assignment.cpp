@@ -176,6 +176,9 @@ std::vector<Alternative> alternativesOf(const Chances& chances, int front, int b
   return found;
 }
 
+constexpr const char* kFailsItsCheck =
+    "The registration fails its self-check: the back may be in the wrong position.";
+
 Decision decide(const Evidence& e, const Chances& chances, int n_back,
                 const AssignOptions& options) {
   Decision d;
@@ -189,21 +192,22 @@ Decision decide(const Evidence& e, const Chances& chances, int n_back,
   const double other_pose =
       std::exp(std::min(0.0, e.runner_up_start_log_likelihood - e.log_likelihood));
   const double pose = 1 / (1 + other_pose);
-  d.score = partner * pose;
+  const double score = partner * pose;
+  d.score = score;
   d.alternatives = alternativesOf(chances, e.front, e.back, n_back, options.max_alternatives);
   const double alone = 1 - partner;
   double rival =
       std::max(partner * (1 - pose), chances.of_front[static_cast<std::size_t>(e.front)].back());
   if (!d.alternatives.empty()) rival = std::max(rival, d.alternatives[0].score);
-  d.margin = d.score - std::min(rival, std::max(alone, partner * (1 - pose)));
+  d.margin = score - std::min(rival, std::max(alone, partner * (1 - pose)));
   if (e.check_failed) {
     d.doubt = Doubt::SelfCheck;
-    d.reason = "The registration fails its self-check: the back may be in the wrong position.";
+    d.reason = kFailsItsCheck;
   } else if (partner < options.flag_below) {
     d.doubt = d.alternatives.empty() ? Doubt::Unrelated : Doubt::OtherPartner;
     d.reason = d.alternatives.empty() ? "The two sides fit barely better than unrelated ones."
                                       : "Another partner fits almost as well.";
-  } else if (d.score < options.flag_below) {
+  } else if (score < options.flag_below) {
     d.doubt = Doubt::OtherPose;
     d.reason = "Another pose of the same two sides fits almost as well.";
   }
@@ -250,6 +254,43 @@ double jointLogLikelihood(double outline, double fracture, int n_scans) {
   // A match against leaving both alone: (1/n) / (lone * lone).
   constexpr double kLone = 0.1;
   return -either - std::log(kLone * kLone * std::max(1, n_scans));
+}
+
+Result<Assignment> nearestPairs(std::span<const Evidence> evidence, int n_front, int n_back) {
+  if (const Result<void> valid = checkEvidence(evidence, n_front, n_back); !valid) {
+    return valid.error();
+  }
+  std::vector<int> fronts_of(static_cast<std::size_t>(std::max(0, n_back)), 0);
+  std::vector<std::uint8_t> paired(static_cast<std::size_t>(std::max(0, n_front)), 0);
+  for (const Evidence& e : evidence) {
+    ++fronts_of[static_cast<std::size_t>(e.back)];
+    paired[static_cast<std::size_t>(e.front)] = 1;
+  }
+  Assignment assignment;
+  for (const Evidence& e : evidence) {
+    Decision d;
+    d.front = e.front, d.back = e.back;
+    d.score = d.margin = std::nullopt;
+    d.distance_rad = e.distance_rad;
+    if (fronts_of[static_cast<std::size_t>(e.back)] > 1) {
+      d.doubt = Doubt::SharedBack;
+      d.reason = "Another front takes the same back.";
+    } else if (e.check_failed) {
+      d.doubt = Doubt::SelfCheck;
+      d.reason = kFailsItsCheck;
+    }
+    d.ambiguous = d.doubt != Doubt::None;
+    assignment.pairs.push_back(d);
+  }
+  for (int f = 0; f < n_front; ++f) {
+    if (!paired[static_cast<std::size_t>(f)]) assignment.unpaired_front.push_back(f);
+  }
+  for (int b = 0; b < n_back; ++b) {
+    if (fronts_of[static_cast<std::size_t>(b)] == 0) assignment.unpaired_back.push_back(b);
+  }
+  std::sort(assignment.pairs.begin(), assignment.pairs.end(),
+            [](const Decision& a, const Decision& b) { return a.front < b.front; });
+  return assignment;
 }
 
 Result<std::vector<double>> regrets(std::span<const Evidence> evidence, int n_front, int n_back,

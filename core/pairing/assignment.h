@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct Evidence {
   double overlap = 0;          ///< share of the strip that met the other side, 0..1
   bool check_failed = false;   ///< the registration's self-check says that the pose may be wrong
   double runner_up_start_log_likelihood = -1e9;  ///< second distinct pose of this same pair
+  double distance_rad = 0;  ///< PairCandidate::distance_rad: all that nearestPairs knows
 };
 
 struct Alternative {
@@ -30,13 +32,16 @@ enum class Doubt {
   OtherPartner,  ///< another partner fits nearly as well
   Unrelated,     ///< the two sides fit barely better than unrelated ones
   OtherPose,     ///< another pose of the same two sides fits nearly as well
-  Displaced      ///< a person gave its partner to another; set by who knows that, never here
+  Displaced,     ///< a person gave its partner to another; set by who knows that, never here
+  SharedBack     ///< another front takes the same back: Method::Paper is not one-to-one
 };
 
 struct Decision {
   int front = 0, back = 0;
-  double score = 0;   ///< probability that the pair and its pose are right
-  double margin = 0;  ///< score minus the probability of the best alternative
+  std::optional<double> score = 0;     ///< probability that the pair and its pose are right; none
+                                       ///< where the method states none
+  std::optional<double> margin = 0;    ///< score minus the probability of the best alternative
+  std::optional<double> distance_rad;  ///< of the outlines' turning angles, Method::Paper only
   bool ambiguous = false;
   std::vector<Alternative> alternatives;  ///< other partners of these two scans, likeliest first
   Doubt doubt = Doubt::None;
@@ -65,6 +70,12 @@ struct Assignment {
 /// O(pairs * n^2) for n scans.
 Result<Assignment> assignPairs(std::span<const Evidence> evidence, int n_front, int n_back,
                                const AssignOptions& options);
+
+/// Wang et al., ICCV 2023: each front has the back that is nearest to it, however far it is,
+/// whoever else has it too, and however the two were registered. evidence: one per front at most
+/// (Method::Paper finds no more). Pairs of a shared back or of a failed check are ambiguous; no
+/// probability is stated. Errors: UnusableInput for indices out of range.
+Result<Assignment> nearestPairs(std::span<const Evidence> evidence, int n_front, int n_back);
 
 /// For each piece of evidence: by how much the best total falls when its pair must be part of the
 /// assignment; 0 for the pairs of the best one. What lies 20 below cannot come back by a fracture's

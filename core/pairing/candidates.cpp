@@ -210,24 +210,34 @@ PairCandidate defaultCandidate(const Outline& front, const Outline& back,
   return candidate;
 }
 
+// Wang et al., section 3.1: the least distance over all start points, and the pose of that one.
 PairCandidate paperCandidate(const Outline& front, const Outline& back,
                              const CandidateOptions& options) {
-  // Costs of one sherd are 0.1 to 0.3 rad, seldom 0.6; above 0.5 rad non-matches are commoner.
-  constexpr double kSame = 0.10, kEven = 0.50;
   const std::vector<double> costs = shiftCosts(front.angles, back.angles, Offset::None);
+  const auto least = std::min_element(costs.begin(), costs.end());
+  const double scale = options.scale == Scale::Free
+                           ? std::sqrt(front.contour.area_mm2 / back.contour.area_mm2)
+                           : 1.0;
+  const PlanarPose pose = poseOfShift(front, back, static_cast<int>(least - costs.begin()), scale);
   PairCandidate candidate;
-  for (const int shift : bestShifts(costs, options.max_starts)) {
-    const double scale = options.scale == Scale::Free
-                             ? std::sqrt(front.contour.area_mm2 / back.contour.area_mm2)
-                             : 1.0;
-    StartPose start =
-        startPose(front, back, asItStands(front, back, poseOfShift(front, back, shift, scale)));
-    const double cost = costs[static_cast<std::size_t>(shift)];
-    start.log_likelihood = (kEven * kEven - cost * cost) / (2 * kSame * kSame);
-    candidate.starts.push_back(start);
-  }
-  candidate.log_likelihood = candidate.starts.empty() ? -1e9 : candidate.starts[0].log_likelihood;
+  candidate.distance_rad = *least;
+  candidate.starts.push_back(startPose(front, back, asItStands(front, back, pose)));
+  candidate.starts.front().log_likelihood = 0;
   return candidate;
+}
+
+/// Of each front the back at the least distance; the first of equals.
+std::vector<PairCandidate> rowMinima(std::vector<PairCandidate> by_front) {
+  std::vector<PairCandidate> nearest;
+  for (PairCandidate& candidate : by_front) {
+    if (candidate.starts.empty()) continue;  // a scan without an outline
+    if (nearest.empty() || nearest.back().front != candidate.front) {
+      nearest.push_back(std::move(candidate));
+    } else if (candidate.distance_rad < nearest.back().distance_rad) {
+      nearest.back() = std::move(candidate);
+    }
+  }
+  return nearest;
 }
 
 std::vector<std::optional<Outline>> outlinesOf(std::span<const scan::Scan> scans, batch::Side side,
@@ -293,6 +303,7 @@ Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fr
   }
   progress.report(static_cast<std::int64_t>(fronts.size()),
                   static_cast<std::int64_t>(fronts.size()));
+  if (options.method == Method::Paper) return rowMinima(std::move(all));
   return withinReach(std::move(all), static_cast<int>(fronts.size()),
                      static_cast<int>(backs.size()), options.reach);
 }

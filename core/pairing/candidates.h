@@ -16,7 +16,8 @@ namespace ostraka::pairing {
 struct StartPose {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
   double contour_rms_mm = 0;  ///< trimmed, both directions, after the planar alignment
-  double log_likelihood = 0;  ///< ratio: these two outlines are one, against two sherds at random
+  double log_likelihood = 0;  ///< ratio: these two outlines are one, against two sherds at random;
+                              ///< 0 with Method::Paper, which knows none
   int shift = 0;              ///< start point on the back's contour, in 1/200 of its length
   double scale = 1;           ///< front size / back size; 1 unless CandidateOptions::scale is Free
 };
@@ -25,8 +26,12 @@ struct PairCandidate {
   int front = 0, back = 0;        ///< indices of the scans handed in
   std::vector<StartPose> starts;  ///< best first, distinct; several for symmetric contours
   double log_likelihood = 0;      ///< of the best start
+  double distance_rad = 0;        ///< of the turning angles; Method::Paper only
 };
 
+/// Paper: Wang et al., ICCV 2023, and nothing else: the turning angles of 200 samples of each
+/// outline, summed up; the root mean square difference of a front's sums and a mirrored back's, the
+/// least over all start points; each front has the back of the least such distance.
 enum class Method { Default, Paper };
 enum class Scale {
   Fixed,
@@ -43,7 +48,8 @@ struct CandidateOptions {
   int threads = 0;      ///< 0 = all
 };
 
-/// All pairs within reach, sorted by front, then back. Scans without a usable contour take no part
+/// All pairs within reach (Method::Paper: for each front the nearest back, with the start point of
+/// that distance), sorted by front, then back. Scans without a usable contour take no part
 /// (a note says so). Errors: Cancelled, UnusableInput for options. About 2 ms a pair.
 Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fronts,
                                                   std::span<const scan::Scan> backs,

@@ -64,7 +64,7 @@ using Masks = std::vector<cv::Mat1b>;
 /// One pair as decided, with scans by index; what pairs.json says, read back.
 struct DecidedPair {
   int front = 0, back = 0;
-  double score = 0, margin = 0;
+  std::optional<double> score, margin;  ///< none where the pairing states none
   bool ambiguous = false, check_failed = false;
   std::string reason;
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();

@@ -44,8 +44,8 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
       pairs.pairs.push_back(
           {indexOf(fronts, p.at("front")),
            indexOf(backs, p.at("back")),
-           p.at("score"),
-           p.at("margin"),
+           numberOrNone(p, "score"),
+           numberOrNone(p, "margin"),
            p.at("ambiguous"),
            p.at("check_failed"),
            p.at("reason"),

@@ -45,7 +45,8 @@ struct ProcessOptions {
 struct SherdSummary {
   std::string number;  ///< "01": folder under OUT/sherds
   std::string front, back;
-  double score = 0, fracture_rms_mm = 0, uncertainty_mm = 0;
+  std::optional<double> score;  ///< none where the pairing states none
+  double fracture_rms_mm = 0, uncertainty_mm = 0;
   bool ambiguous = false;
   bool has_model = false;
   std::string decided_by;  ///< the person who settled this pair; empty: the program

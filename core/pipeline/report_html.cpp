@@ -211,12 +211,16 @@ std::string decidedWords(const DecidedPair& pair) {
   return "Decided by " + pair.decided_by + ", " + pair.decided_at.substr(0, 10) + ".";
 }
 
+std::string confidence(const DecidedPair& pair) {
+  return pair.score ? fixed(100 * *pair.score, 1) + " %" : "–";
+}
+
 std::string sherdSection(const ReportSherd& sherd) {
   const DecidedPair& pair = *sherd.pair;
   std::string html = "<section class=\"sherd" + std::string(pair.ambiguous ? " doubt" : "") +
                      "\"><div><h3>Sherd " + sherd.number + "</h3><p>" +
                      markupText(sherd.front->id) + " and " + markupText(sherd.back->id) +
-                     ", confidence " + fixed(100 * pair.score, 1) + " %</p>";
+                     (pair.score ? ", confidence " + confidence(pair) : "") + "</p>";
   if (pair.ambiguous) html += "<p class=\"ask\">Needs review: " + markupText(pair.reason) + "</p>";
   if (!pair.decided_by.empty()) html += "<p>" + markupText(decidedWords(pair)) + "</p>";
   html += measureLine(sherd.figures);
@@ -236,8 +240,8 @@ std::string pairTable(const ReportInput& input) {
     const DecidedPair& p = *sherd.pair;
     html +=
         "<tr><td>" + sherd.number + "</td><td>" + markupText(sherd.front->id) + "</td><td>" +
-        markupText(sherd.back->id) + "</td><td>" + fixed(100 * p.score, 1) + " %</td><td>" +
-        fixed(p.margin, 2) + "</td><td>" +
+        markupText(sherd.back->id) + "</td><td>" + confidence(p) + "</td><td>" +
+        (p.margin ? fixed(*p.margin, 2) : "–") + "</td><td>" +
         (p.fracturesCompared()
              ? fixed(p.fracture_rms_mm, 3) + "</td><td>" + fixed(100 * p.fracture_overlap, 0) + " %"
              : std::string("–</td><td>–")) +

@@ -1,5 +1,7 @@
 #include "pipeline/report.h"
 
+#include "files/json.h"
+
 namespace ostraka::pipeline {
 
 using nlohmann::ordered_json;
@@ -20,8 +22,8 @@ ordered_json reportJson(const ReportInput& input) {
     sherds.push_back({{"number", sherd.number},
                       {"front", sherd.front->id},
                       {"back", sherd.back->id},
-                      {"score", pair.score},
-                      {"margin", pair.margin},
+                      {"score", orNull(pair.score)},
+                      {"margin", orNull(pair.margin)},
                       {"ambiguous", pair.ambiguous},
                       {"reason", pair.reason},
                       {"decided_by", pair.decided_by},

@@ -34,15 +34,17 @@ double valueOf(const Registration& r) {
 
 // P(this back | front) from by how much the best assignment falls when the pair is forced; a front
 // that stays alone in it may also stay so.
-std::vector<double> chancesOf(const decisions::CandidateTable& table,
-                              const decisions::PairTable& free,
-                              const pairing::AssignOptions& options) {
+std::vector<std::optional<double>> chancesOf(const decisions::CandidateTable& table,
+                                             const decisions::PairTable& free,
+                                             const pairing::AssignOptions& options) {
+  if (table.method == pairing::Method::Paper)  // states none
+    return std::vector<std::optional<double>>(table.candidates.size());
   std::vector<pairing::Evidence> evidence;
   for (const decisions::RegisteredCandidate& c : table.candidates) evidence.push_back(c.evidence);
   const Result<std::vector<double>> regret =
       pairing::regrets(evidence, static_cast<int>(table.fronts.size()),
                        static_cast<int>(table.backs.size()), options.lone_log_likelihood);
-  std::vector<double> chances(evidence.size(), 0);
+  std::vector<std::optional<double>> chances(evidence.size(), 0.0);
   if (!regret) return chances;
   std::vector<double> totals(table.fronts.size(), 0);
   for (const int f : free.unpaired_front) totals[static_cast<std::size_t>(f)] = 1;
@@ -183,7 +185,7 @@ Result<Review> reviewOf(const decisions::CandidateTable& table,
   if (!free) return free.error();
   const Result<decisions::PairTable> pairs = decisions::assigned(table, settled, options);
   if (!pairs) return pairs.error();
-  const std::vector<double> chances = chancesOf(table, *free, options);
+  const std::vector<std::optional<double>> chances = chancesOf(table, *free, options);
 
   Review review;
   review.warnings = settled.warnings;
@@ -194,6 +196,7 @@ Result<Review> reviewOf(const decisions::CandidateTable& table,
     ReviewCard card;
     card.front = static_cast<int>(f);
     card.number = decisions::sherdNumber(table.fronts[f].id);
+    if (table.method == pairing::Method::Paper) card.score = card.margin = std::nullopt;
     for (std::size_t i = 0; i < table.candidates.size(); ++i) {
       if (table.candidates[i].evidence.front != card.front) continue;
       card.candidates.push_back(candidateOf(table.candidates[i]));

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ enum class CardState {
 /// One back that may belong to a front, with its fractures compared.
 struct ReviewCandidate {
   int back = 0;
-  double score = 0;  ///< probability by the program, 0..1
+  std::optional<double> score = 0;  ///< probability by the program, 0..1; none: it states none
   double fracture_rms_mm = 0, fracture_overlap = 0, uncertainty_mm = 0;
   double contour_rms_mm = 0;
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
@@ -39,7 +40,7 @@ struct ReviewCard {
   int back = -1;  ///< its partner as things stand
   int candidate =
       -1;  ///< index of that partner below; -1: no fractures were compared by the program
-  double score = 0, margin = 0;
+  std::optional<double> score = 0, margin = 0;  ///< none: the program states none
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();  ///< as things stand
   std::vector<ReviewCandidate> candidates;                            ///< likeliest first
 

@@ -98,7 +98,9 @@ std::string html(const RegisterSummary& summary, const decisions::PairTable& tab
   for (std::size_t i = 0; i < summary.pairs.size(); ++i) {
     const RegisterSummary::Pair& p = summary.pairs[i];
     const pairing::Decision& d = table.pairs[i].decision;
-    std::string remark = p.ambiguous ? "Needs review: " + p.reason : std::string("Certain.");
+    std::string remark = p.ambiguous ? "Needs review: " + p.reason
+                         : p.score   ? "Certain."
+                                     : "Nearest outline.";
     for (const pairing::Alternative& a : d.alternatives) {
       remark += " Or " + fronts[static_cast<std::size_t>(a.front)].id + " with " +
                 backs[static_cast<std::size_t>(a.back)].id + " (" + fixed(100 * a.score, 1) +
@@ -106,7 +108,7 @@ std::string html(const RegisterSummary& summary, const decisions::PairTable& tab
     }
     page += std::string("<tr") + (p.ambiguous ? " class=\"ask\"" : "") + "><td>" + p.number +
             "</td><td>" + markupText(p.front) + "</td><td>" + markupText(p.back) + "</td><td>" +
-            fixed(100 * p.score, 2) + " %</td><td>" +
+            (p.score ? fixed(100 * *p.score, 2) + " %" : "–") + "</td><td>" +
             (p.fracturesCompared() ? fixed(p.fracture_rms_mm, 3) + " mm</td><td>" +
                                          fixed(100 * p.fracture_overlap, 0) + " %</td><td>"
                                    : std::string("–</td><td>–</td><td>")) +
@@ -128,8 +130,8 @@ ordered_json toJson(const RegisterSummary::Pair& pair) {
   return {{"number", pair.number},
           {"front", pair.front},
           {"back", pair.back},
-          {"score", pair.score},
-          {"margin", pair.margin},
+          {"score", orNull(pair.score)},
+          {"margin", orNull(pair.margin)},
           {"ambiguous", pair.ambiguous},
           {"reason", pair.reason},
           {"fracture_rms_mm", ofFractures(pair.fracture_rms_mm)},

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -25,7 +26,8 @@ struct RegisterSummary {
   struct Pair {
     std::string number;  ///< "01": folder under OUT/sherds
     std::string front, back;
-    double score = 0, margin = 0, fracture_rms_mm = 0, fracture_overlap = 0, uncertainty_mm = 0;
+    std::optional<double> score, margin;  ///< none where the pairing states none
+    double fracture_rms_mm = 0, fracture_overlap = 0, uncertainty_mm = 0;
     bool ambiguous = false;
     std::string reason;  ///< why a person must look; empty otherwise
     /// False: no fractures to compare, and the figures above but the uncertainty say nothing.

@@ -79,15 +79,18 @@ struct Tally {
   double seconds = 0;
 };
 
-void judgeAssignment(const std::vector<PairCandidate>& candidates,
+void judgeAssignment(const std::vector<PairCandidate>& candidates, ostraka::pairing::Method method,
                      const std::vector<TruePair>& truth, int fronts, int backs, Tally& tally) {
   std::vector<ostraka::pairing::Evidence> evidence;
   for (const PairCandidate& c : candidates) {
     ostraka::pairing::Evidence e;
     e.front = c.front, e.back = c.back, e.log_likelihood = c.log_likelihood;
+    e.distance_rad = c.distance_rad;
     evidence.push_back(e);
   }
-  const auto assignment = ostraka::pairing::assignPairs(evidence, fronts, backs, {});
+  const auto assignment = method == ostraka::pairing::Method::Paper
+                              ? ostraka::pairing::nearestPairs(evidence, fronts, backs)
+                              : ostraka::pairing::assignPairs(evidence, fronts, backs, {});
   if (!assignment)
     std::fprintf(stderr, "%s\n", assignment.error().sentence().c_str()), std::exit(1);
   for (const ostraka::pairing::Decision& d : assignment->pairs) {
@@ -165,7 +168,7 @@ Tally judgeSet(const std::filesystem::path& folder, ostraka::pairing::Method met
     for (const auto& s : own->starts) std::printf(" %.2f", s.contour_rms_mm);
     std::printf("\n");
   }
-  judgeAssignment(*candidates, truth, static_cast<int>(fronts.size()),
+  judgeAssignment(*candidates, method, truth, static_cast<int>(fronts.size()),
                   static_cast<int>(backs.size()), tally);
   return tally;
 }

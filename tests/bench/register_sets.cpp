@@ -25,8 +25,8 @@ int main(int argc, char** argv) {
                 summary->seconds / static_cast<double>(summary->pairs.size()));
     for (const auto& p : summary->pairs) {
       std::printf("  %s %s score %.4f margin %.4f fracture %.3f mm met %.2f uncertain %.3f %s\n",
-                  p.front.c_str(), p.back.c_str(), p.score, p.margin, p.fracture_rms_mm,
-                  p.fracture_overlap, p.uncertainty_mm, p.reason.c_str());
+                  p.front.c_str(), p.back.c_str(), p.score.value_or(0), p.margin.value_or(0),
+                  p.fracture_rms_mm, p.fracture_overlap, p.uncertainty_mm, p.reason.c_str());
     }
   }
   return 0;

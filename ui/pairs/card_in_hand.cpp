@@ -68,7 +68,9 @@ QString CardInHand::reason() const {
   const bool tried = trial_.back != stands.back || trial_.made != stands.made ||
                      trial_.front_from_back.matrix() != stands.front_from_back.matrix();
   if (tried && trial_.back >= 0) {
-    const double score = chosen() < 0 ? 0 : candidates_[static_cast<std::size_t>(chosen())].score;
+    std::optional<double> score = 0;
+    if (chosen() >= 0) score = candidates_[static_cast<std::size_t>(chosen())].score;
+    if (!card()->score) score.reset();
     return triedSentence(trial_, score, isMeasured() ? &fit_ : nullptr, *card(), batch_.table());
   }
   const bool stated =

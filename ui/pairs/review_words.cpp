@@ -53,6 +53,8 @@ QString askSentence(const ReviewCard& card, const CandidateTable& table, const C
           tr("%1 fits barely better than an unrelated back.").arg(nameOf(table.backs, card.back)));
     case Doubt::OtherPose:
       return tr("Ambiguous: a second position fits almost as well.");
+    case Doubt::SharedBack:
+      return tr("Another front takes the same back.");
     case Doubt::SelfCheck:
       return failedCheckSentence(card.failed_check, card.check_value);
     case Doubt::None:
@@ -74,17 +76,19 @@ QString aloneSentence(const CandidateTable& table, const CardStory& story) {
 // What was decided for others may leave a front one back only; its candidates' chances are those
 // before any decision.
 QString sureSentence(const ReviewCard& card) {
+  if (!card.score) return tr("The nearest outline; no probability is known.");
   for (const review::ReviewCandidate& own : card.candidates)
-    if (own.back == card.back && own.score < card.score - kToldApart)
+    if (own.back == card.back && own.score < *card.score - kToldApart)
       return tr("Sure by what was decided for others: %1; by itself %2.")
-          .arg(percent(card.score), scoreWords(own.score));
-  return tr("%1 confident").arg(percent(card.score));
+          .arg(percent(*card.score), scoreWords(own.score));
+  return tr("%1 confident").arg(percent(*card.score));
 }
 
 }  // namespace
 
-QString scoreWords(double score) {
-  return score > 0 ? percent(score) : tr("under 1 %");
+QString scoreWords(std::optional<double> score) {
+  if (!score) return tr("no probability");
+  return *score > 0 ? percent(*score) : tr("under 1 %");
 }
 
 QString mm(double value, int digits) {
@@ -170,7 +174,7 @@ QString madeWord(Made made) {
   return {};
 }
 
-QString triedSentence(const Trial& trial, double score, const review::LiveFit* fit,
+QString triedSentence(const Trial& trial, std::optional<double> score, const review::LiveFit* fit,
                       const ReviewCard& card, const CandidateTable& table) {
   const QString back = nameOf(table.backs, trial.back);
   const QString chance = scoreWords(score), meets = percent(fit ? fit->fracture_overlap : 0);

@@ -22,15 +22,16 @@ QString doubtSentence(const review::ReviewCard& card, const decisions::Candidate
                       const CardStory& story);
 /// The same about what is tried instead of that. score: the program's for these two. fit: of this
 /// pose, or null while it is measured.
-QString triedSentence(const Trial& trial, double score, const review::LiveFit* fit,
+QString triedSentence(const Trial& trial, std::optional<double> score, const review::LiveFit* fit,
                       const review::ReviewCard& card, const decisions::CandidateTable& table);
 QString madeWord(Made made);  ///< two or three words
 QString hardlyMeetSentence(const review::LiveFit& fit);
 /// One or two words for the state; goes along with the colour.
 QString stateWord(review::CardState state);
 State stateColour(review::CardState state);
-QString percent(double share);     ///< "71 %", "under 1 %"
-QString scoreWords(double score);  ///< of a candidate; 0: the program gave it none
+QString percent(double share);  ///< "71 %", "under 1 %"
+/// Of a candidate; none where the pairing states no probability.
+QString scoreWords(std::optional<double> score);
 QString mm(double value, int digits = 2);
 /// What the registration's own check says of a pose; empty when nothing.
 QString failedCheckSentence(registration::FailedCheck failed_check, double value);

@@ -100,13 +100,16 @@ CardStory ReviewedBatch::storyOf(const ReviewCard& card) const {
 
 std::vector<ReviewCandidate> ReviewedBatch::candidatesOf(int front) const {
   std::vector<ReviewCandidate> all;
-  if (const ReviewCard* of = review_.ofFront(front)) all = of->candidates;
+  const ReviewCard* of = review_.ofFront(front);
+  if (of != nullptr) all = of->candidates;
   const auto more = more_.find(front);
   if (more == more_.end()) return all;
   for (const ReviewCandidate& c : more->second) {
     const bool known = std::any_of(all.begin(), all.end(),
                                    [&](const ReviewCandidate& o) { return o.back == c.back; });
-    if (!known) all.push_back(c);
+    if (known) continue;
+    all.push_back(c);
+    if (of != nullptr && !of->score) all.back().score.reset();
   }
   return all;
 }

@@ -31,5 +31,27 @@ TEST(CandidateTable, KeepsWhatEachSideLayOn) {
   EXPECT_FALSE(readCandidates(file).has_value());
 }
 
+TEST(CandidateTable, OfThePapersPairingStatesDistancesAndNoLikelihoods) {
+  CandidateTable table;
+  table.method = pairing::Method::Paper;
+  table.fronts.push_back({batch::Side::Front, "f001", Eigen::Vector2d::Zero(), {}});
+  table.backs.push_back({batch::Side::Back, "b001", Eigen::Vector2d::Zero(), {}});
+  RegisteredCandidate candidate;
+  candidate.evidence.distance_rad = 0.25;
+  candidate.starts.emplace_back();
+  table.candidates.push_back(candidate);
+  const nlohmann::json json = toJson(table);
+  EXPECT_TRUE(json.at("candidates").at(0).at("log_likelihood").is_null());
+  EXPECT_TRUE(json.at("candidates").at(0).at("starts").at(0).at("log_likelihood").is_null());
+  const ScratchFolder folder = std::move(*ScratchFolder::make("table"));
+  const std::filesystem::path file = folder.path() / "candidates.json";
+  ASSERT_TRUE(writeFileAtomically(file, json.dump()));
+  const Result<CandidateTable> read = readCandidates(file);
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_EQ(read->method, pairing::Method::Paper);
+  ASSERT_EQ(read->candidates.size(), 1u);
+  EXPECT_EQ(read->candidates[0].evidence.distance_rad, 0.25);
+}
+
 }  // namespace
 }  // namespace ostraka::decisions

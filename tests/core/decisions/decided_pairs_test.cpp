@@ -101,7 +101,7 @@ TEST_F(DecidedPairs, AreAllSettledWhenBothAreConfirmed) {
 
 TEST_F(DecidedPairs, KeepTheProgramsOwnScoreAndPose) {
   const PairTable table = with({pair(0, 1)});
-  EXPECT_NEAR(table.pairs[0].decision.score, with({}).pairs[0].decision.score, 1e-12);
+  EXPECT_NEAR(*table.pairs[0].decision.score, *with({}).pairs[0].decision.score, 1e-12);
   EXPECT_EQ(table.pairs[0].registration.front_from_back.matrix(),
             out_.table.find(0, 1)->registration.front_from_back.matrix());
 }
@@ -178,7 +178,8 @@ TEST_F(DecidedPairs, TheReviewShowsTheMostDoubtfulFirstAndTheDisplacedOnTop) {
   EXPECT_EQ(before->waiting(), 2);
   EXPECT_EQ(before->cards[0].doubt, pairing::Doubt::OtherPartner);
   EXPECT_EQ(before->cards[0].candidates.size(), 2u);
-  EXPECT_NEAR(before->cards[0].candidates[0].score + before->cards[0].candidates[1].score, 1, 1e-2);
+  EXPECT_NEAR(*before->cards[0].candidates[0].score + *before->cards[0].candidates[1].score, 1,
+              1e-2);
 
   const Result<review::Review> after = review::reviewOf(out_.table, {pair(0, 0)});
   ASSERT_TRUE(after.has_value());
@@ -358,6 +359,36 @@ TEST_F(DecidedPairs, PiecesAreCutAndJoinedAgain) {
   const EditedPieces beside = editedPieces({whole}, Side::Front, {cut});
   EXPECT_EQ(beside.scans.size(), 1u);
   EXPECT_EQ(beside.warnings.size(), 1u);
+}
+
+// Two fronts take the first back. Who decides for one of them leaves the other without a back.
+TEST_F(DecidedPairs, OfThePapersPairingHaveNoProbability) {
+  CandidateTable table = out_.table;
+  table.method = pairing::Method::Paper;
+  table.candidates.clear();
+  for (int f = 0; f < 4; ++f) {
+    RegisteredCandidate candidate;
+    candidate.evidence.front = f;
+    candidate.evidence.back = f == 1 ? 0 : f;
+    candidate.starts.emplace_back();
+    table.candidates.push_back(candidate);
+  }
+  const auto free = review::reviewOf(table, {});
+  ASSERT_TRUE(free.has_value());
+  EXPECT_EQ(free->ofFront(0)->doubt, pairing::Doubt::SharedBack);
+  EXPECT_EQ(free->ofFront(1)->doubt, pairing::Doubt::SharedBack);
+  EXPECT_EQ(free->ofFront(2)->state, review::CardState::Sure);
+  EXPECT_EQ(free->lone_backs, std::vector<int>{1});
+  for (const review::ReviewCard& card : free->cards) {
+    EXPECT_FALSE(card.score.has_value());
+    EXPECT_FALSE(card.candidates.at(0).score.has_value());
+  }
+  const Result<PairTable> decided =
+      assigned(table, settledBy({pair(0, 0)}, table), pairing::AssignOptions{});
+  ASSERT_TRUE(decided.has_value());
+  EXPECT_FALSE(decided->pairs.at(0).decision.score.has_value());
+  EXPECT_FALSE(decided->pairs.at(0).decision.ambiguous);
+  EXPECT_EQ(decided->unpaired_front, std::vector<int>{1});
 }
 
 }  // namespace

@@ -129,6 +129,18 @@ TEST(EvaluatePairs, RefusesUnknownScansAndScansInTwoPairs) {
   EXPECT_FALSE(evaluatePairs(proposal, truth, readBox).has_value());
 }
 
+TEST(EvaluatePairs, JudgesBothFrontsOfABackThatTheyShareAndSaySo) {
+  const PairsTruth truth = truthOf(2);
+  Proposal proposal = perfect(truth);
+  proposal.pairs[1].back = "b0";
+  for (ProposedPair& pair : proposal.pairs) pair.ambiguous = true;
+  const auto evaluation = evaluatePairs(proposal, truth, readBox);
+  ASSERT_TRUE(evaluation.has_value()) << evaluation.error().sentence();
+  EXPECT_TRUE(evaluation->verdicts.at(0).right);
+  EXPECT_FALSE(evaluation->verdicts.at(1).right);
+  EXPECT_FALSE(evaluation->verdicts.at(1).silent_error);
+}
+
 TEST(RegistrationError, IsTheShiftForAPureShift) {
   Eigen::Isometry3d found = Eigen::Isometry3d::Identity();
   found.translation() << 0.03, 0, 0.04;

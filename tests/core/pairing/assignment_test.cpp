@@ -26,7 +26,7 @@ TEST(AssignPairs, TakesTheBestTotalNotTheBestPair) {
   EXPECT_EQ(found->pairs[0].back, 1);
   EXPECT_EQ(found->pairs[1].back, 0);
   // The only rival is the swap, 6 below: 1 / (1 + e^-6), by hand.
-  EXPECT_NEAR(found->pairs[0].score, 1 / (1 + std::exp(-6)), 1e-3);
+  EXPECT_NEAR(*found->pairs[0].score, 1 / (1 + std::exp(-6)), 1e-3);
 }
 
 TEST(AssignPairs, LeavesScansAloneThatFitNobody) {
@@ -49,7 +49,7 @@ TEST(AssignPairs, AsksAboutTwoScansThatWouldBothStayAlone) {
   EXPECT_EQ(found->pairs[1].back, 0) << "the likelier of two";
   EXPECT_EQ(found->pairs[2].back, 2);
   for (const int k : {1, 2}) EXPECT_TRUE(found->pairs[k].ambiguous) << k;
-  EXPECT_LT(found->pairs[1].score, 0.5) << "less than even odds, and said so";
+  EXPECT_LT(*found->pairs[1].score, 0.5) << "less than even odds, and said so";
   EXPECT_TRUE(found->unpaired_front.empty());
   EXPECT_TRUE(found->unpaired_back.empty());
   evidence[1].check_failed = true;  // an error that the registration itself has seen is no question
@@ -62,7 +62,7 @@ TEST(AssignPairs, FlagsAPairThatAnotherPartnerExplainsNearlyAsWell) {
   const auto found = assignPairs(evidence, 1, 2, {});
   ASSERT_EQ(found->pairs.size(), 1u);
   EXPECT_TRUE(found->pairs[0].ambiguous);
-  EXPECT_NEAR(found->pairs[0].score, 1 / (1 + std::exp(-1)), 1e-6);
+  EXPECT_NEAR(*found->pairs[0].score, 1 / (1 + std::exp(-1)), 1e-6);
   ASSERT_EQ(found->pairs[0].alternatives.size(), 1u);
   EXPECT_EQ(found->pairs[0].alternatives[0].back, 1);
   EXPECT_NEAR(found->pairs[0].alternatives[0].score, 1 / (1 + std::exp(1)), 1e-6);
@@ -102,7 +102,7 @@ TEST(AssignPairs, DoesNotDependOnTheOrderOfTheScans) {
     });
     ASSERT_NE(same, b->pairs.end());
     EXPECT_EQ(same->back, back[static_cast<std::size_t>(d.back)]);
-    EXPECT_NEAR(same->score, d.score, 1e-9);
+    EXPECT_NEAR(*same->score, *d.score, 1e-9);
   }
 }
 
@@ -170,6 +170,48 @@ TEST(JointLogLikelihood, IsHeldDownByTheWeakerWitness) {
   EXPECT_NEAR(jointLogLikelihood(0, 100, 100), -std::log(0.98), 1e-9);
   EXPECT_NEAR(jointLogLikelihood(100, 50, 8) - jointLogLikelihood(100, 50, 1), -std::log(8.0),
               1e-9);
+}
+
+Evidence near(int front, int back, double distance_rad) {
+  Evidence e;
+  e.front = front, e.back = back, e.distance_rad = distance_rad;
+  return e;
+}
+
+TEST(NearestPairs, TakeWhatIsGivenAndStateNoProbability) {
+  std::vector<Evidence> evidence = {near(2, 0, 0.9), near(0, 1, 0.1)};
+  evidence[1].log_likelihood = -1000;  // says nothing here
+  const auto found = nearestPairs(evidence, 4, 3);
+  ASSERT_TRUE(found.has_value()) << found.error().sentence();
+  ASSERT_EQ(found->pairs.size(), 2u);
+  EXPECT_EQ(found->pairs[0].front, 0);
+  EXPECT_EQ(found->pairs[0].back, 1);
+  EXPECT_EQ(found->pairs[0].distance_rad, 0.1);
+  EXPECT_EQ(found->pairs[1].front, 2);
+  for (const Decision& d : found->pairs) {
+    EXPECT_FALSE(d.score.has_value());
+    EXPECT_FALSE(d.margin.has_value());
+    EXPECT_FALSE(d.ambiguous);
+  }
+  EXPECT_EQ(found->unpaired_front, (std::vector<int>{1, 3}));
+  EXPECT_EQ(found->unpaired_back, std::vector<int>{2});
+}
+
+TEST(NearestPairs, AreAmbiguousWhereTwoFrontsTakeOneBackOrTheCheckFails) {
+  std::vector<Evidence> evidence = {near(0, 0, 0.1), near(1, 0, 0.2), near(2, 1, 0.3)};
+  evidence[2].check_failed = true;
+  const auto found = nearestPairs(evidence, 3, 2);
+  ASSERT_TRUE(found.has_value()) << found.error().sentence();
+  ASSERT_EQ(found->pairs.size(), 3u);
+  EXPECT_EQ(found->pairs[0].doubt, Doubt::SharedBack);
+  EXPECT_EQ(found->pairs[1].doubt, Doubt::SharedBack);
+  EXPECT_EQ(found->pairs[2].doubt, Doubt::SelfCheck);
+  for (const Decision& d : found->pairs) EXPECT_TRUE(d.ambiguous);
+}
+
+TEST(NearestPairs, RefuseScansThatDoNotExist) {
+  const std::vector<Evidence> evidence = {near(0, 2, 0.1)};
+  EXPECT_EQ(nearestPairs(evidence, 1, 2).error().code, ErrorCode::UnusableInput);
 }
 
 }  // namespace

@@ -70,6 +70,30 @@ TEST_F(RegisterScans, AFrontWithoutItsBackIsNotWhole) {
   EXPECT_FALSE(summary->whole());
 }
 
+// The third back is missing: by likelihoods its front would stay alone.
+TEST_F(RegisterScans, ByThePapersPairingTakeTheNearestBackAndStateNoProbability) {
+  fs::remove(folder / "back/b003.ply");
+  RegisterOptions options;
+  options.front = folder / "front";
+  options.back = folder / "back";
+  options.output = folder / "out";
+  options.pairing = pairing::Method::Paper;
+  const auto summary = registerScans(options, quiet, {});
+  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
+  ASSERT_EQ(summary->pairs.size(), 3u);
+  EXPECT_EQ(summary->pairs[0].back, "b001");
+  EXPECT_EQ(summary->pairs[1].back, "b002");
+  EXPECT_TRUE(summary->pairs[2].ambiguous) << "its back is another front's, too";
+  const auto pairs = readJson(folder / "out/pairs.json");
+  ASSERT_TRUE(pairs.has_value());
+  for (const auto& pair : pairs->at("pairs")) {
+    EXPECT_TRUE(pair.at("score").is_null());
+    EXPECT_TRUE(pair.at("margin").is_null());
+    EXPECT_TRUE(pair.at("alternatives").empty());
+    EXPECT_GT(pair.at("distance_rad").get<double>(), 0);
+  }
+}
+
 // A cloud without an outline takes no part in the pairing, and says so where people look.
 TEST_F(RegisterScans, WhatStaysUnpairedForAReasonStandsAmongTheWarnings) {
   PointCloud line;

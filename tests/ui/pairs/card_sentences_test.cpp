@@ -16,6 +16,7 @@ class CardSentencesTest : public ReviewModel {
   void init() { open(); }
   void cleanup() { close(); }
   void theSentenceIsAboutWhatIsShown();
+  void aPairingWithoutProbabilityClaimsNone();
   void aPoseThatWasGivenByHandSaysSo();
   void aFrontWhoseBackWasGivenAwayNamesItAndTakesNoOthers();
   void undoingAnAcceptShowsThePoseThatWasInHand();
@@ -43,6 +44,19 @@ void CardSentencesTest::theSentenceIsAboutWhatIsShown() {
   review_->hand().stepSample(3);
   QTRY_VERIFY2(review_->hand().reason().startsWith("Trying another start point"),
                qPrintable(review_->hand().reason()));
+}
+
+void CardSentencesTest::aPairingWithoutProbabilityClaimsNone() {
+  review::ReviewCard card;
+  card.score = std::nullopt;
+  card.back = 0;
+  QCOMPARE(doubtSentence(card, out_.table, {}),
+           QStringLiteral("The nearest outline; no probability is known."));
+  card.state = review::CardState::Ask;
+  card.doubt = pairing::Doubt::SharedBack;
+  QCOMPARE(doubtSentence(card, out_.table, {}),
+           QStringLiteral("Another front takes the same back."));
+  QCOMPARE(scoreWords(std::nullopt), QStringLiteral("no probability"));
 }
 
 void CardSentencesTest::aPoseThatWasGivenByHandSaysSo() {

@@ -98,7 +98,7 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     drawing::DrawingOptions how = arguments.drawing;
     const auto photographs = photographsBeside(arguments.models[i], how.surface);
     if (!photographs)
-      how.remarks.push_back("Drawn without its photographs: " + photographs.error().sentence());
+      how.remarks.push_back("Drawn without its photographs: " + photographs.error().what);
     else if (*photographs)
       how.photographs = &**photographs;
     Result<SherdDrawing> drawing = drawSherd(model->mesh, id, how);

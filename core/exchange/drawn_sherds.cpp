@@ -101,7 +101,7 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
     if (read)
       photographs = std::move(*read);
     else
-      how.remarks.push_back("Drawn without its photographs: " + read.error().sentence());
+      how.remarks.push_back("Drawn without its photographs: " + read.error().what);
     if (photographs) how.photographs = &*photographs;
   }
   if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);

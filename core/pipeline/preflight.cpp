@@ -5,8 +5,8 @@
 #include <set>
 
 #include "base/text.h"
+#include "batch/mask_source.h"
 #include "colmap/colmap_program.h"
-#include "pipeline/mask_source.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -53,7 +53,7 @@ double workingMegapixels(const ProcessOptions& options, const batch::Batch& batc
 
 Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
                             double free_memory_mb) {
-  if (const auto masks = maskSource(options.masks, batch); !masks) return masks.error();
+  if (const auto masks = batch::maskSource(options.masks, batch); !masks) return masks.error();
   if (const std::string missing = missingProgram(batch, options); !missing.empty())
     return Error{
         ErrorCode::Missing,

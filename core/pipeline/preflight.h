@@ -23,7 +23,7 @@ double usualMegapixels(int photographs_of_a_side);
 double workingMegapixels(const ProcessOptions& options, const batch::Batch& batch);
 
 /// free_memory_mb: 0 when the system does not say. Errors: Missing for a program that a later
-/// stage would ask for, and those of maskSource.
+/// stage would ask for, and those of batch::maskSource.
 Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
                             double free_memory_mb);
 

@@ -40,12 +40,8 @@ Result<void> writePreview(const fs::path& file, const TriangleMesh& mesh,
                           const std::optional<texture::TexturedMesh>& textured) {
   model::PreviewOptions options;
   if (textured)
-    options.color_at = [&](const std::array<int, 3>& t, const std::array<double, 3>& w) {
-      Eigen::Vector2f place = Eigen::Vector2f::Zero();
-      for (std::size_t k = 0; k < 3; ++k)
-        place += static_cast<float>(w[k]) * textured->uv[static_cast<std::size_t>(t[k])];
-      const cv::Vec3f bgr = texture::levelAt(textured->texture.picture, place);
-      return Eigen::Vector3d(bgr[2], bgr[1], bgr[0]);
+    options.color_at = [&](const auto& triangle, const auto& weights) {
+      return texture::colourAt(*textured, triangle, weights);
     };
   return writeFileAtomically(
       file, texture::asPng(model::renderPreview(textured ? textured->mesh : mesh, options)));

@@ -6,13 +6,13 @@
 
 #include "base/parallel.h"
 #include "base/part_progress.h"
+#include "batch/mask_source.h"
 #include "batch/photograph.h"
 #include "cloud/ply.h"
 #include "files/files.h"
 #include "mask/given_mask.h"
 #include "mask/plate_mask.h"
 #include "pipeline/chain.h"
-#include "pipeline/mask_source.h"
 #include "pipeline/run_log.h"
 #include "pipeline/view_masks.h"
 #include "rig/turntable.h"
@@ -137,13 +137,13 @@ TurningPlate turningPlate(const batch::Plate& plate, batch::Way way,
 Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedImage>& images,
                                    const rig::SheetBend& bend,
                                    const std::optional<Eigen::AlignedBox2d>& ground) {
-  const Result<MaskSource> source = maskSource(run.options.masks, run.batch);
+  const Result<batch::MaskSource> source = batch::maskSource(run.options.masks, run.batch);
   if (!source) return source.error();
-  if (*source == MaskSource::Given) return givenMasks(run, images);
+  if (*source == batch::MaskSource::Given) return givenMasks(run, images);
   const Result<std::vector<cv::Mat>> photographs = photographsOf(images, run.options.threads);
   if (!photographs) return photographs.error();
-  if (*source == MaskSource::Network) return networkMasks(run, *photographs);
-  if (*source == MaskSource::Views)
+  if (*source == batch::MaskSource::Network) return networkMasks(run, *photographs);
+  if (*source == batch::MaskSource::Views)
     return masksFromViews(images, *photographs, ground, run.options.threads, run.progress,
                           run.stop);
   mask::PlateMaskOptions options;

@@ -82,6 +82,15 @@ cv::Vec3f levelAt(const cv::Mat3b& picture, const Eigen::Vector2f& place) {
          fy * ((1 - fx) * cv::Vec3f(picture(y1, x0)) + fx * cv::Vec3f(picture(y1, x1)));
 }
 
+Eigen::Vector3d colourAt(const TexturedMesh& model, const std::array<int, 3>& triangle,
+                         const std::array<double, 3>& weights) {
+  Eigen::Vector2f place = Eigen::Vector2f::Zero();
+  for (std::size_t k = 0; k < 3; ++k)
+    place += static_cast<float>(weights[k]) * model.uv[static_cast<std::size_t>(triangle[k])];
+  const cv::Vec3f bgr = levelAt(model.texture.picture, place);
+  return {bgr[2], bgr[1], bgr[0]};
+}
+
 std::string asJpeg(const cv::Mat3b& picture) {
   std::vector<unsigned char> bytes;
   cv::imencode(".jpg", picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 95});

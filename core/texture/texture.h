@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <array>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <stop_token>
@@ -40,6 +41,10 @@ Result<std::optional<TexturedMesh>> openedGlb(std::string_view glb, const std::s
 /// The picture's level, BGR 0..255, at a place of 0..1 from its top left corner, by the four texels
 /// around.
 cv::Vec3f levelAt(const cv::Mat3b& picture, const Eigen::Vector2f& place);
+
+/// The colour, red, green and blue 0..255, at a place of a triangle by the weights of its corners.
+Eigen::Vector3d colourAt(const TexturedMesh& model, const std::array<int, 3>& triangle,
+                         const std::array<double, 3>& weights);
 
 /// The picture as a JPEG file, quality 95.
 std::string asJpeg(const cv::Mat3b& picture);

@@ -11,9 +11,9 @@
 
 #include "batch/batch.h"
 #include "batch/exif.h"
+#include "batch/mask_source.h"
 #include "batch/photographs.h"
 #include "files/files.h"
-#include "pipeline/mask_source.h"
 #include "pipeline/proposed_sheet.h"
 #include "rig/plate_print.h"
 
@@ -57,7 +57,7 @@ Result<std::vector<Taken>> batchIn(const fs::path& folder, Progress& progress) {
   const Result<batch::Batch> batch = batch::readBatch(folder, {}, progress);
   if (!batch) return batch.error();
   // Better now than at the end of an hour in the queue.
-  if (const auto masks = pipeline::maskSource("auto", *batch); !masks) return masks.error();
+  if (const auto masks = batch::maskSource("auto", *batch); !masks) return masks.error();
   std::vector<Taken> files;
   std::error_code error;
   for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
@@ -89,7 +89,7 @@ Result<std::vector<Taken>> sidesOf(const ImportSides& sides, Progress& progress)
   }
   const Result<batch::Batch> batch = batch::freeCameraBatch(free, {}, {}, options, progress);
   if (!batch) return batch.error();
-  if (const auto masks = pipeline::maskSource("auto", *batch); !masks) return masks.error();
+  if (const auto masks = batch::maskSource("auto", *batch); !masks) return masks.error();
   std::vector<Taken> files;
   for (const batch::Shot& shot : batch->shots)
     files.push_back({shot.file, batch::name(shot.side) / shot.file.filename()});

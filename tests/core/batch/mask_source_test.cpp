@@ -1,20 +1,20 @@
-#include "pipeline/mask_source.h"
+#include "batch/mask_source.h"
 
 #include <gmock/gmock.h>
 
-namespace ostraka::pipeline {
+namespace ostraka::batch {
 namespace {
 
-batch::Batch withMasks(int count) {
-  batch::Batch batch;
+Batch withMasks(int count) {
+  Batch batch;
   batch.folder = "/somewhere/batch";
   for (int k = 0; k < 3; ++k)
-    batch.shots.push_back({batch::Side::Front, 0, k, "a.jpg", k < count ? "a.png" : "", 10, 10});
+    batch.shots.push_back({Side::Front, 0, k, "a.jpg", k < count ? "a.png" : "", 10, 10});
   return batch;
 }
 
 TEST(MaskSource, TakesTheMasksThatCameAlongOnlyWithoutAPlate) {
-  batch::Batch batch = withMasks(3);
+  Batch batch = withMasks(3);
   EXPECT_EQ(*maskSource("auto", batch), MaskSource::Given);
   batch.plate.emplace();
   EXPECT_EQ(*maskSource("auto", batch), MaskSource::Plate);
@@ -31,12 +31,12 @@ TEST(MaskSource, AsksForMasksWhereThereIsNeitherPlateNorMask) {
 }
 
 TEST(MaskSource, FindsMasksFromThePhotographsByHandThemselves) {
-  batch::Batch by_hand = withMasks(0);
-  by_hand.way = batch::Way::FreeCamera;
+  Batch by_hand = withMasks(0);
+  by_hand.way = Way::FreeCamera;
   EXPECT_EQ(*maskSource("auto", by_hand), MaskSource::Views);
   by_hand.shots[0].mask_file = "a.png";
   EXPECT_EQ(*maskSource("auto", by_hand), MaskSource::Given);
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::batch

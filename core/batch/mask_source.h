@@ -4,7 +4,7 @@
 #include "base/result.h"
 #include "batch/batch.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::batch {
 
 enum class MaskSource { Plate, Given, Network, Views };
 
@@ -12,6 +12,6 @@ enum class MaskSource { Plate, Given, Network, Views };
 /// the plate, or without one the masks that came along, or without these the photographs by hand
 /// themselves. Errors: UnusableInput for a rig's photographs without plate and masks, since the
 /// room that stands still around a turning plate misleads COLMAP.
-Result<MaskSource> maskSource(const std::string& masks, const batch::Batch& batch);
+Result<MaskSource> maskSource(const std::string& masks, const Batch& batch);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::batch

@@ -1,0 +1,75 @@
+// What an export leaves out or refuses.
+#include <gmock/gmock.h>
+
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
+#include "exchange/export_folder.h"
+#include "exported_project.h"
+#include "records/records.h"
+#include "records/sherd.h"
+#include "sherds/sherds.h"
+#include "store/database.h"
+
+namespace ostraka::exchange {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace catalogue;
+
+using RefusedExport = ExportedProject;
+
+TEST_F(RefusedExport, TakesNothingAlongFromOutsideTheProject) {
+  const fs::path secret = folder_.path() / "secret";
+  put(secret, "SECRET");
+  fs::remove(pictureOf(0));
+  fs::create_symlink(secret, pictureOf(0));
+  catalogue()
+      .database()
+      .sql("UPDATE sherd SET preview_path = '../secret' WHERE row = ?")
+      .with(rows[1])
+      .run();
+  catalogue()
+      .database()
+      .sql("UPDATE file SET path = ? WHERE role = 'photo'")
+      .with(secret.string())
+      .run();
+  const auto exported = exportTo("out", {Form::Pictures, Form::Photographs});
+  ASSERT_TRUE(exported) << exported.error().sentence();
+  EXPECT_EQ(exported->warnings.size(), 3u);
+  int pictures = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / "out")) {
+    if (!entry.is_regular_file()) continue;
+    EXPECT_EQ(readFile(entry.path())->find("SECRET"), std::string::npos) << entry.path();
+    pictures += entry.path().extension() == ".png" ? 1 : 0;
+  }
+  EXPECT_EQ(pictures, 1) << "the third sherd's";
+  fs::remove(modelOf(2));
+  fs::create_symlink(secret, modelOf(2));
+  EXPECT_FALSE(exchange::modelOf(*sherds::Sherds(catalogue()).get(rows[2]), project_->folder()));
+}
+
+TEST_F(RefusedExport, NamesTheValueThatNoFileCanHold) {
+  catalogue().database().script("UPDATE sherd_measure SET weight = 9e999 WHERE sherd = 1");
+  for (const Form form : {Form::Csv, Form::Ods}) {
+    const Result<Exported> endless = exportTo("out", {form});
+    ASSERT_FALSE(endless);
+    EXPECT_EQ(endless.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(endless.error().where, "ARM1-T3-0012-0001, weight_g");
+  }
+  catalogue().database().script(
+      "UPDATE sherd_measure SET weight = 23.4 WHERE sherd = 1; UPDATE sherd SET ware = "
+      "CAST(x'ff' AS TEXT) WHERE row = 2");
+  EXPECT_EQ(exportTo("out", {Form::Csv}).error().where, "ARM1-T3-0012-0002, ware");
+  EXPECT_EQ(exportTo("out", {Form::Ods}).error().where, "ARM1-T3-0012-0002, ware");
+  EXPECT_EQ(exportTo("out", {Form::Json}).error().where, "ARM1-T3-0012-0002/description/ware");
+  catalogue().database().script(
+      "UPDATE sherd SET ware = '' WHERE row = 2; UPDATE site SET name = CAST(x'ff' AS TEXT)");
+  const Result<Exported> json = exportTo("out", {Form::Json});
+  ASSERT_FALSE(json);
+  EXPECT_EQ(json.error().what, "The text is not valid UTF-8 or contains a zero byte.");
+  EXPECT_THAT(json.error().where, testing::StartsWith("metadata/places.json/"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "out"));
+}
+
+}  // namespace
+}  // namespace ostraka::exchange

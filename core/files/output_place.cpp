@@ -111,7 +111,10 @@ Result<void> checkNoLinkInProject(const fs::path& place) {
   for (fs::path at = named.lexically_relative(project); !at.empty(); at = at.parent_path())
     folders.push_back(at.string());
   const std::vector<std::string_view> names(folders.begin(), folders.end());
-  return checkNoLinkedFolder(project, names, LinkedFolders::OfTheseNames);
+  if (Result<void> own = checkNoLinkedFolder(project, names, LinkedFolders::OfTheseNames); !own)
+    return own;
+  // The way to it may lead out of another project, into which a link was put.
+  return fs::is_symlink(project, failed) ? checkNoLinkInProject(project) : Result<void>();
 }
 
 Result<void> checkNoLinkedFolder(const fs::path& folder, std::span<const std::string_view> names,

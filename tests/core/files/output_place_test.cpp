@@ -136,6 +136,20 @@ TEST_F(OutputPlaces, OfWhatFillsAProjectAreNoLinks) {
   EXPECT_EQ(batch.error().where, (project / "batches").string());
   fs::create_directory_symlink(beside, root / "linked");
   EXPECT_TRUE(checkNoLinkInProject(root / "linked" / "out")) << "in no project";
+  fs::create_directory_symlink(project, root / "way");
+  EXPECT_TRUE(checkNoLinkInProject(root / "way" / "results" / "B0003")) << "a link to a project";
+}
+
+TEST_F(OutputPlaces, OfAProjectAreNotReachedThroughAnotherProject) {
+  std::ofstream(beside / "catalogue.sqlite") << "another project's";
+  fs::create_directories(project / "models");
+  const fs::path link = project / "models" / "B0001";
+  fs::create_directory_symlink(beside, link);
+  for (const fs::path& place : {link, link / "results", link / "results" / "B0001"}) {
+    const Result<void> reached = checkNoLinkInProject(place);
+    ASSERT_FALSE(reached) << place;
+    EXPECT_EQ(reached.error().where, link.string());
+  }
 }
 
 TEST_F(OutputPlaces, FoldersThatAreEmptiedAreNoLinks) {

@@ -9114,9 +9114,9 @@
       <translation>Ein Link hat den Platz der Sperrdatei dieses Ordners eingenommen; den Link löschen.</translation>
     </message>
     <message>
-        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <source>A link has taken the place of a folder of a project or of a result; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ein Link steht an der Stelle eines Ordners, in den Ostraka schreibt und den es leert; worauf er zeigt, blieb unberührt. Löschen Sie den Link, oder verschieben Sie den Ordner selbst hierher.</translation>
+        <translation>Ein Link steht an der Stelle eines Ordners, der zu einem Projekt oder einem Ergebnis gehört; worauf er zeigt, blieb unberührt. Löschen Sie den Link, oder verschieben Sie den Ordner selbst hierher.</translation>
     </message>
     <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>

@@ -9109,9 +9109,9 @@
       <translation>Ένας σύνδεσμος βρίσκεται στη θέση του κλειδώματος αυτού του φακέλου· διαγράψτε τον.</translation>
     </message>
     <message>
-        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <source>A link has taken the place of a folder of a project or of a result; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ένας σύνδεσμος πήρε τη θέση ενός φακέλου στον οποίο γράφει και τον οποίο αδειάζει το Ostraka· αυτό στο οποίο οδηγεί δεν αγγίχτηκε. Διαγράψτε τον σύνδεσμο ή μετακινήστε τον ίδιο τον φάκελο εδώ.</translation>
+        <translation>Ένας σύνδεσμος πήρε τη θέση ενός φακέλου έργου ή αποτελεσμάτων· αυτό στο οποίο οδηγεί δεν αγγίχτηκε. Διαγράψτε τον σύνδεσμο ή μετακινήστε τον ίδιο τον φάκελο εδώ.</translation>
     </message>
     <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>

@@ -9109,9 +9109,9 @@
       <translation>Un enlace ha ocupado el lugar del archivo de bloqueo de esta carpeta; borre el enlace.</translation>
     </message>
     <message>
-        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <source>A link has taken the place of a folder of a project or of a result; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Un enlace ha ocupado el lugar de una carpeta en la que Ostraka escribe y que vacía; aquello a lo que conduce no se ha tocado. Elimine el enlace, o mueva aquí la propia carpeta.</translation>
+        <translation>Un enlace ha ocupado el lugar de una carpeta de un proyecto o de un resultado; aquello a lo que conduce no se ha tocado. Elimine el enlace, o mueva aquí la propia carpeta.</translation>
     </message>
     <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>

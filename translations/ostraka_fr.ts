@@ -9109,9 +9109,9 @@
       <translation>Un lien se trouve à la place du verrou de ce dossier ; supprimez-le.</translation>
     </message>
     <message>
-        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <source>A link has taken the place of a folder of a project or of a result; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Un lien a pris la place d’un dossier dans lequel Ostraka écrit et qu’il vide ; ce vers quoi il mène n’a pas été touché. Supprimez le lien, ou déplacez le dossier lui-même ici.</translation>
+        <translation>Un lien a pris la place d’un dossier d’un projet ou d’un résultat ; ce vers quoi il mène n’a pas été touché. Supprimez le lien, ou déplacez le dossier lui-même ici.</translation>
     </message>
     <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>

@@ -9109,9 +9109,9 @@
       <translation>Այս պանակի կողպեքի տեղում հղում է. ջնջեք այն։</translation>
     </message>
     <message>
-        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <source>A link has taken the place of a folder of a project or of a result; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Հղումը գրավել է այն պանակի տեղը, որտեղ Ostraka-ն գրում է և որը դատարկում է. այն, ուր այն տանում է, անձեռնմխելի է մնացել։ Ջնջեք հղումը կամ տեղափոխեք պանակն այստեղ։</translation>
+        <translation>Հղումը գրավել է նախագծի կամ արդյունքի պանակի տեղը. այն, ուր այն տանում է, անձեռնմխելի է մնացել։ Ջնջեք հղումը կամ տեղափոխեք պանակն այստեղ։</translation>
     </message>
     <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>

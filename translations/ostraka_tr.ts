@@ -9062,9 +9062,9 @@
       <translation>Bu klasörün kilidinin yerinde bir bağlantı duruyor; onu silin.</translation>
     </message>
     <message>
-        <source>A link has taken the place of a folder that Ostraka writes to and empties; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
+        <source>A link has taken the place of a folder of a project or of a result; what it leads to was not touched. Delete the link, or move the folder itself here.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Bir bağlantı, Ostraka'nın yazdığı ve boşalttığı bir klasörün yerini almış; gösterdiği yere dokunulmadı. Bağlantıyı silin ya da klasörün kendisini buraya taşıyın.</translation>
+        <translation>Bir bağlantı, bir projenin ya da bir sonucun klasörünün yerini almış; gösterdiği yere dokunulmadı. Bağlantıyı silin ya da klasörün kendisini buraya taşıyın.</translation>
     </message>
     <message>
       <source>No temporary folder can be created here (%1); free some space, or set TMPDIR to another folder.</source>

@@ -121,8 +121,8 @@ Result<void> checkNoLinkedFolder(const fs::path& folder, std::span<const std::st
                                  LinkedFolders which) {
   const auto refused = [](const fs::path& link) {
     return Error::unusable(
-        "A link has taken the place of a folder that Ostraka writes to and empties; what it leads "
-        "to was not touched. Delete the link, or move the folder itself here.",
+        "A link has taken the place of a folder of a project or of a result; what it leads to was "
+        "not touched. Delete the link, or move the folder itself here.",
         link.string());
   };
   for (const std::string_view name : names) {

@@ -130,9 +130,9 @@ Sentences CoreSentences::ofBase() {
       QT_TR_NOOP("This is a socket, not a file; choose a file."),
       QT_TR_NOOP("This is a device, not a file; choose a file."),
       QT_TR_NOOP("A link has taken the place of this folder's lock file; delete the link."),
-      QT_TR_NOOP(
-          "A link has taken the place of a folder that Ostraka writes to and empties; what it "
-          "leads to was not touched. Delete the link, or move the folder itself here."),
+      QT_TR_NOOP("A link has taken the place of a folder of a project or of a result; what it "
+                 "leads to was "
+                 "not touched. Delete the link, or move the folder itself here."),
       QT_TR_NOOP("No temporary folder can be created here (%1); free some space, or set TMPDIR to "
                  "another folder."),
       QT_TR_NOOP("The JSON contains '%1' twice in one object; delete one of the two."),

@@ -77,8 +77,9 @@ Result<std::string> formatObj(const TriangleMesh& mesh, const std::vector<Eigen:
   return formatted(mesh, &texture);
 }
 
+// No ambient light beside the diffuse one: viewers add the two, and the photographs turn white.
 std::string formatMtl(const std::string& picture_file) {
-  return std::string("newmtl ") + kMaterial + "\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " +
+  return std::string("newmtl ") + kMaterial + "\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd " +
          picture_file + '\n';
 }
 

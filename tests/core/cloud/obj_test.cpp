@@ -31,7 +31,7 @@ TEST(Obj, APictureHasItsPlacesFromTheLowerLeftCornerAndTakesThePlaceOfColours) {
             "vt 0 1\nvt 1 0.75\nvt 0.5 0\nusemtl photographs\n"
             "vn 0 0 1\nvn 0 0 1\nvn 0 0 1\nf 1/1/1 2/2/2 3/3/3\n");
   EXPECT_EQ(formatMtl("a.png"),
-            "newmtl photographs\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd a.png\n");
+            "newmtl photographs\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd a.png\n");
   EXPECT_FALSE(formatObj(mesh, {{0, 0}}, "a.mtl")) << "a vertex without a place";
 }
 

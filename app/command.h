@@ -52,7 +52,10 @@ void addManPages(CLI::App& root, Command& chosen);
 
 /// Options that several commands have.
 void addThreads(CLI::App& command, int& threads);
-void addPairing(CLI::App& command, pairing::Method& pairing, registration::Method& registration);
+void addPairing(CLI::App& command, pairing::Method& pairing, registration::Method& registration,
+                registration::Boundary& boundary);
+/// Throws CLI::ValidationError where the boundary is chosen for a method that has none.
+void checkBoundary(registration::Method registration, registration::Boundary boundary);
 
 /// What the same command does after a person stopped it.
 enum class WhenStopped { BeginsAnew, GoesOn };

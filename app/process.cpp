@@ -156,8 +156,9 @@ void addProcess(CLI::App& root, Command& chosen) {
   command->add_flag_callback(
       "--draft", [options] { options->megapixels = pipeline::kDraftMegapixels; },
       "A quick look, coarser; the same command without it computes the final models");
-  addPairing(*command, options->pairing, options->registration);
+  addPairing(*command, options->pairing, options->registration, options->boundary);
   command->callback([options, &chosen] {
+    checkBoundary(options->registration, options->boundary);
     chosen = [options](Session& session) { return runProcess(*options, session); };
   });
 }

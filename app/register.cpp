@@ -76,14 +76,17 @@ void addRegister(CLI::App& root, Command& chosen) {
   command->add_option("--output,-o", options->output, "Folder for the result; made when absent")
       ->required();
   command
-      ->add_option("--scale", options->scale,
-                   "fixed: both sides are in mm; free: the sides' scales differ")
+      ->add_option(
+          "--scale", options->scale,
+          "fixed: both sides are in mm; free: the sides' scales differ; bbicp then finds each "
+          "pair's own on the way (Ying et al. 2009)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Scale>{
           {"fixed", pairing::Scale::Fixed}, {"free", pairing::Scale::Free}}))
       ->default_str("fixed");
-  addPairing(*command, options->pairing, options->registration);
+  addPairing(*command, options->pairing, options->registration, options->boundary);
   addThreads(*command, options->threads);
   command->callback([options, &chosen] {
+    checkBoundary(options->registration, options->boundary);
     chosen = [options](Session& session) { return runRegister(*options, session); };
   });
 }

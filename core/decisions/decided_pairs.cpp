@@ -225,8 +225,10 @@ Result<Registration> registerDecided(const PairDecision& decision, const scan::S
     for (const pairing::PairCandidate& c : *found)
       for (const pairing::StartPose& start : c.starts) starts.push_back(start.front_from_back);
   }
-  const auto front_strip = registration::prepareStrip(front, options.registration.strip);
-  const auto back_strip = registration::prepareStrip(back, options.registration.strip);
+  const auto front_strip =
+      registration::prepareStrip(front, options.registration.strip, constraints.front);
+  const auto back_strip =
+      registration::prepareStrip(back, options.registration.strip, constraints.back);
   Result<Registration> found =
       !front_strip  ? Result<Registration>(front_strip.error())
       : !back_strip ? Result<Registration>(back_strip.error())

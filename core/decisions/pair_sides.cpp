@@ -134,10 +134,12 @@ struct PreparedStrip {
 };
 
 std::vector<PreparedStrip> stripsOf(std::span<const scan::Scan> scans,
-                                    const registration::StripOptions& options, int threads) {
+                                    const registration::StripOptions& options,
+                                    std::span<const registration::SilhouetteView> views,
+                                    int threads) {
   std::vector<PreparedStrip> strips(scans.size());
   parallelFor(scans.size(), threads, [&](std::size_t i) {
-    Result<registration::Strip> strip = registration::prepareStrip(scans[i], options);
+    Result<registration::Strip> strip = registration::prepareStrip(scans[i], options, views);
     if (strip) {
       strips[i].strip = std::move(*strip);
     } else {
@@ -170,8 +172,10 @@ Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
   const Result<std::vector<pairing::PairCandidate>> candidates =
       pairing::findCandidates(fronts, backs, options.candidates, notes, stop);
   if (!candidates) return candidates.error();
-  const auto front_strips = stripsOf(fronts, options.registration.strip, options.threads);
-  const auto back_strips = stripsOf(backs, options.registration.strip, options.threads);
+  const auto front_strips =
+      stripsOf(fronts, options.registration.strip, constraints.front, options.threads);
+  const auto back_strips =
+      stripsOf(backs, options.registration.strip, constraints.back, options.threads);
 
   std::vector<Registered> registered(candidates->size());
   QuietProgress quiet;

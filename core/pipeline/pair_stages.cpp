@@ -83,6 +83,7 @@ decisions::PairOptions optionsOf(const Run& run) {
   options.candidates.threads = run.options.threads;
   options.candidates.method = run.options.pairing;
   options.registration.method = run.options.registration;
+  options.registration.strip.boundary = run.options.boundary;
   // Sherds are turned over beside where they lay on a plate; over a sheet they may come anywhere.
   const bool beside = run.batch.plate && run.batch.way == batch::Way::Rig;
   options.place = beside ? decisions::PlaceEvidence::Weak : decisions::PlaceEvidence::None;
@@ -188,18 +189,19 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
     return StageNotes{{{"candidates", pairs->candidates}, {"pairs", pairs->pairs.size()}},
                       kept.warnings};
   };
-  Result<StageRecord> record =
-      runStage(run, "pairs",
-               {{"poses", poses.record.outputs_hash},
-                {"front_masks", front_masks.record.outputs_hash},
-                {"back_masks", back_masks.record.outputs_hash},
-                {"fronts", fronts.record.outputs_hash},
-                {"backs", backs.record.outputs_hash},
-                {"pairing", static_cast<int>(run.options.pairing)},
-                {"registration", static_cast<int>(run.options.registration)},
-                {"photographs", run.photographs},
-                {"leaves", "candidates and supports"}},
-               compare);
+  ordered_json inputs = {{"poses", poses.record.outputs_hash},
+                         {"front_masks", front_masks.record.outputs_hash},
+                         {"back_masks", back_masks.record.outputs_hash},
+                         {"fronts", fronts.record.outputs_hash},
+                         {"backs", backs.record.outputs_hash},
+                         {"pairing", static_cast<int>(run.options.pairing)},
+                         {"registration", static_cast<int>(run.options.registration)},
+                         {"photographs", run.photographs},
+                         {"leaves", "candidates and supports"}};
+  // No new key for what is usual: results of before stay valid.
+  if (run.options.boundary != registration::Boundary::Strip)
+    inputs["boundary"] = static_cast<int>(run.options.boundary);
+  Result<StageRecord> record = runStage(run, "pairs", inputs, compare);
   if (!record) return record.error();
   std::string folder = "pairs";
   const decisions::Decisions decisions = aboutPartners(run.decisions);

@@ -35,6 +35,7 @@ struct ProcessOptions {
   std::optional<double> megapixels;
   pairing::Method pairing = pairing::Method::Default;
   registration::Method registration = registration::Method::Default;
+  registration::Boundary boundary = registration::Boundary::Strip;
   int threads = 0;  ///< 0: all that this process may use; the result does not depend on it
   std::vector<std::string> warnings;  ///< what is known of the batch already; in the results, too
 

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "baselines/fast_global_registration.h"
 #include "baselines/pcl_methods.h"
+#include "baselines/super_four_point_sets.h"
 #include "cloud/point_cloud.h"
 #include "registration/bilateral_boundary_icp.h"
 #include "registration/break_misfit.h"
@@ -152,6 +153,7 @@ void turnLoose(FittedPose& best, std::vector<FittedPose>& rivals, const Strip& f
 struct FoundPose {
   Isometry3d front_from_back;
   int start = 0;
+  double scale = 1;
 };
 
 Result<FoundPose> byBoundaries(const Strip& front, const Strip& back,
@@ -159,6 +161,7 @@ Result<FoundPose> byBoundaries(const Strip& front, const Strip& back,
                                const RegistrationOptions& options, std::stop_token stop) {
   BilateralBoundaryIcpOptions icp;
   icp.first_radius_mm = options.first_radius_mm;
+  icp.free_scale = options.free_scale;
   std::optional<BilateralBoundaryFit> best;
   int best_start = -1;
   std::optional<Error> failure;
@@ -176,7 +179,7 @@ Result<FoundPose> byBoundaries(const Strip& front, const Strip& back,
     best_start = start.start;
   }
   if (!best) return *failure;
-  return FoundPose{best->front_from_back, best_start};
+  return FoundPose{best->front_from_back, best_start, best->scale};
 }
 
 PointCloud fractureOf(const Strip& strip) {
@@ -230,6 +233,8 @@ Result<FoundPose> byGlobalMethod(const Strip& front, const Strip& back,
       case Method::KeypointFourPointSets:
         return baselines::keypointFourPointSets(front_points, back_points,
                                                 baselines::keypointDefaults(), stop);
+      case Method::SuperFourPointSets:
+        return baselines::superFourPointSets(front_points, back_points, {}, stop);
       default:
         return baselines::fastGlobalRegistration(front_points, back_points, {}, stop);
     }
@@ -255,8 +260,15 @@ Result<Registration> byOthers(const Strip& front, const Strip& back,
       : icp ? byIcp(front, back, starts, constraints, pair, options, stop)
             : byGlobalMethod(front, back, starts, pair, method, stop);
   if (!found) return found.error();
-  const FittedPose pose = measuredPose(found->front_from_back, found->start, pair);
-  return checked(reported(pose, pair, front, back), front, back);
+  const auto measured = [&](const Strip& sized, const PairFit& sized_pair) {
+    const FittedPose pose = measuredPose(found->front_from_back, found->start, sized_pair);
+    Registration registration = checked(reported(pose, sized_pair, front, sized), front, sized);
+    registration.scale = found->scale;
+    return registration;
+  };
+  if (found->scale == 1) return measured(back, pair);
+  const Strip sized = scaled(back, found->scale);
+  return measured(sized, PairFit(front, sized, constraints, options));
 }
 
 }  // namespace
@@ -269,7 +281,8 @@ const std::map<std::string, Method>& methodsByName() {
                                                          {"fpfh-ransac", Method::FeatureRansac},
                                                          {"4pcs", Method::FourPointSets},
                                                          {"k4pcs", Method::KeypointFourPointSets},
-                                                         {"fgr", Method::FastGlobal}};
+                                                         {"fgr", Method::FastGlobal},
+                                                         {"super4pcs", Method::SuperFourPointSets}};
   return kMethods;
 }
 
@@ -346,9 +359,9 @@ Result<Registration> registerSides(const scan::Scan& front, const scan::Scan& ba
                                    const Constraints& constraints,
                                    const RegistrationOptions& options, Progress& progress,
                                    std::stop_token stop) {
-  auto front_strip = prepareStrip(front, options.strip);
+  auto front_strip = prepareStrip(front, options.strip, constraints.front);
   if (!front_strip) return front_strip.error();
-  auto back_strip = prepareStrip(back, options.strip);
+  auto back_strip = prepareStrip(back, options.strip, constraints.back);
   if (!back_strip) return back_strip.error();
   return registerSides(*front_strip, *back_strip, starts, constraints, options, progress, stop);
 }

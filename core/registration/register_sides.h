@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <map>
-#include <opencv2/core/mat.hpp>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -9,22 +8,17 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "registration/strip.h"
-#include "rig/camera.h"
 #include "rig/sheet_bend.h"
 #include "scan/scan.h"
 
 namespace ostraka::registration {
 
-/// A photograph's mask as a constraint: the registered sherd must fill it and stay inside.
-struct SilhouetteView {
-  rig::PosedImage camera;
-  cv::Mat1b mask;  ///< coverage 0..255; of this sherd, or of all sherds of that side
-};
-
 /// What is known beside the two scans.
 struct Constraints {
-  std::span<const SilhouetteView> front, back;  ///< in the scans' own frames; may be empty
-  rig::Support front_support, back_support;     ///< in the scans' own frames, z up
+  /// In the scans' own frames; may be empty. The registered sherd must fill the masks and stay
+  /// inside.
+  std::span<const SilhouetteView> front, back;
+  rig::Support front_support, back_support;  ///< in the scans' own frames, z up
 };
 
 /// Default is ours because no library weighs the fracture, the rest on the plate, the silhouettes
@@ -39,7 +33,8 @@ enum class Method {
   FeatureRansac,  ///< FPFH + RANSAC; this and all that follow ask no start
   FourPointSets,
   KeypointFourPointSets,
-  FastGlobal  ///< in no package of Debian 12
+  FastGlobal,         ///< in no package of Debian 12
+  SuperFourPointSets  ///< likewise
 };
 /// As options name them: "default", "bbicp", ...
 const std::map<std::string, Method>& methodsByName();
@@ -49,6 +44,7 @@ struct RegistrationOptions {
   StripOptions strip;
   double first_radius_mm = 3.0;  ///< start poses hold to a third of a wall in height
   double last_radius_mm = 0.35;  ///< about one scan spacing; grows with the strips' own noise
+  bool free_scale = false;       ///< of BilateralBoundary: the pair's own scale, found on the way
   double max_normal_angle_rad = 0.785;  ///< 45 degrees: beyond, it is another face
   double height_step_mm = 2.0;          ///< starts are also tried this much higher and lower
   int max_survivors = 3;                ///< starts that go on to the fine rounds
@@ -70,7 +66,7 @@ enum class FailedCheck {
 /// Where the back belongs, and how far that can be trusted.
 struct Registration {
   Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
-  double scale = 1;             ///< front size / back size, where the batch has none
+  double scale = 1;             ///< front size / back size: p_front = T (scale * p_back)
   double fracture_rms_mm = 0;   ///< normal-checked closest pairs of the strips, point to plane
   double fracture_overlap = 0;  ///< share of the strip points in reach that have a partner
   double misfit_mm = 0;         ///< how far the breaks differ, noise averaged away; 0: nothing met
@@ -102,7 +98,7 @@ Result<Registration> registerSides(const scan::Scan& front, const scan::Scan& ba
                                    const RegistrationOptions& options, Progress& progress,
                                    std::stop_token stop);
 
-/// The same for strips prepared once with prepareStrip(scan, options.strip).
+/// The same for strips prepared once with prepareStrip(scan, options.strip, views of its side).
 Result<Registration> registerSides(const Strip& front, const Strip& back,
                                    std::span<const Eigen::Isometry3d> front_from_back_starts,
                                    const Constraints& constraints,

@@ -76,7 +76,6 @@ StripLevel thinnedLevel(const StripLevel& fine, const std::vector<Color>& colour
     level.points.push_back(fine.points[i]);
     level.normals.push_back(fine.normals[i]);
     level.weights.push_back(fine.weights[i]);
-    level.end.push_back(fine.end[i]);
   }
   level.tree = KdTree(level.points);
   std::vector<std::array<double, 3>> sums;
@@ -120,9 +119,50 @@ void addShell(const PointCloud& cloud, const KdTree& tree, double edge_mm, Strip
   strip.radius_mm = std::sqrt(sum / std::max<double>(1.0, static_cast<double>(strip.shell.size())));
 }
 
+std::vector<Vector3f> scaledPoints(const std::vector<Vector3f>& points, double factor) {
+  std::vector<Vector3f> sized = points;
+  for (Vector3f& p : sized) p *= static_cast<float>(factor);
+  return sized;
+}
+
+StripLevel scaledLevel(const StripLevel& level, double factor) {
+  StripLevel sized;
+  sized.points = scaledPoints(level.points, factor);
+  sized.normals = level.normals;
+  sized.weights = level.weights;
+  sized.colours = level.colours;
+  for (ColourDetail& colour : sized.colours) colour.slope /= static_cast<float>(factor);
+  sized.tree = KdTree(sized.points);
+  return sized;
+}
+
 }  // namespace
 
-Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) {
+Strip scaled(const Strip& strip, double factor) {
+  Strip sized;
+  sized.coarse = scaledLevel(strip.coarse, factor);
+  sized.fine = scaledLevel(strip.fine, factor);
+  sized.boundary = scaledPoints(strip.boundary, factor);
+  sized.all = scaledPoints(strip.all, factor);
+  sized.shell = scaledPoints(strip.shell, factor);
+  sized.shell_normals = strip.shell_normals;
+  sized.shell_inside = strip.shell_inside;
+  sized.up = strip.up;
+  sized.centre = factor * strip.centre;
+  sized.radius_mm = factor * strip.radius_mm;
+  sized.noise_mm = factor * strip.noise_mm;
+  sized.spacing_mm = factor * strip.spacing_mm;
+  return sized;
+}
+
+const std::map<std::string, Boundary>& boundariesByName() {
+  static const std::map<std::string, Boundary> kBoundaries = {{"strip", Boundary::Strip},
+                                                              {"paper", Boundary::Paper}};
+  return kBoundaries;
+}
+
+Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options,
+                           std::span<const SilhouetteView> views) {
   if (!scan.cloud.hasNormals())
     return Error{ErrorCode::NotEnough, "The scan has no normals; export it with normals.", scan.id};
   const bool dense = medianSpacing(scan.cloud) < 0.7 * kUsefulSpacingMm;
@@ -152,7 +192,8 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
     strip.fine.normals.push_back(patch.normal);
     if (!cloud.colors.empty()) colours.push_back(cloud.colors[static_cast<std::size_t>(i)]);
     strip.fine.weights.push_back(heights[i] < low_end ? kLowBandWeight : 1.0f);
-    strip.fine.end.push_back(patch.towards.dot(up) > 0.25f ? 1 : 0);
+    if (options.boundary == Boundary::Strip && patch.towards.dot(up) > 0.25f)
+      strip.boundary.push_back(cloud.points[i]);
     offsets.push_back(std::abs(patch.normal.dot(cloud.points[i] - patch.mean)));
   }
   if (strip.fine.points.size() < 50)
@@ -160,6 +201,11 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options) 
         ErrorCode::NotEnough,
         "Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.",
         scan.id};
+  if (options.boundary == Boundary::Paper) {
+    const std::vector<std::uint8_t> boundary = scan::findBoundary(cloud, views, {});
+    for (std::size_t i = 0; i < cloud.size(); ++i)
+      if (boundary[i] != 0) strip.boundary.push_back(cloud.points[i]);
+  }
   strip.noise_mm = 1.4826 * medianOf(offsets);
   strip.fine.tree = KdTree(strip.fine.points);
   strip.fine.colours = colourDetail(strip.fine.points, strip.fine.normals, colours, strip.fine.tree,

@@ -1,20 +1,35 @@
 #pragma once
 #include <Eigen/Core>
 #include <cstdint>
+#include <map>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
 #include "cloud/nearest.h"
 #include "cloud/point_cloud.h"
+#include "scan/boundary.h"
 #include "scan/scan.h"
 
 namespace ostraka::registration {
+
+using scan::SilhouetteView;
+
+/// What BBICP takes for the boundary of a scan.
+enum class Boundary {
+  Strip,  ///< the lowest points of the fracture strip
+  Paper   ///< scan::findBoundary, by masks and neighbours, as in the paper
+};
+/// As options name them: "strip", "paper".
+const std::map<std::string, Boundary>& boundariesByName();
 
 struct StripOptions {
   double normal_radius_mm = 0.9;  ///< normals are averaged this far: two or three scan spacings
   double coarse_mm = 1.2;         ///< spacing of the first rounds: a third of the thinnest wall
   double max_up = 0.85;  ///< points whose normal leans more than this towards the viewer are face:
                          ///< the other side's views stop at 75 degrees of incidence
+  Boundary boundary = Boundary::Strip;
 };
 
 /// What a point's colour differs from its surroundings, in SDs of each of three channels, and how
@@ -29,7 +44,6 @@ struct StripLevel {
   std::vector<Eigen::Vector3f> points;   ///< mm, frame of the scan
   std::vector<Eigen::Vector3f> normals;  ///< unit, outward, averaged over neighbours
   std::vector<float> weights;            ///< 0..1, lower in the lowest, fattest band
-  std::vector<std::uint8_t> end;         ///< 1 where the scan ends below: the row that BBICP uses
   std::vector<ColourDetail> colours;     ///< as long as points, or empty: no colours
   KdTree tree{{}};
 };
@@ -37,7 +51,8 @@ struct StripLevel {
 /// A scan made ready to be registered, once for all its pairs.
 struct Strip {
   StripLevel coarse, fine;
-  std::vector<Eigen::Vector3f> all;    ///< every point of the scan, for its outline
+  std::vector<Eigen::Vector3f> boundary;  ///< where the scan ends: what BBICP fits
+  std::vector<Eigen::Vector3f> all;       ///< every point of the scan, for its outline
   std::vector<Eigen::Vector3f> shell;  ///< whole scan thinned and smoothed, for rest and crossing
   std::vector<Eigen::Vector3f> shell_normals;
   std::vector<std::uint8_t> shell_inside;  ///< 1 = all around is scanned face, not near the strip
@@ -48,7 +63,13 @@ struct Strip {
   double spacing_mm = 0;  ///< median distance of neighbours
 };
 
-/// Errors: NotEnough (fewer than 50 points on the strip, or no normals). O(n log n), ~20 ms.
-Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options);
+/// views: of the scan's own side, in its frame; asked by Boundary::Paper alone, which does without
+/// where there are none. Errors: NotEnough (fewer than 50 points on the strip, or no normals).
+/// O(n log n), ~20 ms.
+Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options,
+                           std::span<const SilhouetteView> views = {});
+
+/// The strip of the same scan with all lengths multiplied.
+Strip scaled(const Strip& strip, double factor);
 
 }  // namespace ostraka::registration

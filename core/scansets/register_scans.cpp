@@ -91,18 +91,24 @@ void bringBack(decisions::SherdPair& pair, double factor) {
 
 /// With scale free, both sides are first brought to one size, the fronts' own where that can be mm
 /// (all tolerances are in mm): one scale for the whole batch is known better (0.1 %) than each
-/// pair's own could be.
+/// pair's own could be. BBICP goes on from it with each pair's own, as in its paper.
 Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan> fronts,
                       std::span<const scan::Scan> backs, Progress& progress, std::stop_token stop) {
   constexpr double kUsual_mm = 45;
   decisions::PairOptions pair_options;
   pair_options.candidates.method = options.pairing;
   pair_options.registration.method = options.registration;
+  pair_options.registration.strip.boundary = options.boundary;
+  if (options.boundary == registration::Boundary::Paper)
+    progress.note(NoteLevel::Info,
+                  "registration: these scans have no masks; gaps between neighbours alone tell "
+                  "their boundaries");
   pair_options.candidates.threads = options.threads;
   pair_options.threads = options.threads;
   std::vector<scan::Scan> sized_fronts, sized_backs;
   double factor = 1, scale = 1;
   if (options.scale == pairing::Scale::Free) {
+    pair_options.registration.free_scale = true;
     const Result<double> found =
         pairing::commonScale(fronts, backs, pair_options.candidates, progress, stop);
     if (!found) return found.error();
@@ -127,7 +133,7 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
       decisions::pairSides(fronts, backs, constraints, pair_options, progress, stop);
   if (!table) return table.error();
   for (decisions::SherdPair& pair : table->pairs) {
-    pair.registration.scale = scale;
+    pair.registration.scale *= scale;
     bringBack(pair, factor);
   }
   return Paired{std::move(*table), 1 / factor};

@@ -18,6 +18,7 @@ struct RegisterOptions {
   pairing::Scale scale = pairing::Scale::Fixed;
   pairing::Method pairing = pairing::Method::Default;
   registration::Method registration = registration::Method::Default;
+  registration::Boundary boundary = registration::Boundary::Strip;
   int threads = 0;  ///< 0: all that this process may use; the result does not depend on it
   Result<void> check() const;
 };

@@ -65,8 +65,9 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
   const std::pair<const char*, std::vector<const char*>> commands[] = {
       {"process",
        {"PHOTOGRAPHS", "BACK", "--sheet", "--output", "--rig", "--threads", "--dense", "--masks",
-        "--pairing", "--registration"}},
-      {"register", {"--front", "--back", "--output", "--scale", "--pairing", "--registration"}},
+        "--pairing", "--registration", "--boundary"}},
+      {"register",
+       {"--front", "--back", "--output", "--scale", "--pairing", "--registration", "--boundary"}},
       {"dense", {"IMAGES", "--cameras", "--masks", "--output"}},
       {"evaluate", {"OUT", "--truth", "--align"}},
       {"draw", {"MODEL.ply", "--output", "--scale", "--rim", "--plates", "--paint"}},
@@ -84,6 +85,15 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
     EXPECT_TRUE(says(help, "Exit status: 0")) << command;
   }
   EXPECT_TRUE(says(run("--version"), "ostraka "));
+}
+
+TEST_F(CommandLine, ABoundaryIsForTheOneMethodThatHasIt) {
+  const std::string scans = "register --front . --back . --output " + path("out");
+  const Outcome other = run(scans + " --boundary paper --registration trimmed");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_TRUE(says(other, "--registration bbicp")) << other.text;
+  const Outcome bbicp = run(scans + " --boundary paper --registration bbicp");
+  EXPECT_FALSE(says(bbicp, "needs --registration bbicp")) << bbicp.text;
 }
 
 TEST_F(CommandLine, WithoutACommandAndWithoutADisplayItSaysWhatToDo) {

@@ -7,3 +7,6 @@ target_link_libraries(registration_processed PRIVATE ostraka_pipeline ostraka_sc
 add_executable(joining_figures joining_figures.cpp)
 target_link_libraries(joining_figures PRIVATE ostraka_base ostraka_files ostraka_paper nlohmann_json::nlohmann_json)
 target_include_directories(joining_figures PRIVATE ${CMAKE_SOURCE_DIR}/core)
+add_executable(boundary_points boundary_points.cpp)
+target_link_libraries(boundary_points PRIVATE ostraka_scan ostraka_baselines)
+target_include_directories(boundary_points SYSTEM PRIVATE ${OSTRAKA_PCL_INCLUDE})

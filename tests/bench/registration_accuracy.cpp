@@ -1,8 +1,9 @@
 // How well and how fast true pairs are registered, and how far false pairs of look-alikes stand
 // apart. Prints one row per pair and a summary per set.
-//   registration_accuracy SHARED/scans [--sets b01,stereo] [--method M] [--starts N]
-//                         [--false] [--rows] [--batch SHARED/batches/demo]
-// M: as in `ostraka process --registration M`.
+//   registration_accuracy SHARED/scans [--sets b01,stereo] [--method M] [--boundary B] [--size S]
+//                         [--starts N] [--false] [--rows] [--batch SHARED/batches/demo]
+// M, B: as in `ostraka process --registration M --boundary B`.
+// --size S: the backs are made smaller by S, and BBICP has to find it (register --scale free).
 // --batch: the photographs' masks and true cameras as constraints (for the set stereo).
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -46,8 +47,9 @@ struct Arguments {
   std::filesystem::path scans;
   std::vector<std::string> sets = {"b01",        "b02",    "b03",    "b04",   "b05",
                                    "lookalikes", "uneven", "stereo", "flake", "flake_narrow"};
-  std::string method = "default";
+  std::string method = "default", boundary = "strip";
   int starts = 3;
+  double size = 1;
   bool false_pairs = false, rows = false;
   std::filesystem::path batch;  // a batch with truth: its cameras and masks are constraints
 };
@@ -143,10 +145,21 @@ std::vector<Isometry3d> allAround(const PointCloud& front, const PointCloud& bac
   return starts;
 }
 
-void measure(const Pair& pair, const PointCloud& back, Row& row) {
+// The back made smaller about its plate's origin; starts still lay its middle where it was.
+void shrink(PointCloud& back, double size, std::vector<Isometry3d>& starts) {
+  Vector3d centre = Vector3d::Zero();
+  for (const auto& p : back.points) centre += p.cast<double>() / static_cast<double>(back.size());
+  for (Isometry3d& start : starts)
+    start.pretranslate(Vector3d(start.linear() * (centre - centre / size)));
+  for (auto& p : back.points) p /= static_cast<float>(size);
+}
+
+// size: of the back, as shrink() had it.
+void measure(const Pair& pair, const PointCloud& back, double size, Row& row) {
   double squares = 0, height = 0;
   for (const auto& p : back.points) {
-    const Vector3d d = row.found.front_from_back * p.cast<double>() - pair.truth * p.cast<double>();
+    const Vector3d d = row.found.front_from_back * Vector3d(row.found.scale * p.cast<double>()) -
+                       pair.truth * Vector3d(size * p.cast<double>());
     squares += d.squaredNorm();
     height += d.z() * d.z();
   }
@@ -204,6 +217,9 @@ void runSet(const Arguments& arguments, const std::string& set) {
       starts = allAround(front.cloud, back.cloud);
     registration::RegistrationOptions options;
     options.method = registration::methodsByName().at(arguments.method);
+    options.free_scale = arguments.size != 1;
+    if (options.free_scale) shrink(back.cloud, arguments.size, starts);
+    options.strip.boundary = registration::boundariesByName().at(arguments.boundary);
     const double before = cpuSeconds();
     registration::Constraints constraints;
     constraints.front = front_views;
@@ -220,7 +236,7 @@ void runSet(const Arguments& arguments, const std::string& set) {
       continue;
     }
     row.found = *found;
-    measure(pair, back.cloud, row);
+    measure(pair, back.cloud, arguments.size, row);
     if (arguments.rows) printRow(set, pair, row);
     (pair.is_true ? fracture_true : fracture_false).push_back(row.found.fracture_rms_mm);
     if (!pair.is_true) continue;
@@ -257,7 +273,8 @@ int main(int argc, char** argv) {
   Arguments arguments;
   if (argc < 2) {
     std::fprintf(stderr,
-                 "usage: %s SCANS [--sets A,B] [--method M] [--starts N] [--false] [--rows]\n",
+                 "usage: %s SCANS [--sets A,B] [--method M] [--boundary B] [--size S] [--starts N] "
+                 "[--false] [--rows]\n",
                  argv[0]);
     return 2;
   }
@@ -269,10 +286,14 @@ int main(int argc, char** argv) {
     if (word == "--batch" && i + 1 < argc) arguments.batch = argv[++i];
     if (word == "--sets" && i + 1 < argc) arguments.sets = split(argv[++i]);
     if (word == "--method" && i + 1 < argc) arguments.method = argv[++i];
+    if (word == "--size" && i + 1 < argc) arguments.size = std::stod(argv[++i]);
+    if (word == "--boundary" && i + 1 < argc) arguments.boundary = argv[++i];
     if (word == "--starts" && i + 1 < argc) arguments.starts = std::stoi(argv[++i]);
   }
-  if (!registration::methodsByName().contains(arguments.method)) {
-    std::fprintf(stderr, "%s: no such method\n", arguments.method.c_str());
+  if (!registration::methodsByName().contains(arguments.method) ||
+      !registration::boundariesByName().contains(arguments.boundary)) {
+    std::fprintf(stderr, "%s, %s: no such method or boundary\n", arguments.method.c_str(),
+                 arguments.boundary.c_str());
     return 2;
   }
   std::printf(

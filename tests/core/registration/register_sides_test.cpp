@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "registration/contact.h"
 #include "simulated_sherd.h"
@@ -66,11 +67,36 @@ TEST(RegisterSides, WhatTheBilateralBoundaryIcpFindsIsMeasuredAsOurs) {
   EXPECT_TRUE(astray->check_failed);
 }
 
+// Two per cent of a sherd's radius are 0.4 mm of its fracture.
+TEST(RegisterSides, BilateralBoundaryIcpFindsThePairsOwnScaleAndIsMeasuredAtIt) {
+  constexpr double kScale = 1.02;
+  SimulatedSherd sherd = simulatedSherd({});
+  for (Eigen::Vector3f& p : sherd.back.cloud.points) p /= static_cast<float>(kScale);
+  RegistrationOptions options;
+  options.method = Method::BilateralBoundary;
+  options.height_step_mm = 0;
+  const auto fixed = run(sherd.front, sherd.back, {sherd.truth}, options, false);
+  options.free_scale = true;
+  const auto found = run(sherd.front, sherd.back, {sherd.truth}, options, false);
+  ASSERT_TRUE(fixed.has_value() && found.has_value());
+  EXPECT_EQ(fixed->scale, 1.0);
+  EXPECT_NEAR(found->scale, kScale, 0.004);
+  EXPECT_LT(found->fracture_rms_mm, 0.7 * fixed->fracture_rms_mm);
+  EXPECT_NEAR(found->thickness_mm, 5.0, 0.4);
+  double squares = 0;
+  for (const Eigen::Vector3f& p : sherd.back.cloud.points)
+    squares += (found->front_from_back * (found->scale * p.cast<double>()) -
+                sherd.truth * (kScale * p.cast<double>()))
+                   .squaredNorm();
+  EXPECT_LT(std::sqrt(squares / static_cast<double>(sherd.back.cloud.size())), 0.35);
+}
+
 class OtherPeoplesMethods : public testing::TestWithParam<Method> {};
 INSTANTIATE_TEST_SUITE_P(RegisterSides, OtherPeoplesMethods,
                          testing::Values(Method::TrimmedIcp, Method::GeneralizedIcp,
                                          Method::FeatureRansac, Method::FourPointSets,
-                                         Method::KeypointFourPointSets, Method::FastGlobal));
+                                         Method::KeypointFourPointSets, Method::FastGlobal,
+                                         Method::SuperFourPointSets));
 
 // A pose that is off by more than may pass (0.40 mm) fails the check.
 TEST_P(OtherPeoplesMethods, AreMeasuredAsOursAndFlaggedWhereTheyAreOff) {

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "cloud/ply.h"
 #include "files/files.h"
@@ -148,6 +149,29 @@ TEST_F(RegisterScans, WithScaleFreeFindTheirPosesInWhateverUnitTheFrontsHave) {
   Eigen::Vector3f low = merged->points.front(), high = low;
   for (const Eigen::Vector3f& p : merged->points) low = low.cwiseMin(p), high = high.cwiseMax(p);
   EXPECT_LT((high - low).maxCoeff(), 40 * kFront) << "both sides of a sherd of 20 to 30 mm";
+}
+
+// On from the batch's one scale.
+TEST_F(RegisterScans, WithScaleFreeAndBbicpFindAScaleOfEachPair) {
+  scale("back", 2);
+  RegisterOptions options;
+  options.front = folder / "front";
+  options.back = folder / "back";
+  options.output = folder / "out";
+  options.scale = pairing::Scale::Free;
+  options.registration = registration::Method::BilateralBoundary;
+  options.boundary = registration::Boundary::Paper;
+  const auto summary = registerScans(options, quiet, {});
+  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
+  const auto pairs = readJson(folder / "out/pairs.json");
+  ASSERT_TRUE(pairs.has_value());
+  std::set<double> scales;
+  for (const auto& pair : pairs->at("pairs")) {
+    scales.insert(pair.at("scale").get<double>());
+    EXPECT_NEAR(*scales.rbegin(), 0.5, 0.05);
+    EXPECT_NEAR(*scales.begin(), 0.5, 0.05);
+  }
+  EXPECT_GT(scales.size(), 1u);
 }
 
 TEST_F(RegisterScans, StoppedCanBeRepeatedAndLeavesNothingThatLooksWhole) {

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -202,9 +203,9 @@ void addCompletion(CLI::App& root, Command& chosen) {
     const std::string script = *shell == "bash"  ? bashScript(nodes)
                                : *shell == "zsh" ? zshScript(nodes)
                                                  : fishScript(nodes);
-    chosen = [script](Session&) {
-      std::fputs(script.c_str(), stdout);
-      return static_cast<int>(Whole);
+    chosen = [shell, script](Session& session) {
+      return finish(session, Whole, {{"shell", *shell}, {"script", script}},
+                    [&] { std::fputs(script.c_str(), stdout); });
     };
   });
 }

@@ -12,21 +12,23 @@ namespace {
 
 constexpr double kStep_mm = 2;  // counting room needs no finer grid
 constexpr std::size_t kMost = 60;
+constexpr double kGap_mm = 12;             // between two sherds: a finger's width
+constexpr double kUsualExtent_mm = 50;     // of a sherd, while none lies on the plate
+constexpr double kSmallestExtent_mm = 25;  // fingers do not lay smaller ones closer
 
-double extentOf(const std::vector<MapPiece>& pieces, const ClearanceOptions& options) {
+double extentOf(const std::vector<MapPiece>& pieces) {
   std::vector<double> extents;
   for (const MapPiece& piece : pieces)
     if (!piece.cut_off) extents.push_back(piece.extent_mm);
-  if (extents.empty()) return options.usual_extent_mm;
-  return std::max(rankedAt(std::move(extents), 0.5), options.smallest_extent_mm);
+  if (extents.empty()) return kUsualExtent_mm;
+  return std::max(rankedAt(std::move(extents), 0.5), kSmallestExtent_mm);
 }
 
 }  // namespace
 
-Clearance clearance(const PlateMap& map, const std::vector<MapPiece>& pieces,
-                    const ClearanceOptions& options) {
+Clearance clearance(const PlateMap& map, const std::vector<MapPiece>& pieces) {
   Clearance room;
-  room.extent_mm = extentOf(pieces, options);
+  room.extent_mm = extentOf(pieces);
   if (map.radius_mm <= 0 || map.seen.empty()) return room;
   // 255 where a sherd may lie, on a grid of its own with a border that may not.
   const int half = static_cast<int>(map.radius_mm / kStep_mm) + 1;
@@ -64,7 +66,7 @@ Clearance clearance(const PlateMap& map, const std::vector<MapPiece>& pieces,
     for (int row = 0; row < free.rows; ++row)
       for (int column = 0; column < free.cols; ++column) {
         const double edge = to_edge(row, column) * kStep_mm - radius,
-                     sherd = to_sherd(row, column) * kStep_mm - radius - options.gap_mm;
+                     sherd = to_sherd(row, column) * kStep_mm - radius - kGap_mm;
         if (edge < 0 || sherd < 0) continue;
         const double spare = edge + std::min(sherd, 4 * map.radius_mm);
         if (spare < least) {
@@ -80,13 +82,12 @@ Clearance clearance(const PlateMap& map, const std::vector<MapPiece>& pieces,
 }
 
 Result<InspectionWithClearance> lookForRoom(std::string_view picture, const batch::Plate& plate,
-                                            const InspectionOptions& inspection,
-                                            const ClearanceOptions& room) {
+                                            const InspectionOptions& inspection) {
   Result<MappedInspection> mapped = inspectAndMap(picture, plate, inspection);
   if (!mapped) return mapped.error();
   InspectionWithClearance seen{std::move(mapped->inspection), {}};
   if (seen.inspection.pixel_from_plate)
-    seen.room = clearance(mapped->map, piecesOf(mapped->map, inspection.smallest_sherd_mm), room);
+    seen.room = clearance(mapped->map, piecesOf(mapped->map, inspection.smallest_sherd_mm));
   return seen;
 }
 

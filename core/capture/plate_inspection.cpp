@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr int kQuickWidth_px = 960;
-constexpr int kLeastMarkers = 4;  // one marker's corners alone tilt the plane
 
 // Most of the time goes into the markers. A smaller picture shows nearly all of them as well; only
 // when it does not, as with small markers or a camera that sees the plate from afar, all of it

@@ -203,7 +203,7 @@ void Series::checkShot(Shot& shot, std::shared_ptr<const MappedInspection> mappe
       std::as_const(*store_).manifest().find(options_.side, shot.stop, shot.camera);
   const double angle = angleOf(shot.stop);
   if (inspection != nullptr)
-    shot.check = checkOf(*inspection, angle, watch.reference, {});
+    shot.check = checkOf(*inspection, angle, watch.reference);
   else
     shot.check.problems.push_back(ShotProblem::Unreadable);
   if (old) shot.check.problems.push_back(ShotProblem::Repeated);

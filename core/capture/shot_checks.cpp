@@ -6,6 +6,12 @@
 namespace ostraka::capture {
 namespace {
 
+constexpr double kMostAngleError_deg = 0.5;  // off by more, the photograph is of another stop
+constexpr double kMostEdgeGrowth = 1.4;  // edges wider than the sharpest photograph's are a blur
+constexpr double kWideEdge_px = 0.5;     // and wider by this: edges are known to 0.1 px
+constexpr double kMostDarkShare = 0.3;   // of the sherds' pixels
+constexpr double kMostBrightShare = 0.02;
+
 // The nearest angle to `near` that is `angle` but for whole turns.
 double unwound(double angle, double near) {
   return angle + 360 * std::round((near - angle) / 360);
@@ -69,7 +75,7 @@ std::vector<std::string> ShotCheck::sentences() const {
 }
 
 ShotCheck checkOf(const PlateInspection& inspection, double angle_deg,
-                  const CameraReference& reference, const ShotCheckOptions& options) {
+                  const CameraReference& reference) {
   ShotCheck check;
   check.markers_seen = inspection.markers_seen;
   check.markers_on_plate = inspection.markers_on_plate;
@@ -84,23 +90,22 @@ ShotCheck checkOf(const PlateInspection& inspection, double angle_deg,
         ShotProblem::OtherSize);
     if (const auto turn = turnBetween_deg(*reference.inspection, inspection)) {
       check.angle_seen_deg = unwound(reference.angle_deg + *turn, angle_deg);
-      add(std::abs(*check.angle_seen_deg - angle_deg) > options.most_angle_error_deg,
+      add(std::abs(*check.angle_seen_deg - angle_deg) > kMostAngleError_deg,
           ShotProblem::WrongStop);
     } else {
       add(true, ShotProblem::Unplaced);
     }
   }
-  add(inspection.markers_seen < std::max(options.least_markers, reference.markers_seen / 2),
+  add(inspection.markers_seen < std::max(kLeastMarkers, reference.markers_seen / 2),
       ShotProblem::FewMarkers);
   add(reference.sharpness > 0 && inspection.sharpness > 0 &&
-          inspection.sharpness > options.most_edge_growth * reference.sharpness &&
-          inspection.sharpness > reference.sharpness + options.wide_edge_px,
+          inspection.sharpness > kMostEdgeGrowth * reference.sharpness &&
+          inspection.sharpness > reference.sharpness + kWideEdge_px,
       ShotProblem::Blurred);
-  check.may_pass =
-      check.has(ShotProblem::Blurred) ||
-      (check.has(ShotProblem::FewMarkers) && reference.markers_seen >= options.least_markers);
-  add(inspection.dark_share > options.most_dark_share, ShotProblem::TooDark);
-  add(inspection.bright_share > options.most_bright_share, ShotProblem::TooBright);
+  check.may_pass = check.has(ShotProblem::Blurred) ||
+                   (check.has(ShotProblem::FewMarkers) && reference.markers_seen >= kLeastMarkers);
+  add(inspection.dark_share > kMostDarkShare, ShotProblem::TooDark);
+  add(inspection.bright_share > kMostBrightShare, ShotProblem::TooBright);
   add(std::any_of(inspection.sherds.begin(), inspection.sherds.end(),
                   [](const SeenSherd& s) { return s.cut_off; }),
       ShotProblem::CutOff);

@@ -61,6 +61,9 @@ struct PlateInspection {
   std::optional<Eigen::Matrix3d> pixel_from_plate;
 };
 
+/// For the plate's place: one marker's corners alone tilt the plane.
+inline constexpr int kLeastMarkers = 4;
+
 struct InspectionOptions {
   int work_width_px = 1600;  ///< larger pictures are made smaller, but for the sharpness
   /// Of the plate seen between two outlines; a wall of 10 mm hides as much from 60 degrees above.
@@ -110,18 +113,9 @@ struct CameraReference {
   int markers_seen = 0;                       ///< most so far
 };
 
-struct ShotCheckOptions {
-  double most_angle_error_deg = 0.5;  ///< off by more, the photograph is of another stop
-  double most_edge_growth = 1.4;      ///< edges wider than the sharpest photograph's are a blur
-  double wide_edge_px = 0.5;          ///< and wider by this: edges are known to 0.1 px
-  int least_markers = 4;              ///< for the plate's place
-  double most_dark_share = 0.3;       ///< of the sherds' pixels
-  double most_bright_share = 0.02;
-};
-
 /// angle_deg: of the stop at which it was taken.
 ShotCheck checkOf(const PlateInspection& inspection, double angle_deg,
-                  const CameraReference& reference, const ShotCheckOptions& options);
+                  const CameraReference& reference);
 /// A kept photograph joins what the next ones are compared with.
 void learn(CameraReference& reference, const PlateInspection& inspection, double angle_deg);
 

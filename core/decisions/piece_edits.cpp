@@ -26,7 +26,7 @@ std::vector<ScanRef> refsOf(const std::vector<Scan>& scans, batch::Side side,
 
 Scan made(std::string id, PointCloud cloud) {
   Scan scan{std::move(id), std::move(cloud), {}, Eigen::Vector3d::UnitZ()};
-  scan.fracture = scan::findFracture(scan.cloud, {.up = scan.up});
+  scan.fracture = scan::findFracture(scan.cloud, scan.up);
   return scan;
 }
 

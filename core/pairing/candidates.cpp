@@ -27,8 +27,8 @@ struct Outline {
 
 constexpr int kAngleSamples = 200;  // the paper's number
 
-Result<Outline> outlineOf(const scan::Scan& scan, batch::Side side, const ContourOptions& options) {
-  Result<Contour> contour = traceContour(scan.cloud, scan::estimateUp(scan.cloud), options);
+Result<Outline> outlineOf(const scan::Scan& scan, batch::Side side) {
+  Result<Contour> contour = traceContour(scan.cloud, scan::estimateUp(scan.cloud));
   if (!contour) return contour.error();
   Outline outline{std::move(*contour), std::nullopt, {}, {}};
   std::vector<Eigen::Vector2d> line = outline.contour.points;
@@ -246,7 +246,7 @@ std::vector<std::optional<Outline>> outlinesOf(std::span<const scan::Scan> scans
   std::vector<std::optional<Outline>> outlines(scans.size());
   std::vector<std::string> notes(scans.size());
   parallelFor(scans.size(), options.threads, [&](std::size_t i) {
-    Result<Outline> outline = outlineOf(scans[i], side, options.contour);
+    Result<Outline> outline = outlineOf(scans[i], side);
     if (outline) {
       outlines[i] = std::move(*outline);
     } else {
@@ -308,11 +308,10 @@ Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fr
                      static_cast<int>(backs.size()), options.reach);
 }
 
-Result<StartPose> startPoseAt(const scan::Scan& front, const scan::Scan& back, int shift,
-                              const CandidateOptions& options) {
-  const Result<Outline> f = outlineOf(front, batch::Side::Front, options.contour);
+Result<StartPose> startPoseAt(const scan::Scan& front, const scan::Scan& back, int shift) {
+  const Result<Outline> f = outlineOf(front, batch::Side::Front);
   if (!f) return f.error();
-  const Result<Outline> b = outlineOf(back, batch::Side::Back, options.contour);
+  const Result<Outline> b = outlineOf(back, batch::Side::Back);
   if (!b) return b.error();
   const int around = (shift % kAngleSamples + kAngleSamples) % kAngleSamples;
   StartPose start = startPose(*f, *b, asItStands(*f, *b, poseOfShift(*f, *b, around, 1.0)));

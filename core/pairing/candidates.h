@@ -39,7 +39,6 @@ enum class Scale {
 };  ///< Free: sizes of the two sides do not compare (no known length)
 
 struct CandidateOptions {
-  ContourOptions contour;
   Method method = Method::Default;
   Scale scale = Scale::Fixed;
   int max_starts = 8;   ///< per pair; the registration pays for each
@@ -59,7 +58,6 @@ Result<std::vector<PairCandidate>> findCandidates(std::span<const scan::Scan> fr
 /// The start pose that lays one start point of the back's contour (`shift`, in 1/200 of its length,
 /// any integer) on the front's: for stepping along the outline by hand, not aligned any further.
 /// Traces both contours, about 50 ms. Errors: NotEnough without a usable contour.
-Result<StartPose> startPoseAt(const scan::Scan& front, const scan::Scan& back, int shift,
-                              const CandidateOptions& options);
+Result<StartPose> startPoseAt(const scan::Scan& front, const scan::Scan& back, int shift);
 
 }  // namespace ostraka::pairing

@@ -9,6 +9,12 @@
 namespace ostraka::pairing {
 namespace {
 
+constexpr double kAlpha_mm = 1.0;  // radius of the disc that rolls around the outside
+// At least so many point spacings, or the disc falls through the cloud.
+constexpr double kAlphaSpacings = 3.0;
+constexpr double kSmoothing_mm = 0.4;     // along the line: the points' spacing, below break relief
+constexpr double kContourStep_mm = 0.25;  // of the resampled line
+
 double perimeter(std::span<const Eigen::Vector2d> p) {
   double sum = 0;
   for (std::size_t i = 0; i < p.size(); ++i) sum += (p[(i + 1) % p.size()] - p[i]).norm();
@@ -132,8 +138,7 @@ std::vector<Eigen::Vector2d> mirrored(std::span<const Eigen::Vector2d> closed) {
   return out;
 }
 
-Result<Contour> traceContour(const PointCloud& cloud, const Eigen::Vector3d& axis,
-                             const ContourOptions& options) {
+Result<Contour> traceContour(const PointCloud& cloud, const Eigen::Vector3d& axis) {
   if (cloud.size() < 20) {
     return Error{ErrorCode::NotEnough, "A scan of fewer than 20 points has no outline.", {}};
   }
@@ -151,17 +156,15 @@ Result<Contour> traceContour(const PointCloud& cloud, const Eigen::Vector3d& axi
                      cloud.points[static_cast<std::size_t>(i)].cast<double>());
     flat.push_back(points.back().head<2>());
   }
-  const double alpha = std::max(options.alpha_mm, options.alpha_in_spacings * spacing);
+  const double alpha = std::max(kAlpha_mm, kAlphaSpacings * spacing);
   const Result<std::vector<int>> outline = alphaOutline(flat, alpha);
   if (!outline) return outline.error();
   std::vector<Eigen::Vector2d> line;
   for (const int i : *outline) line.push_back(flat[static_cast<std::size_t>(i)]);
-  const int n = std::max(16, static_cast<int>(perimeter(line) / options.step_mm));
+  const int n = std::max(16, static_cast<int>(perimeter(line) / kContourStep_mm));
   line = resampled(line, n);
-  if (options.smoothing_mm > 0) {
-    line = smoothed(line, options.smoothing_mm * n / perimeter(line));
-    line = resampled(line, n);
-  }
+  line = smoothed(line, kSmoothing_mm * n / perimeter(line));
+  line = resampled(line, n);
   contour.points = std::move(line);
   contour.perimeter_mm = perimeter(contour.points);
   contour.area_mm2 = signedArea(contour.points);

@@ -8,14 +8,6 @@
 
 namespace ostraka::pairing {
 
-struct ContourOptions {
-  double alpha_mm = 1.0;  ///< radius of the disc that rolls around the outside: the alpha shape
-  double alpha_in_spacings =
-      3.0;                    ///< at least so many point spacings, or it falls through the cloud
-  double smoothing_mm = 0.4;  ///< Gaussian along the line: the points' spacing, below break relief
-  double step_mm = 0.25;      ///< of the resampled line
-};
-
 /// The outline of a scan seen along an axis: closed, counter-clockwise seen from the tip of the
 /// axis.
 struct Contour {
@@ -30,8 +22,7 @@ struct Contour {
 /// The outer alpha-shape contour (disc of radius alpha rolling outside, Edelsbrunner et al. 1983),
 /// seen along `axis` (scan frame, unit), smoothed and resampled. Lone flying points are left aside.
 /// Errors: NotEnough for fewer than 20 points or a contour that does not close.
-Result<Contour> traceContour(const PointCloud& cloud, const Eigen::Vector3d& axis,
-                             const ContourOptions& options);
+Result<Contour> traceContour(const PointCloud& cloud, const Eigen::Vector3d& axis);
 
 /// The area within a closed line; negative when it runs clockwise.
 double signedArea(std::span<const Eigen::Vector2d> closed);

@@ -99,7 +99,7 @@ using Line = std::vector<Eigen::Vector2d>;
 
 // Both outlines seen from above the front, mm; the back's through the registration.
 Line outlineInFront(const scan::Scan& scan, const Eigen::Isometry3d& front_from_scan) {
-  const Result<pairing::Contour> contour = pairing::traceContour(scan.cloud, scan.up, {});
+  const Result<pairing::Contour> contour = pairing::traceContour(scan.cloud, scan.up);
   if (!contour) return {};
   const Eigen::Isometry3d scan_from_plane = contour->plane_from_scan.inverse();
   Line line;

@@ -34,7 +34,7 @@ Result<Scans> readScans(const fs::path& folder, const StageRecord& record) {
     Result<PointCloud> points_of = readPlyCloud(folder / (id + ".ply"));
     if (!points_of) return points_of.error();
     scan::Scan scan{id, std::move(*points_of), {}, Eigen::Vector3d::UnitZ()};
-    scan.fracture = scan::findFracture(scan.cloud, {.up = scan.up});
+    scan.fracture = scan::findFracture(scan.cloud, scan.up);
     scans.push_back(std::move(scan));
   }
   return Scans{std::move(scans), record};

@@ -16,6 +16,14 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr double kLargestPicture = 4096;  // cells a side: a metre, far beyond any plate
+// Cells in scan spacings: at 1.3 a face fills nine cells of ten and the sparse skirts that stereo
+// hangs on hidden walls fill few, so half coverage cuts them off.
+constexpr double kCellSpacings = 1.3, kMinCell_mm = 0.25;
+constexpr double kBlur_mm = 0.6;          // one to two scan spacings: single points do not shape it
+constexpr double kOutlineReach_mm = 2.0;  // outlines farther apart show different things
+constexpr double kBump_mm = 4.0;          // bumps of a break are this long; neighbours err together
+// Where a break leans, one side sees its outermost part and the other ends before it.
+constexpr double kMinSigma_mm = 0.15;
 
 std::vector<Vector2f> planOf(std::span<const Vector3f> points,
                              const Eigen::Matrix<float, 2, 3>& flat, const Vector2f& shift) {
@@ -102,16 +110,15 @@ OutlineFit weigh(std::span<const OutlineMatch> matches, double min_sigma, double
 
 OutlineFit fitOutlines(std::span<const Vector3f> front, std::span<const Vector3f> back,
                        double spacing_mm, const Eigen::Isometry3d& front_from_back,
-                       const Vector3d& up, const Vector3d& pivot, const OutlineOptions& options) {
+                       const Vector3d& up, const Vector3d& pivot) {
   const Vector3d side = up.unitOrthogonal(), across = up.cross(side);
   Eigen::Matrix<float, 2, 3> flat;
   flat << side.transpose().cast<float>(), across.transpose().cast<float>();
   const Eigen::Matrix<float, 2, 3> flat_back = flat * front_from_back.linear().cast<float>();
   const Vector2f shift = flat * front_from_back.translation().cast<float>();
-  const double cell = std::max(options.min_cell_mm, options.cell_spacings * spacing_mm);
-  const Outline f =
-      outlineOf(coverageOf(planOf(front, flat, Vector2f::Zero()), cell, options.blur_mm));
-  const Outline b = outlineOf(coverageOf(planOf(back, flat_back, shift), cell, options.blur_mm));
+  const double cell = std::max(kMinCell_mm, kCellSpacings * spacing_mm);
+  const Outline f = outlineOf(coverageOf(planOf(front, flat, Vector2f::Zero()), cell, kBlur_mm));
+  const Outline b = outlineOf(coverageOf(planOf(back, flat_back, shift), cell, kBlur_mm));
   std::vector<Vector3f> targets;
   for (const Vector2d& p : f.points)
     targets.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0f);
@@ -121,7 +128,7 @@ OutlineFit fitOutlines(std::span<const Vector3f> front, std::span<const Vector3f
     const Vector2d& q = b.points[i];
     const Neighbour near =
         tree.nearest(Vector3f(static_cast<float>(q.x()), static_cast<float>(q.y()), 0.0f),
-                     static_cast<float>(options.reach_mm));
+                     static_cast<float>(kOutlineReach_mm));
     if (near.index < 0) continue;
     const auto k = static_cast<std::size_t>(near.index);
     if (f.normals[k].dot(b.normals[i]) < 0.7071) continue;
@@ -130,7 +137,7 @@ OutlineFit fitOutlines(std::span<const Vector3f> front, std::span<const Vector3f
     const Vector3d at = q.x() * side + q.y() * across + up.dot(pivot) * up;
     matches.push_back({n2.dot(q - f.points[k]), rowOf(at, n, pivot)});
   }
-  return weigh(matches, options.min_sigma_mm, std::min(1.0, cell / options.correlation_mm));
+  return weigh(matches, kMinSigma_mm, std::min(1.0, cell / kBump_mm));
 }
 
 }  // namespace ostraka::registration

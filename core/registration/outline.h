@@ -28,18 +28,6 @@ struct Outline {
 };
 Outline outlineOf(const Coverage& coverage);
 
-struct OutlineOptions {
-  /// Cells in scan spacings: at 1.3 a face fills nine cells of ten and the sparse skirts that
-  /// stereo hangs on hidden walls fill few, so half coverage cuts them off.
-  double cell_spacings = 1.3;
-  double min_cell_mm = 0.25;
-  double blur_mm = 0.6;         ///< one to two scan spacings: single points do not shape it
-  double reach_mm = 2.0;        ///< outlines farther apart show different things
-  double correlation_mm = 4.0;  ///< bumps of a break are this long; neighbours err together
-  /// Where a break leans, one side sees its outermost part and the other ends before it.
-  double min_sigma_mm = 0.15;
-};
-
 struct OutlineFit {
   Evidence evidence;
   double sigma_mm = 0;  ///< robust SD of the misfit about its median
@@ -52,7 +40,7 @@ struct OutlineFit {
 OutlineFit fitOutlines(std::span<const Eigen::Vector3f> front,
                        std::span<const Eigen::Vector3f> back, double spacing_mm,
                        const Eigen::Isometry3d& front_from_back, const Eigen::Vector3d& up,
-                       const Eigen::Vector3d& pivot, const OutlineOptions& options);
+                       const Eigen::Vector3d& pivot);
 
 /// A signed misfit and its derivative; both in one unit.
 struct OutlineMatch {

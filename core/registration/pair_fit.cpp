@@ -133,7 +133,7 @@ void PairFit::askConstraints(FittedPose& pose, double radius,
       strip.evidence,
       rest(true),
       rest(false),
-      fitOutlines(front_.all, back_.all, spacing_mm_, pose.front_from_back, seen, at, {}).evidence,
+      fitOutlines(front_.all, back_.all, spacing_mm_, pose.front_from_back, seen, at).evidence,
       silhouettes == nullptr ? Evidence{}
                              : silhouettes->evidence(pose.front_from_back, at, reach_px).evidence,
       pose.alike > 0 ? fitColours(front_.fine, back_.fine, pose.front_from_back, at, {}).evidence

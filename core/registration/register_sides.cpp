@@ -333,7 +333,7 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
     turnLoose(best, rivals, front, back, pair, options.threads, stop);
   if (!hopeless && (!constraints.front.empty() || !constraints.back.empty())) {
     const SilhouetteConstraint silhouettes(front, back, constraints.front, constraints.back,
-                                           best.front_from_back, {}, options.threads);
+                                           best.front_from_back, options.threads);
     FittedPose refined = best;
     pair.withSilhouettes(refined, silhouettes);
     best = refined;

@@ -17,6 +17,19 @@ using Eigen::Vector2f;
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
+constexpr double kBlur_px = 1.5;     // picture and points alike, so that corners shrink alike
+constexpr double kMostReach_px = 6;  // start poses from the strips hold to a millimetre
+// The side that moves counts where the other ends this far inside: a mask holds to half a pixel.
+constexpr double kMargin_px = 0.5;
+constexpr double kMinSigma_px = 0.25;  // masks' edges hold to a quarter of a pixel
+constexpr double kBump_px = 12;        // a bump of the scan's end shows in several pixels ...
+constexpr double kViewsAlike = 3;  // ... and in as many of 24 views, by chi-square at true poses
+// SD of the moving side's excess over the mask about the still's.
+constexpr double kFatness_px = 0.5;
+// SD of what outlines that face down err beside it: scans hang skirts there, masks take in the
+// shadow under a sherd.
+constexpr double kLower_px = 0.5;
+
 using Derivative = Eigen::Matrix<double, 2, 3>;
 
 // d(pixel)/d(point in the plate frame), the lens' distortion left aside (its slope is below 1 %).
@@ -134,8 +147,7 @@ struct Match {
 // true poses of one batch), and nothing beside the lower edges shows it. They must not be one per
 // view: what moves in a low view is mostly the lower edge, and taking out each view's own mean
 // would take out the height.
-OutlineFit sideEvidence(std::span<const Match> matches, const SilhouetteOptions& options,
-                        double independent) {
+OutlineFit sideEvidence(std::span<const Match> matches, double independent) {
   OutlineFit fit;
   fit.pairs = static_cast<int>(matches.size());
   if (fit.pairs < 50) return fit;
@@ -143,11 +155,11 @@ OutlineFit sideEvidence(std::span<const Match> matches, const SilhouetteOptions&
   for (const Match& m : matches) sizes.push_back(m.outline.residual);
   const double median = medianOf(sizes);
   for (double& s : sizes) s = std::abs(s - median);
-  fit.sigma_mm = std::max(options.min_sigma_px, 1.4826 * medianOf(sizes));
+  fit.sigma_mm = std::max(kMinSigma_px, 1.4826 * medianOf(sizes));
   Eigen::Matrix<double, 6, 2> shared = Eigen::Matrix<double, 6, 2>::Zero();
   Eigen::Matrix2d weight = Eigen::Matrix2d::Zero();
-  weight(0, 0) = 1 / (options.fatness_px * options.fatness_px);
-  weight(1, 1) = 1 / (options.lower_px * options.lower_px);
+  weight(0, 0) = 1 / (kFatness_px * kFatness_px);
+  weight(1, 1) = 1 / (kLower_px * kLower_px);
   Vector2d slope = Vector2d::Zero();
   for (const Match& m : matches) {
     const OutlineMatch& o = m.outline;
@@ -185,9 +197,8 @@ SilhouetteConstraint::~SilhouetteConstraint() = default;
 SilhouetteConstraint::SilhouetteConstraint(const Strip& front, const Strip& back,
                                            std::span<const SilhouetteView> front_views,
                                            std::span<const SilhouetteView> back_views,
-                                           const Eigen::Isometry3d& front_from_back,
-                                           const SilhouetteOptions& options, int threads)
-    : options_(options), threads_(threads) {
+                                           const Eigen::Isometry3d& front_from_back, int threads)
+    : threads_(threads) {
   views_.resize(front_views.size() + back_views.size());
   const Eigen::Isometry3d same = Eigen::Isometry3d::Identity();
   parallelFor(views_.size(), threads, [&](std::size_t i) {
@@ -203,7 +214,7 @@ SilhouetteConstraint::SilhouetteConstraint(const Strip& front, const Strip& back
     const double px_per_mm = given.camera.intrinsics.fx / depth;
     const double spacing = std::max(front.spacing_mm, back.spacing_mm);
     view.cell = std::max(1.0, 1.3 * spacing * px_per_mm);
-    view.blur = std::max(options.blur_px, view.cell);
+    view.blur = std::max(kBlur_px, view.cell);
     view.still = coverageOf(project(given.camera, still.all, same), view.cell, view.blur);
     const Eigen::Isometry3d plate_from_moving =
         of_front ? front_from_back : front_from_back.inverse();
@@ -211,11 +222,11 @@ SilhouetteConstraint::SilhouetteConstraint(const Strip& front, const Strip& back
     const Coverage around = coverageOf(pixels, view.cell, view.blur);
     if (view.still.picture.empty() || around.picture.empty()) return;
     const Outline whole = outlineOf(cutOut(given.mask, around, view.blur));
-    addExcess(whole, outlineOf(view.still), options.margin_px, view.excess_px);
-    view.mask = madeByTheMoving(whole, view.still, options.margin_px);
+    addExcess(whole, outlineOf(view.still), kMargin_px, view.excess_px);
+    view.mask = madeByTheMoving(whole, view.still, kMargin_px);
     view.mask_tree = KdTree(flatPoints(view.mask.points));
     // A millimetre that the pose may still move, the reach, and what the blur looks at.
-    const double near = px_per_mm + options.reach_px + 4 * view.blur;
+    const double near = px_per_mm + kMostReach_px + 4 * view.blur;
     for (const std::size_t k : nearOutline(view.mask, pixels, near))
       view.moving.push_back(moving.all[k]);
   });
@@ -271,8 +282,8 @@ OutlineFit SilhouetteConstraint::evidence(const Eigen::Isometry3d& front_from_ba
       matches.insert(matches.end(), found[i].begin(), found[i].end());
       cell = views_[i].cell;
     }
-    const double independent = std::min(1.0, cell / options_.correlation_px) / options_.views_alike;
-    const OutlineFit fit = sideEvidence(matches, options_, independent);
+    const double independent = std::min(1.0, cell / kBump_px) / kViewsAlike;
+    const OutlineFit fit = sideEvidence(matches, independent);
     sum.evidence += fit.evidence;
     sum.sigma_mm = std::max(sum.sigma_mm, fit.sigma_mm);
     sum.pairs += fit.pairs;

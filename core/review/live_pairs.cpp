@@ -63,7 +63,7 @@ const rig::PosedImage* highest(const std::vector<rig::PosedImage>& images, Side 
 
 std::optional<std::vector<Eigen::Vector3d>> outlined(const PointCloud& cloud,
                                                      const Eigen::Vector3d& up) {
-  const Result<pairing::Contour> contour = pairing::traceContour(cloud, up, {});
+  const Result<pairing::Contour> contour = pairing::traceContour(cloud, up);
   if (!contour) return std::nullopt;
   const Isometry3d scan_from_plane = contour->plane_from_scan.inverse();
   std::vector<Eigen::Vector3d> outline;
@@ -167,7 +167,7 @@ struct LivePairs::State {
                     std::move(*cloud),
                     {},
                     Eigen::Vector3d::UnitZ()};
-    read.fracture = scan::findFracture(read.cloud, {.up = read.up});
+    read.fracture = scan::findFracture(read.cloud, read.up);
     if (!front && table.back_scale != 1) read = pairing::scaled(read, table.back_scale);
     slot.scan = Result<scan::Scan>(std::move(read));
     return *slot.scan;
@@ -303,7 +303,7 @@ Result<LiveFit> LivePairs::atStartPoint(int front, int back, int shift) const {
   if (!f) return f.error();
   const Result<const scan::Scan*> b = state_->scanOf(Side::Back, back);
   if (!b) return b.error();
-  const Result<pairing::StartPose> start = pairing::startPoseAt(**f, **b, shift, {});
+  const Result<pairing::StartPose> start = pairing::startPoseAt(**f, **b, shift);
   if (!start) return start.error();
   Result<LiveFit> fit = measured(front, back, start->front_from_back);
   if (!fit) return fit;

@@ -8,6 +8,17 @@
 #include "scan/footprint.h"
 
 namespace ostraka::scan {
+namespace {
+
+// 46 degrees: break faces run at 60-90, vessel walls below 40 as a rule.
+constexpr double kSteep_rad = 0.80;
+constexpr double kFractureEdge_mm = 1.0;  // always fracture: this close to the outline
+// Steep points further inside belong to the vessel's shape; walls are 3-10 mm thick, and an oblique
+// break is as wide as the wall is thick.
+constexpr double kFractureReach_mm = 12.0;
+
+}  // namespace
+
 Eigen::Vector3d estimateUp(const PointCloud& cloud) {
   if (cloud.size() < 3) return Eigen::Vector3d::UnitZ();
   // About 60 cubes along the longest side: even weights, whatever the density of the points.
@@ -39,10 +50,9 @@ Eigen::Vector3d estimateUp(const PointCloud& cloud) {
   return up.normalized();
 }
 
-std::vector<std::uint8_t> findFracture(const PointCloud& cloud, const FractureOptions& options) {
+std::vector<std::uint8_t> findFracture(const PointCloud& cloud, const Eigen::Vector3d& up) {
   std::vector<std::uint8_t> fracture(cloud.size(), 0);
   if (cloud.size() < 20 || !cloud.hasNormals()) return fracture;
-  const Eigen::Vector3d up = options.up.norm() > 0.5 ? options.up.normalized() : estimateUp(cloud);
   const Eigen::Vector3d x = up.unitOrthogonal(), y = up.cross(x);
   std::vector<Eigen::Vector2d> flat(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
@@ -52,12 +62,12 @@ std::vector<std::uint8_t> findFracture(const PointCloud& cloud, const FractureOp
   const double spacing = std::max(1e-3, medianSpacing(cloud));
   const Footprint footprint(flat, std::max(0.3, 1.5 * spacing));
   const KdTree tree(cloud.points);
-  const double steepest = std::cos(options.steep_rad);
+  const double steepest = std::cos(kSteep_rad);
   std::vector<Neighbour> near;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const double inside = footprint.depth(flat[i]);
-    if (inside > options.reach_mm) continue;
-    if (inside <= options.edge_mm) {
+    if (inside > kFractureReach_mm) continue;
+    if (inside <= kFractureEdge_mm) {
       fracture[i] = 1;
       continue;
     }

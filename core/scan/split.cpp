@@ -293,7 +293,7 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
   });
   for (std::size_t i = 0; i < result.scans.size(); ++i) {
     result.scans[i].id = formatted("%c%03zu", side == batch::Side::Front ? 'f' : 'b', i + 1);
-    result.scans[i].fracture = findFracture(result.scans[i].cloud, {.up = result.scans[i].up});
+    result.scans[i].fracture = findFracture(result.scans[i].cloud, result.scans[i].up);
   }
   progress.note(NoteLevel::Info, std::string("scans: ") + std::to_string(result.scans.size()) +
                                      " sherds on the " + batch::name(side) + " side, " +

@@ -12,6 +12,10 @@ namespace {
 /// gap opens where the best view changes.
 constexpr float kNearlyBest = 0.96F;
 constexpr float kMinIncidence = 0.15F;
+/// Views agree where their surfaces lie this near, in pixels' widths on the object.
+constexpr float kSurfacesAgree_px = 1.2F;
+constexpr float kNormalsAgree_cos = 0.6F;
+constexpr float kMostCost = 0.7F;
 
 struct Opinion {
   bool looks = false;   // the view has a surface at this place
@@ -26,7 +30,7 @@ float tangentOf(float incidence) {
 }
 
 Opinion ask(const Frame& frame, const PlaneMap& map, const Eigen::Vector3f& p_plate,
-            const Eigen::Vector3f& n_plate, float tolerance_mm, const FusionOptions& options) {
+            const Eigen::Vector3f& n_plate, float tolerance_mm) {
   Opinion opinion;
   const Eigen::Vector3f p = frame.toCamera(p_plate);
   if (p.z() <= 0) return opinion;
@@ -36,7 +40,7 @@ Opinion ask(const Frame& frame, const PlaneMap& map, const Eigen::Vector3f& p_pl
   const int index = frame.index(y, x);
   if (index < 0) return opinion;
   const auto k = static_cast<std::size_t>(index);
-  if (map.depth[k] <= 0 || map.cost[k] > options.max_cost) return opinion;
+  if (map.depth[k] <= 0 || map.cost[k] > kMostCost) return opinion;
   const Eigen::Vector3f n = frame.rotation * n_plate;
   const Eigen::Vector3f surface =
       map.depth[k] * frame.ray(static_cast<float>(x), static_cast<float>(y));
@@ -49,7 +53,7 @@ Opinion ask(const Frame& frame, const PlaneMap& map, const Eigen::Vector3f& p_pl
   opinion.behind = opinion.offset_mm < -3 * tolerance_mm;
   const float incidence = -n.dot(p) / p.norm();
   opinion.looks = std::abs(opinion.offset_mm) < tolerance_mm && incidence > kMinIncidence &&
-                  m.dot(n) > options.agree_normal_cos;
+                  m.dot(n) > kNormalsAgree_cos;
   opinion.weight = incidence * incidence * std::max(0.02F, 1.0F - map.cost[k]);
   opinion.normal = frame.rotation.transpose() * m;
   return opinion;
@@ -63,14 +67,14 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
   agreement.shown = cv::countNonZero(frame.coverage >= 0.5F);
   agreement.matched = static_cast<std::int64_t>(frame.pixels.size());
   for (std::size_t k = 0; k < frame.pixels.size(); ++k) {
-    if (map.depth[k] <= 0 || map.cost[k] > options.max_cost) continue;
+    if (map.depth[k] <= 0 || map.cost[k] > kMostCost) continue;
     const Eigen::Vector3f in_camera =
         map.depth[k] *
         frame.ray(static_cast<float>(frame.pixels[k].x), static_cast<float>(frame.pixels[k].y));
     const Eigen::Vector3f p = frame.rotation.transpose() * (in_camera - frame.translation);
     const Eigen::Vector3f n = frame.rotation.transpose() * map.normal[k];
     const float footprint = map.depth[k] / frame.fx;
-    const float tolerance = options.agree_px * footprint;
+    const float tolerance = kSurfacesAgree_px * footprint;
     const float own_incidence = n.dot((frame.centre - p).normalized());
     const float own_weight = own_incidence * own_incidence * std::max(0.02F, 1.0F - map.cost[k]);
     const float own_tangent = tangentOf(own_incidence);
@@ -83,7 +87,7 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
       if (j == view) continue;
       const float incidence = n.dot((frames[j]->centre - p).normalized());
       if (incidence < kMinIncidence) continue;
-      const Opinion o = ask(*frames[j], maps[j], p, n, tolerance, options);
+      const Opinion o = ask(*frames[j], maps[j], p, n, tolerance);
       against += o.behind ? 1 : 0;
       if (!o.looks) continue;
       ++agreeing;

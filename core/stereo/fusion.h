@@ -8,10 +8,6 @@ namespace ostraka::stereo {
 
 struct FusionOptions {
   int min_agreeing_views = 2;
-  /// Views agree where their surfaces lie this near, in pixels' widths on the object.
-  float agree_px = 1.2F;
-  float agree_normal_cos = 0.6F;
-  float max_cost = 0.7F;
   int threads = 1;
 };
 

@@ -1,40 +1,21 @@
 // Runs the built program as a person does, and looks at what it says and its exit status.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "cloud/ply.h"
+#include "program.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Outcome {
-  int status = -1;
-  std::string text;  // of both streams, or of standard output alone
-};
-
-Outcome run(const std::string& arguments, const std::string& errors_to = "2>&1") {
-  // Without a display, as on a cluster: the commands need none, and no window opens.
-  const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM " +
-                              std::string(OSTRAKA_PROGRAM) + " " + arguments + " " + errors_to;
-  Outcome outcome;
-  std::FILE* pipe = ::popen(command.c_str(), "r");
-  std::array<char, 4096> buffer;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe))
-    outcome.text.append(buffer.data(), n);
-  const int status = ::pclose(pipe);
-  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
-}
+using ostraka::Outcome;
+using ostraka::run;
 
 bool says(const Outcome& outcome, const std::string& words) {
   return outcome.text.find(words) != std::string::npos;

@@ -123,9 +123,8 @@ void printConstraints(const Isometry3d& truth, const reg::Constraints& w, const 
   std::printf("      colours %d pairs, correlation %.2f %.2f %.2f\n", colours.pairs,
               colours.correlation[0], colours.correlation[1], colours.correlation[2]);
   printConstraint("colours", colours.evidence, radius);
-  const auto outline =
-      reg::fitOutlines(front.all, back.all, spacing, truth,
-                       (front.up - truth.linear() * back.up).normalized(), pivot, {});
+  const auto outline = reg::fitOutlines(front.all, back.all, spacing, truth,
+                                        (front.up - truth.linear() * back.up).normalized(), pivot);
   printConstraint("outline", outline.evidence, radius);
   for (const bool on_front : {true, false}) {
     reg::ContactOptions contact;
@@ -155,7 +154,7 @@ void printConstraints(const Isometry3d& truth, const reg::Constraints& w, const 
     std::printf("\n");
   }
   if (!w.front.empty()) {
-    const reg::SilhouetteConstraint s(front, back, w.front, w.back, truth, {}, 1);
+    const reg::SilhouetteConstraint s(front, back, w.front, w.back, truth, 1);
     const auto fit = s.evidence(truth, pivot, 3);
     std::printf("      silhouettes sigma %.2f px, %d\n", fit.sigma_mm, fit.pairs);
     printConstraint("silhouettes", fit.evidence, radius);

@@ -36,8 +36,7 @@ Result<PlatePicture> lookAt(const std::string& bytes, const batch::Plate& plate,
     if (!inspection) return inspection.error();
     seen.inspection = std::move(*inspection);
   } else {
-    Result<capture::InspectionWithClearance> inspection =
-        capture::lookForRoom(bytes, plate, {}, {});
+    Result<capture::InspectionWithClearance> inspection = capture::lookForRoom(bytes, plate, {});
     if (!inspection) return inspection.error();
     seen.inspection = std::move(inspection->inspection);
     seen.room = std::move(inspection->room);

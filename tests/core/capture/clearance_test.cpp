@@ -36,7 +36,7 @@ TEST(Clearance, OfABarePlateHoldsAsManyDiscsAsARingOfThem) {
   // Discs of 50 mm, 12 mm apart: their middles lie within 75 mm and 62 mm from each other. Seven
   // (six around one) are the most: 2 * 75 * sin(pi / 6) = 75 >= 62, and with seven around one
   // 2 * 75 * sin(pi / 7) = 65 >= 62: eight.
-  const Clearance room = clearance(bare(), {}, {});
+  const Clearance room = clearance(bare(), {});
   EXPECT_EQ(room.extent_mm, 50);
   EXPECT_GE(room.places.size(), 6u);
   EXPECT_LE(room.places.size(), 8u);
@@ -50,7 +50,7 @@ TEST(Clearance, OfABarePlateHoldsAsManyDiscsAsARingOfThem) {
 TEST(Clearance, KeepsAwayFromWhatLiesThere) {
   PlateMap map = bare();
   const MapPiece middle = disc(map, {0, 0}, 20);
-  const Clearance room = clearance(map, {middle}, {});
+  const Clearance room = clearance(map, {middle});
   EXPECT_NEAR(room.extent_mm, 40, 0.1);
   EXPECT_GE(room.places.size(), 6u);
   for (const Eigen::Vector2d& place : room.places) EXPECT_GE(place.norm(), 20 + 12 + 20 - 4);
@@ -59,24 +59,24 @@ TEST(Clearance, KeepsAwayFromWhatLiesThere) {
 TEST(Clearance, ThereIsNoneOnAFullPlateNorWhereNothingIsSeen) {
   PlateMap full = bare();
   const MapPiece large = disc(full, {0, 0}, 60);
-  EXPECT_TRUE(clearance(full, {large}, {}).places.empty());  // sherds of 120 mm
+  EXPECT_TRUE(clearance(full, {large}).places.empty());  // sherds of 120 mm
   PlateMap hidden = bare();
   hidden.seen.setTo(0);
-  EXPECT_TRUE(clearance(hidden, {}, {}).places.empty());
-  EXPECT_TRUE(clearance({}, {}, {}).places.empty());
+  EXPECT_TRUE(clearance(hidden, {}).places.empty());
+  EXPECT_TRUE(clearance({}, {}).places.empty());
 }
 
 TEST(Clearance, OfAnEvenNumberTheSmallerMiddleCounts) {
   PlateMap map = bare();
   const MapPiece large = disc(map, {0, 50}, 42), small = disc(map, {-60, -20}, 14),
                  larger = disc(map, {0, -50}, 45), middle = disc(map, {60, -20}, 15);
-  EXPECT_NEAR(clearance(map, {large, small, larger, middle}, {}).extent_mm, 30, 0.1);
+  EXPECT_NEAR(clearance(map, {large, small, larger, middle}).extent_mm, 30, 0.1);
 }
 
 TEST(Clearance, FollowsTheSizeOfTheSherds) {
   PlateMap small = bare(), large = bare();
-  const Clearance many = clearance(small, {disc(small, {-60, 0}, 13)}, {});
-  const Clearance few = clearance(large, {disc(large, {-60, 0}, 30)}, {});
+  const Clearance many = clearance(small, {disc(small, {-60, 0}, 13)});
+  const Clearance few = clearance(large, {disc(large, {-60, 0}, 30)});
   EXPECT_GT(many.places.size(), 2 * few.places.size());
 }
 

@@ -244,12 +244,12 @@ TEST(TurnBetween, IsTheTableTurnWithoutAnyCalibration) {
 TEST(Judge, TellsAPhotographOfAnotherStop) {
   CameraReference reference;
   learn(reference, lookAt({}, 0, 0), 0);
-  const ShotCheck right = checkOf(lookAt({}, 0, 45), 45, reference, {});
+  const ShotCheck right = checkOf(lookAt({}, 0, 45), 45, reference);
   EXPECT_TRUE(right.good());
   EXPECT_NEAR(*right.angle_seen_deg, 45, 0.1);
-  const ShotCheck round = checkOf(lookAt({}, 0, 45), 405, reference, {});
+  const ShotCheck round = checkOf(lookAt({}, 0, 45), 405, reference);
   EXPECT_TRUE(round.good());
-  const ShotCheck wrong = checkOf(lookAt({}, 0, 45), 90, reference, {});
+  const ShotCheck wrong = checkOf(lookAt({}, 0, 45), 90, reference);
   EXPECT_TRUE(wrong.has(ShotProblem::WrongStop));
   EXPECT_FALSE(wrong.keepable());
 }
@@ -258,7 +258,7 @@ TEST(Judge, TellsLightThatDoesNotSuffice) {
   PlateInspection inspection = lookAt({}, 0, 0);
   inspection.dark_share = 0.5;
   inspection.bright_share = 0.1;
-  const ShotCheck check = checkOf(inspection, 0, {}, {});
+  const ShotCheck check = checkOf(inspection, 0, {});
   EXPECT_TRUE(check.has(ShotProblem::TooDark));
   EXPECT_TRUE(check.has(ShotProblem::TooBright));
   EXPECT_TRUE(check.keepable());
@@ -271,9 +271,9 @@ TEST(Judge, AsksAgainWhenMarkersAreHidden) {
   learn(reference, open, 0);
   PlateInspection hidden = open;
   hidden.markers_seen = 5;
-  EXPECT_TRUE(checkOf(hidden, 0, reference, {}).again());
+  EXPECT_TRUE(checkOf(hidden, 0, reference).again());
   hidden.markers_seen = 6;
-  EXPECT_FALSE(checkOf(hidden, 0, reference, {}).again());
+  EXPECT_FALSE(checkOf(hidden, 0, reference).again());
 }
 
 }  // namespace

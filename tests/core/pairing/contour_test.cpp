@@ -25,7 +25,7 @@ PointCloud disc(double radius, double height) {
 }
 
 TEST(TraceContour, OfADiscHasItsLengthAreaAndHeight) {
-  const auto contour = traceContour(disc(20, 5), Eigen::Vector3d::UnitZ(), {});
+  const auto contour = traceContour(disc(20, 5), Eigen::Vector3d::UnitZ());
   ASSERT_TRUE(contour.has_value());
   // The outermost grid points lie up to one step of 0.4 mm inside, 0.2 on the average.
   EXPECT_NEAR(contour->area_mm2, kPi * 19.8 * 19.8, 0.01 * kPi * 400);
@@ -41,9 +41,9 @@ TEST(TraceContour, DoesNotChangeWhenScanAndAxisAreTurned) {
   Eigen::Isometry3d turned = Eigen::Isometry3d::Identity();
   turned.rotate(Eigen::AngleAxisd(2.0, Eigen::Vector3d(1, 2, 3).normalized()));
   turned.pretranslate(Eigen::Vector3d(100, -50, 30));
-  const auto a = traceContour(cloud, Eigen::Vector3d::UnitZ(), {});
+  const auto a = traceContour(cloud, Eigen::Vector3d::UnitZ());
   const auto b =
-      traceContour(transformed(cloud, turned), turned.linear() * Eigen::Vector3d::UnitZ(), {});
+      traceContour(transformed(cloud, turned), turned.linear() * Eigen::Vector3d::UnitZ());
   ASSERT_TRUE(a.has_value() && b.has_value());
   EXPECT_NEAR(a->area_mm2, b->area_mm2, 0.05);
   EXPECT_NEAR(a->perimeter_mm, b->perimeter_mm, 0.1);
@@ -51,20 +51,20 @@ TEST(TraceContour, DoesNotChangeWhenScanAndAxisAreTurned) {
 
 TEST(TraceContour, LeavesFlyingPointsAside) {
   PointCloud cloud = disc(20, 5);
-  const double area = traceContour(cloud, Eigen::Vector3d::UnitZ(), {})->area_mm2;
+  const double area = traceContour(cloud, Eigen::Vector3d::UnitZ())->area_mm2;
   for (int i = 0; i < 40; ++i) {  // 0.5 % of the points, up to 1.5 mm outside, alone
     const double phi = 2 * kPi * i / 40;
     cloud.points.push_back(
         Eigen::Vector3d(21.5 * std::cos(phi), 21.5 * std::sin(phi), 5).cast<float>());
     cloud.normals.push_back(Eigen::Vector3f::UnitZ());
   }
-  EXPECT_NEAR(traceContour(cloud, Eigen::Vector3d::UnitZ(), {})->area_mm2, area, 0.5);
+  EXPECT_NEAR(traceContour(cloud, Eigen::Vector3d::UnitZ())->area_mm2, area, 0.5);
 }
 
 TEST(TraceContour, RefusesAHandfulOfPoints) {
   PointCloud few;
   few.points.assign(19, Eigen::Vector3f::Zero());
-  const auto contour = traceContour(few, Eigen::Vector3d::UnitZ(), {});
+  const auto contour = traceContour(few, Eigen::Vector3d::UnitZ());
   ASSERT_FALSE(contour.has_value());
   EXPECT_EQ(contour.error().code, ErrorCode::NotEnough);
 }

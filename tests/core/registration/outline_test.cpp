@@ -40,7 +40,7 @@ TEST(Outline, TwoSidesOfOneSherdAreMovedOntoEachOther) {
   const Vector3d up = Vector3d::UnitZ(), pivot(0, 0, 2);
   Isometry3d pose = Isometry3d::Identity();
   for (int round = 0; round < 5; ++round) {
-    OutlineFit fit = fitOutlines(front, back, 0.3, pose, up, pivot, {});
+    OutlineFit fit = fitOutlines(front, back, 0.3, pose, up, pivot);
     ASSERT_GT(fit.pairs, 50);
     fit.evidence.information.diagonal().array() += 1e-3;  // height and tilt are not seen
     pose = changed(pose, -fit.evidence.information.ldlt().solve(fit.evidence.gradient), pivot);

@@ -68,7 +68,7 @@ TEST(Silhouettes, MoveTheBackToWhereThePhotographsShowIt) {
   Isometry3d pose = sherd.truth;
   pose.pretranslate(Vector3d(0.4, -0.2, 0.4));
   const double before = rms_mm(pose, sherd.truth, sherd.back);
-  const SilhouetteConstraint constraint(*front, *back, views.front, views.back, pose, {}, 1);
+  const SilhouetteConstraint constraint(*front, *back, views.front, views.back, pose, 1);
   for (const double reach_px : {6.0, 4.5, 3.5, 3.0, 3.0, 3.0}) {
     const Vector3d pivot = front->centre;
     OutlineFit fit = constraint.evidence(pose, pivot, reach_px);
@@ -84,7 +84,7 @@ TEST(Silhouettes, KnowTheHeightNoBetterThanLowerEdgesErr) {
   const SimulatedSherd sherd = simulatedSherd({.noise_mm = 0});
   const auto front = prepareStrip(sherd.front, {}), back = prepareStrip(sherd.back, {});
   const Views views = viewsOf(sherd);
-  const SilhouetteConstraint constraint(*front, *back, views.front, views.back, sherd.truth, {}, 1);
+  const SilhouetteConstraint constraint(*front, *back, views.front, views.back, sherd.truth, 1);
   Matrix6 information = constraint.evidence(sherd.truth, front->centre, 3).evidence.information;
   information.diagonal().array() += 1e-3;
   const Vector6 sd = information.inverse().diagonal().cwiseSqrt();
@@ -100,7 +100,7 @@ TEST(Silhouettes, ViewsThatDoNotSeeTheSherdSayNothing) {
   const auto front = prepareStrip(sherd.front, {}), back = prepareStrip(sherd.back, {});
   const std::vector<SilhouetteView> views = {
       {camera(0, 0.6, Vector3d(900, 900, 0)), cv::Mat1b(500, 600, uchar{0})}};
-  const SilhouetteConstraint constraint(*front, *back, views, {}, sherd.truth, {}, 1);
+  const SilhouetteConstraint constraint(*front, *back, views, {}, sherd.truth, 1);
   EXPECT_EQ(constraint.evidence(sherd.truth, front->centre, 6).pairs, 0);
 }
 

@@ -1,0 +1,265 @@
+// What each command prints with --json follows its schema in docs/schemas, which is named after the
+// command: rig-simulate.json.
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "catalogue/batches.h"
+#include "cloud/ply.h"
+#include "json_schema.h"
+#include "program.h"
+#include "tests/core/catalogue/result_folder.h"
+#include "upkeep/project.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const fs::path kSchemas = fs::path(OSTRAKA_SOURCE_DIR) / "docs/schemas";
+
+std::string textOf(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string joinedLines(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+std::map<std::string, json> schemas() {
+  std::map<std::string, json> all;
+  for (const fs::directory_entry& entry : fs::directory_iterator(kSchemas)) {
+    EXPECT_EQ(entry.path().extension(), ".json") << entry.path();
+    all[entry.path().stem().string()] = json::parse(textOf(entry.path()), nullptr, false);
+  }
+  return all;
+}
+
+// In this order; @ stands for the test's folder.
+struct Printed {
+  const char* schema;
+  const char* arguments;
+};
+constexpr Printed kQuick[] = {
+    {"doctor", "doctor @"},
+    {"devices", "devices"},
+    {"completion", "completion zsh"},
+    {"man-pages", "man-pages @/man"},
+    {"plate", "plate -o @/plate.pdf --diameter 200"},
+    {"draw", "draw @/a.ply -o @/a.svg"},
+    {"evaluate", "evaluate @/a.ply --truth @/a.ply"},
+    {"rig-simulate", "rig simulate --scans-only --sherds 2 -o @/scans"},
+    {"register", "register --front @/scans/front --back @/scans/back -o @/registered"},
+    {"register", "register --front @/scans/front --back @/scans/back -o @/paper --pairing paper"},
+    {"evaluate", "evaluate @/registered --truth @/scans"},
+    {"catalogue-new", "catalogue new -o @/p --code ARM"},
+    {"catalogue-import", "catalogue import @/p @/sherds.csv --make-places"},
+    {"catalogue-import", "catalogue import @/p @/sherds.csv --make-places --enter --confirm all"},
+    {"catalogue-import", "catalogue import @/p @/changed.csv"},
+    {"catalogue-export", "catalogue export @/p -o @/export --forms csv,json,ply"},
+    {"catalogue-import", "catalogue import @/p @/export"},
+    {"catalogue-repair", "catalogue repair @/p"}};
+// Of a project with results, and of the same with a damaged file.
+constexpr Printed kWithResults[] = {{"catalogue-enter", "catalogue enter @/p B0001"},
+                                    {"catalogue-archive", "catalogue archive @/p -o @/archive"},
+                                    {"catalogue-restore", "catalogue restore @/archive -o @/q"},
+                                    {"catalogue-check", "catalogue check @/p"}};
+constexpr Printed kDamaged[] = {
+    {"catalogue-check", "catalogue check @/p"},
+    {"catalogue-archive", "catalogue archive @/p -o @/damaged --with-damage"},
+    {"catalogue-restore", "catalogue restore @/damaged -o @/r"}};
+constexpr Printed kPhotographs[] = {
+    {"capture",
+     "capture --rig virtual --side both --width 160 --stops 4 --sherds 1 --settle 0 -o @/small"},
+    {"rig-simulate", "rig simulate --sherds 2 --width 400 --stops 5 -o @/batch"}};
+constexpr Printed kOfPhotographs[] = {
+    {"rig-calibrate", "rig calibrate @/batch -o @/rig.json"},
+    {"rig-calibrate", "rig calibrate @/batch -o @/wrong.json --length 0,1,50"},
+    {"process", "process @/batch -o @/out"},
+    {"evaluate", "evaluate @/out --truth @/batch/truth"},
+    {"draw", "draw @/out/sherds/01/model.ply -o @/sherd.svg"},
+    {"dense", "dense @/batch --cameras @/fronts.json -o @/cloud.ply"},
+    {"rig-predict", "rig predict @/rig.json --width 400 --sherds-per-size 1 --moves 0"}};
+
+class JsonOutput : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) / ("ostraka_json_" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    ostraka::TriangleMesh mesh;  // a tetrahedron of 30 mm
+    mesh.vertices = {{0, 0, 0}, {30, 0, 0}, {0, 30, 0}, {0, 0, 30}};
+    mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    ASSERT_TRUE(ostraka::writePly(folder_ / "a.ply", mesh, "model"));
+    std::ofstream(folder_ / "sherds.csv") << "number,site,trench,context,part,rim_diameter_mm\n"
+                                             "X-1,ARM1,T3,0012,rim,180\n"
+                                             "X-2,ARM1,T3,0012,wing,\n"
+                                             "X-3,ARM1,T3,0012,rim,0.24\n";
+    std::ofstream(folder_ / "changed.csv") << "number,part,Gewicht\nX-1,base,0.02\n";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  template <std::size_t N>
+  void expectAllFollow(const Printed (&commands)[N]) {
+    for (const Printed& command : commands) expectFollows(command);
+  }
+
+  // A result, not an error; and spoilt in any place it follows no more.
+  void expectFollows(const Printed& command) {
+    std::string arguments = command.arguments;
+    for (std::size_t at = 0; (at = arguments.find('@')) != std::string::npos;)
+      arguments.replace(at, 1, folder_.string());
+    const ostraka::Outcome printed = ostraka::run("--json " + arguments, "2>/dev/null");
+    const json value = json::parse(printed.text, nullptr, false);
+    ASSERT_TRUE(value.is_object()) << arguments << ": " << printed.text;
+    EXPECT_FALSE(value.contains("error")) << arguments << ": " << printed.text;
+    EXPECT_EQ(value.value("exit_status", -1), printed.status) << arguments;
+    const json schema = json::parse(textOf(kSchemas / (std::string(command.schema) + ".json")));
+    const std::vector<std::string> lines = ostraka::schema::violations(schema, value);
+    EXPECT_TRUE(lines.empty()) << arguments << ":\n" << joinedLines(lines);
+    expectSpoiltFails(schema, value, value, json::json_pointer());
+  }
+
+  // Another key, or a value of another kind; of lists in the first item.
+  void expectSpoiltFails(const json& schema, const json& whole, const json& part,
+                         const json::json_pointer& at) {
+    const auto expectFails = [&](const json& spoilt, const json::json_pointer& place) {
+      EXPECT_FALSE(ostraka::schema::violations(schema, spoilt).empty())
+          << place.to_string() << " may be spoilt: " << spoilt[place].dump();
+    };
+    if (part.is_array() && !part.empty()) {
+      expectSpoiltFails(schema, whole, part[0], at / std::size_t{0});
+    } else if (part.is_object()) {
+      json strange = whole;
+      strange[at / "strange"] = 1;
+      expectFails(strange, at / "strange");
+      for (const auto& [key, value] : part.items())
+        expectSpoiltFails(schema, whole, value, at / key);
+    }
+    if (at.empty()) return;
+    json other = whole;
+    other[at] = {{"other", true}};
+    expectFails(other, at);
+  }
+
+  fs::path folder_;
+};
+
+// The manual pages are made from the options of the program: one for each command, also for those
+// that only hold others.
+std::set<std::string> commandsWithJson(const fs::path& folder) {
+  EXPECT_EQ(ostraka::run("man-pages " + folder.string()).status, 0);
+  std::set<std::string> pages, commands;
+  const std::string program = "ostraka-";
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (const std::string name = entry.path().stem().string();
+        name.starts_with(program) && textOf(entry.path()).find("\\-\\-json") != std::string::npos)
+      pages.insert(name.substr(program.size()));
+  for (const std::string& name : pages) {
+    const auto next = pages.upper_bound(name);
+    if (next == pages.end() || !next->starts_with(name + "-")) commands.insert(name);
+  }
+  commands.insert("man-pages");  // for packagers, without a page
+  return commands;
+}
+
+TEST_F(JsonOutput, EachCommandHasASchemaAndEachSchemaACommandThatIsRunHere) {
+  std::set<std::string> named, run;
+  for (const auto& [name, schema] : schemas()) named.insert(name);
+  EXPECT_GT(named.size(), 10u);
+  EXPECT_THAT(named, testing::ContainerEq(commandsWithJson(folder_ / "man")));
+  for (const Printed& command : kQuick) run.insert(command.schema);
+  for (const Printed& command : kWithResults) run.insert(command.schema);
+  for (const Printed& command : kPhotographs) run.insert(command.schema);
+  for (const Printed& command : kOfPhotographs) run.insert(command.schema);
+  EXPECT_THAT(run, testing::ContainerEq(named));
+}
+
+// Each property says what it is, and nothing may stand in an object beside its properties; what is
+// not required says when it is absent.
+void expectDescribed(const json& schema, const std::string& at) {
+  if (schema.is_object() && schema.contains("properties") && schema["properties"].is_object()) {
+    EXPECT_EQ(schema.value("additionalProperties", json()), false) << at;
+    const json required = schema.value("required", json::array());
+    for (const auto& [name, property] : schema["properties"].items()) {
+      const std::string words = property.value("description", "");
+      EXPECT_FALSE(words.empty()) << at << "/" << name;
+      if (std::find(required.begin(), required.end(), name) == required.end()) {
+        EXPECT_NE(words.find("absent"), std::string::npos) << at << "/" << name;
+      }
+    }
+  }
+  if (schema.is_structured())
+    for (const auto& [name, part] : schema.items()) expectDescribed(part, at + "/" + name);
+}
+
+TEST_F(JsonOutput, SchemasUseOnlyWhatIsCheckedAndDescribeEachProperty) {
+  for (const auto& [name, schema] : schemas()) {
+    ASSERT_TRUE(schema.is_object()) << name;
+    EXPECT_TRUE(schema.contains("$schema")) << name;
+    const std::vector<std::string> lines = ostraka::schema::faults(schema);
+    EXPECT_TRUE(lines.empty()) << name << ":\n" << joinedLines(lines);
+    expectDescribed(schema, name);
+  }
+}
+
+TEST_F(JsonOutput, ErrorsFollowTheSchemaOfTheirCommandToo) {
+  for (const auto& [name, schema] : schemas()) {
+    std::string command = name;
+    for (const char* group : {"rig-", "catalogue-"})
+      if (command.starts_with(group)) command[command.find('-')] = ' ';
+    const ostraka::Outcome refused = ostraka::run("--json " + command + " --zz", "2>/dev/null");
+    const json value = json::parse(refused.text, nullptr, false);
+    ASSERT_TRUE(value.is_object()) << command << ": " << refused.text;
+    EXPECT_TRUE(value.contains("error")) << command;
+    const std::vector<std::string> lines = ostraka::schema::violations(schema, value);
+    EXPECT_TRUE(lines.empty()) << command << ":\n" << joinedLines(lines);
+  }
+}
+
+// A batch of the project, with results of two sherds.
+void makeResults(const fs::path& folder) {
+  auto project = ostraka::upkeep::Project::open(folder);
+  ASSERT_TRUE(project);
+  ASSERT_TRUE(ostraka::catalogue::Batches(project->catalogue()).add({}, {}));
+  ostraka::catalogue::ResultFolder(project->resultsFolder("B0001"), 2);
+}
+
+TEST_F(JsonOutput, ResultsFollowTheirSchemas) {
+  expectAllFollow(kQuick);
+  makeResults(folder_ / "p");
+  expectAllFollow(kWithResults);
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_ / "p"))
+    if (entry.path().filename() == "preview.png") std::ofstream(entry.path()) << "damaged";
+  expectAllFollow(kDamaged);
+}
+
+// One side's cameras: dense reconstruction of it takes half the time.
+void writeFronts(const fs::path& cameras, const fs::path& to) {
+  json fronts = json::parse(textOf(cameras));
+  json images = json::array();
+  for (const json& image : fronts.at("images"))
+    if (image.at("file").get<std::string>().starts_with("front/")) images.push_back(image);
+  EXPECT_LT(images.size(), fronts["images"].size());
+  fronts["images"] = images;
+  std::ofstream(to) << fronts;
+}
+
+TEST_F(JsonOutput, ResultsFromPhotographsFollowTheirSchemas) {
+  expectAllFollow(kPhotographs);
+  writeFronts(folder_ / "batch/truth/cameras.json", folder_ / "fronts.json");
+  expectAllFollow(kOfPhotographs);
+}
+
+}  // namespace

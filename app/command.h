@@ -47,6 +47,7 @@ void addDoctor(CLI::App& root, Command& chosen);
 void addDraw(CLI::App& root, Command& chosen);
 void addPlate(CLI::App& root, Command& chosen);
 void addCatalogue(CLI::App& root, Command& chosen);
+void addCluster(CLI::App& root, Command& chosen);
 void addCompletion(CLI::App& root, Command& chosen);
 void addManPages(CLI::App& root, Command& chosen);
 

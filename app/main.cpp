@@ -84,6 +84,7 @@ int main(int argc, char** argv) {
   app::addDraw(root, chosen);
   app::addPlate(root, chosen);
   app::addCatalogue(root, chosen);
+  app::addCluster(root, chosen);
   app::addCompletion(root, chosen);
   app::addManPages(root, chosen);
   try {

@@ -15,6 +15,7 @@ install(FILES resources/icons/ostraka.svg DESTINATION ${icons}/mimetypes
 install(FILES packaging/udev/70-ostraka.rules DESTINATION lib/udev/rules.d)
 install(FILES README.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY packaging/cluster DESTINATION ${CMAKE_INSTALL_DOCDIR}/packaging)
 install(FILES resources/docs/review-light.png resources/docs/catalogue-light.png
         DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources/docs)
 install(DIRECTORY resources/manual DESTINATION ${CMAKE_INSTALL_DOCDIR}
@@ -61,7 +62,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-translations-l10n, fonts-dejavu-core")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "colmap")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "colmap, openssh-client, rsync, slurm-client")
 # Three packages: the program; the library; the headers, for those who build with it.
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program)

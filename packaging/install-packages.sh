@@ -22,6 +22,7 @@ packages="
   libicu-dev libfreetype-dev libfontconfig-dev libjpeg-dev libembree-dev nlohmann-json3-dev libcli11-dev libssl-dev
   libgtest-dev libgmock-dev libbenchmark-dev
   python3 python3-numpy python3-scipy colmap
+  slurm-wlm munge rsync openssh-client
 "
 
 # With everything there already, no network is needed.

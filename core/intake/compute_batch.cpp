@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "decisions/scan_folder.h"
+#include "files/json.h"
 #include "intake/computed_again.h"
 #include "intake/enter_results.h"
 #include "pipeline/process_batch.h"
@@ -148,6 +150,88 @@ std::string leftSentence(const catalogue::Catalogue& rows, const std::string& nu
                 "it in the catalogue.");
 }
 
+// Of results that were computed elsewhere; scans, and batches without a table, have no review.
+Result<BatchFigures> figuresIn(const fs::path& output, const fs::path& batch) {
+  const Result<nlohmann::json> report = readJson(output / "report.json");
+  if (!report) return report.error();
+  BatchFigures figures;
+  try {
+    figures.draft = report->value("draft", false);
+    for (const nlohmann::json& stage : report->at("stages"))
+      figures.seconds += stage.value("seconds", 0.0);
+    for (const nlohmann::json& sherd : report->at("sherds")) {
+      ++figures.sherds;
+      figures.ask += sherd.value("ambiguous", false) ? 1 : 0;
+      figures.decided += sherd.value("decided_by", std::string()).empty() ? 0 : 1;
+      figures.uncertainty_mm = std::max(figures.uncertainty_mm, sherd.value("uncertainty_mm", 0.0));
+    }
+  } catch (const nlohmann::json::exception&) {
+    return Error::unusable("These results of 'ostraka process' are incomplete; run it again.",
+                           (output / "report.json").string());
+  }
+  figures.sure = figures.sherds - figures.ask - figures.decided;
+  if (fs::exists(batch / "rig.json"))
+    if (const auto moved = checks::movedCameras(output)) figures.moved = *moved;
+  if (const auto review = review::loadReview(output)) figures.take(review::countsOf(*review));
+  return figures;
+}
+
+// From results to rows, after the chain has ended here or elsewhere.
+Result<BatchFigures> enteredFigures(upkeep::Project& project, const records::BatchRecord& begun,
+                                    BatchFigures figures, Progress& progress,
+                                    const std::stop_token& stop) {
+  catalogue::Catalogue& rows = project.catalogue();
+  const fs::path output = project.resultsFolder(begun.number);
+  // Who opens the review finds the candidates registered. Without them it compares them then.
+  if (figures.ask > 0) {
+    progress.begin("candidates", 0.02);
+    const Result<void> prepared =
+        review::prepareCandidates(output, kWantedCandidates, progress, stop);
+    if (!prepared && prepared.error().code == ErrorCode::Cancelled) return prepared.error();
+    if (!prepared) progress.note(NoteLevel::Warning, prepared.error().sentence());
+  }
+  // Since it began a side may be photographed again.
+  const Result<records::BatchRecord> now = catalogue::Batches(rows).get(begun.row);
+  if (!now) return now.error();
+  if (now->state <= records::BatchState::Back && now->state != begun.state)
+    return Error::cancelled();
+  const records::Provenance provenance{{}, "process", {}};
+  progress.begin("catalogue", 0.01);
+  if (const auto set =
+          catalogue::Batches(rows).setState(begun.row, BatchState::Computed, provenance);
+      !set)
+    return set.error();
+  if (!decisions::holdsScans(project.batchFolder(begun.number)))
+    if (const auto entered =
+            enterPhotographs(rows, project.folder(), begun.row, provenance, progress, stop);
+        !entered)
+      return entered.error();
+  const Result<EnteredResults> entered =
+      enterResults(rows, project.folder(), begun.row, output, provenance, progress, stop);
+  if (!entered) return entered.error();
+  const Result<bool> again = queueIfAsked(rows, begun.number, provenance);
+  if (!again) progress.note(NoteLevel::Warning, again.error().sentence());
+  for (const std::string& number : entered->numbers_left)
+    progress.note(NoteLevel::Warning, leftSentence(rows, number));
+  figures.numbers_left = entered->numbers_left;
+  if (entered->decided_meanwhile && !(again && *again))
+    progress.note(NoteLevel::Warning,
+                  "Pairs were decided or masks edited while the batch was processed. Reprocess it "
+                  "for them.");
+  if (auto unlike = sherds::unlikeBefore(rows, begun.row)) figures.unlike = *unlike;
+  // A sherd that was on the plate and is in no scan would be missed by nobody.
+  figures.sherds = piecesOf(rows, begun.row);
+  if (figures.sherds != begun.counted) figures.counted = begun.counted;
+  if (figures.counted > 0)
+    progress.note(NoteLevel::Warning,
+                  "Sherds counted on the plate: " + std::to_string(figures.counted) +
+                      ". Another number was found; look at the map for one that is missing or cut "
+                      "in two.");
+  if (const auto backup = project.backUp(); !backup)
+    progress.note(NoteLevel::Warning, backup.error().sentence());
+  return figures;
+}
+
 }  // namespace
 
 Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
@@ -166,59 +250,22 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   std::vector<std::string> warnings;
   if (!missing->empty()) warnings.push_back(missingSentence(*missing, batch));
   if (const Result<void> begun = beginComputing(rows, options.number); !begun) return begun.error();
-  const bool scans = decisions::holdsScans(batch);
   Result<BatchFigures> figures =
       computed(options, batch, output, std::move(warnings), progress, stop);
   if (!figures) return figures.error();
+  return enteredFigures(*project, *record, std::move(*figures), progress, stop);
+}
 
-  // Who opens the review finds the candidates registered. Without them it compares them then.
-  if (figures->ask > 0) {
-    progress.begin("candidates", 0.02);
-    const Result<void> prepared =
-        review::prepareCandidates(output, kWantedCandidates, progress, stop);
-    if (!prepared && prepared.error().code == ErrorCode::Cancelled) return prepared.error();
-    if (!prepared) progress.note(NoteLevel::Warning, prepared.error().sentence());
-  }
-  // Since it began a side may be photographed again.
-  const Result<records::BatchRecord> now = catalogue::Batches(rows).get(record->row);
-  if (!now) return now.error();
-  if (now->state <= records::BatchState::Back && now->state != record->state)
-    return Error::cancelled();
-  const records::Provenance provenance{{}, "process", {}};
-  progress.begin("catalogue", 0.01);
-  if (const auto set =
-          catalogue::Batches(rows).setState(record->row, BatchState::Computed, provenance);
-      !set)
-    return set.error();
-  if (!scans)
-    if (const auto entered =
-            enterPhotographs(rows, project->folder(), record->row, provenance, progress, stop);
-        !entered)
-      return entered.error();
-  const Result<EnteredResults> entered =
-      enterResults(rows, project->folder(), record->row, output, provenance, progress, stop);
-  if (!entered) return entered.error();
-  const Result<bool> again = queueIfAsked(rows, options.number, provenance);
-  if (!again) progress.note(NoteLevel::Warning, again.error().sentence());
-  for (const std::string& number : entered->numbers_left)
-    progress.note(NoteLevel::Warning, leftSentence(rows, number));
-  figures->numbers_left = entered->numbers_left;
-  if (entered->decided_meanwhile && !(again && *again))
-    progress.note(NoteLevel::Warning,
-                  "Pairs were decided or masks edited while the batch was processed. Reprocess it "
-                  "for them.");
-  if (auto unlike = sherds::unlikeBefore(rows, record->row)) figures->unlike = *unlike;
-  // A sherd that was on the plate and is in no scan would be missed by nobody.
-  figures->sherds = piecesOf(rows, record->row);
-  if (figures->sherds != record->counted) figures->counted = record->counted;
-  if (figures->counted > 0)
-    progress.note(NoteLevel::Warning,
-                  "Sherds counted on the plate: " + std::to_string(figures->counted) +
-                      ". Another number was found; look at the map for one that is missing or cut "
-                      "in two.");
-  if (const auto backup = project->backUp(); !backup)
-    progress.note(NoteLevel::Warning, backup.error().sentence());
-  return figures;
+Result<BatchFigures> enterComputed(upkeep::Project& project, const records::BatchRecord& begun,
+                                   Progress& progress, std::stop_token stop) {
+  const fs::path output = project.resultsFolder(begun.number);
+  if (const Result<void> whole = review::computedToItsEnd(output); !whole) return whole.error();
+  Result<BatchFigures> figures = figuresIn(output, project.batchFolder(begun.number));
+  if (!figures) return figures.error();
+  figures = enteredFigures(project, begun, std::move(*figures), progress, stop);
+  if (!figures) return figures;
+  const Result<void> kept = keepFigures(project.catalogue(), begun.number, *figures);
+  return kept ? figures : kept.error();
 }
 
 double bytesPerBatch(const fs::path& project) {

@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "intake/batch_figures.h"
+#include "upkeep/project.h"
 
 namespace ostraka::intake {
 
@@ -23,6 +24,13 @@ struct ComputeOptions {
 /// in any thread. The batch's state becomes Computed, then Review or Done; on an error it stays.
 Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
                                   std::stop_token stop);
+
+/// The second half of it, for whole results of another computer, which lie in the batch's results
+/// folder: the review is prepared, the results entered, the catalogue backed up. `begun` is the
+/// batch as it was when that computation began. Doing it twice changes nothing. Errors: also
+/// Missing for results that are not whole; Cancelled when the batch is photographed again since.
+Result<BatchFigures> enterComputed(upkeep::Project& project, const records::BatchRecord& begun,
+                                   Progress& progress, std::stop_token stop);
 
 /// What computes a batch; computeBatch, but for tests.
 using ComputeWork =

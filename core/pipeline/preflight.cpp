@@ -15,6 +15,8 @@ namespace {
 // 1.9, 2.65 with 3.2, 4.03 with 5, these averaged down from 27 (docs/experiments.md). All had 24
 // photographs a side, and what is held is pictures, masks and depths of all photographs of a side.
 constexpr double kBase_mb = 80, kEachMegapixel_mb = 790.0 / 24;
+// 943 s for 40 photographs of 5 megapixels, on one thread.
+constexpr double kEachMegapixel_s = 943.0 / (40 * 5);
 constexpr double kPixelsPerMegapixel = 1e6;
 
 int countOf(const batch::Batch& batch, batch::Side side) {
@@ -25,6 +27,13 @@ int countOf(const batch::Batch& batch, batch::Side side) {
 
 int photographsOfASide(const batch::Batch& batch) {
   return std::max(countOf(batch, batch::Side::Front), countOf(batch, batch::Side::Back));
+}
+
+double largestMegapixels(const batch::Batch& batch) {
+  double pixels = 0;
+  for (const batch::Shot& shot : batch.shots)
+    pixels = std::max(pixels, static_cast<double>(shot.width) * shot.height);
+  return pixels / kPixelsPerMegapixel;
 }
 
 // The program that a later stage would miss; empty: none.
@@ -51,6 +60,14 @@ double workingMegapixels(const ProcessOptions& options, const batch::Batch& batc
   return options.megapixels.value_or(usualMegapixels(photographsOfASide(batch)));
 }
 
+Needs needsOf(const batch::Batch& batch, const ProcessOptions& options) {
+  Needs needs;
+  needs.megapixels = std::min(largestMegapixels(batch), workingMegapixels(options, batch));
+  needs.memory_mb = kBase_mb + kEachMegapixel_mb * needs.megapixels * photographsOfASide(batch);
+  needs.core_s = kEachMegapixel_s * needs.megapixels * static_cast<double>(batch.shots.size());
+  return needs;
+}
+
 Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
                             double free_memory_mb) {
   if (const auto masks = batch::maskSource(options.masks, batch); !masks) return masks.error();
@@ -64,23 +81,18 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
             : "The photographs show no marker plate, so finding the cameras needs the program " +
                   missing + ", which is not installed; install it.",
         batch.folder.string()};
-  Preflight ahead;
-  double original = 0;
+  Preflight ahead{needsOf(batch, options), {}, {}};
   std::set<int> cameras, stops;
   for (const batch::Shot& shot : batch.shots) {
-    original = std::max(original, static_cast<double>(shot.width) * shot.height);
     cameras.insert(shot.camera);
     stops.insert(shot.stop);
   }
-  original /= kPixelsPerMegapixel;
-  ahead.megapixels = std::min(original, workingMegapixels(options, batch));
   const int fronts = countOf(batch, batch::Side::Front), backs = countOf(batch, batch::Side::Back);
-  ahead.memory_mb = kBase_mb + kEachMegapixel_mb * ahead.megapixels * photographsOfASide(batch);
-  ahead.lines.push_back("before: photographs: " + std::to_string(fronts) + " of the front, " +
-                        std::to_string(backs) + " of the back, from " +
-                        std::to_string(cameras.size()) + " cameras at " +
-                        std::to_string(stops.size()) + " positions; " +
-                        formatted("%.1f megapixels, used with %.1f", original, ahead.megapixels));
+  ahead.lines.push_back(
+      "before: photographs: " + std::to_string(fronts) + " of the front, " + std::to_string(backs) +
+      " of the back, from " + std::to_string(cameras.size()) + " cameras at " +
+      std::to_string(stops.size()) + " positions; " +
+      formatted("%.1f megapixels, used with %.1f", largestMegapixels(batch), ahead.megapixels));
   ahead.lines.push_back(std::string("before: cameras: ") +
                         (!batch.plate  ? "found by COLMAP"
                          : options.rig ? "from the plate's markers, lenses from the calibrated rig"
@@ -94,7 +106,8 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
     ahead.lines.push_back("before: sheet: as in " + batch.plate_file.string());
   ahead.lines.push_back(
       formatted("before: memory: about %.1f GB at the peak", ahead.memory_mb / 1000) +
-      (free_memory_mb > 0 ? formatted(", %.1f GB are free", free_memory_mb / 1000) : ""));
+      (free_memory_mb > 0 ? formatted(", %.1f GB are free", free_memory_mb / 1000) : "") +
+      formatted("; time: about %.0f minutes of one core", std::ceil(ahead.core_s / 60)));
   if (free_memory_mb > 0 && ahead.memory_mb > free_memory_mb)
     ahead.warnings.push_back(formatted(
         "This needs about %.1f GB of memory, but only %.1f GB are free: the computer may stop "

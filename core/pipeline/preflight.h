@@ -8,10 +8,15 @@
 
 namespace ostraka::pipeline {
 
+/// What a run will take, about.
+struct Needs {
+  double megapixels = 0;  ///< of a photograph as masks and stereo will see it
+  double memory_mb = 0;   ///< at the run's peak (docs/experiments.md)
+  double core_s = 0;      ///< seconds of one core (tests/bench/RESULTS.md), without COLMAP's
+};
+
 /// What a run finds and will take, before its first stage.
-struct Preflight {
-  double megapixels = 0;              ///< of a photograph as masks and stereo will see it
-  double memory_mb = 0;               ///< at the run's peak, about (docs/experiments.md)
+struct Preflight : Needs {
   std::vector<std::string> lines;     ///< what there is, whole sentences
   std::vector<std::string> warnings;  ///< what is short, what follows and what to do
 };
@@ -21,6 +26,8 @@ struct Preflight {
 double usualMegapixels(int photographs_of_a_side);
 /// What masks and stereo work on, at most.
 double workingMegapixels(const ProcessOptions& options, const batch::Batch& batch);
+
+Needs needsOf(const batch::Batch& batch, const ProcessOptions& options);
 
 /// free_memory_mb: 0 when the system does not say. Errors: Missing for a program that a later
 /// stage would ask for, and those of batch::maskSource.

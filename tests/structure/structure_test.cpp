@@ -21,8 +21,8 @@ const std::vector<std::string> kOrder = {
     "texture",     "drawing",   "decisions",  "checks",    "pipeline",     "scansets",
     "review",      "evaluate",  "devices",    "cameras",   "turntables",   "capture",
     "vessels",     "rendering", "virtualrig", "store",     "records",      "catalogue",
-    "sherds",      "upkeep",    "intake",     "archive",   "tables",       "metadata",
-    "exchange",    "api"};
+    "sherds",      "upkeep",    "intake",     "cluster",   "archive",      "tables",
+    "metadata",    "exchange",  "api"};
 // The window's folders likewise; all of them may use core.
 const std::vector<std::string> kUiOrder = {"words",    "jobs",      "look",   "widgets",  "frame",
                                            "viewport", "import",    "wizard", "capture",  "masks",

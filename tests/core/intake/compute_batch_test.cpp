@@ -101,6 +101,28 @@ TEST_F(ComputeBatch, PhotographsThatWentAwayWhileItWaitedAreNamedInTheResults) {
   EXPECT_THAT(report->at("warnings").dump(), testing::HasSubstr("folder (1): front/IMG_2.jpg."));
 }
 
+TEST_F(ComputeBatch, ResultsOfAnotherComputerAreEnteredAsItsOwnOnce) {
+  const records::BatchRecord begun = *catalogue::Batches(catalogue()).get(batch);
+  const BatchFigures own = compute(quiet);
+  const records::BatchState state_after = state();
+  const auto rows = valueIn(sherds::Sherds(catalogue()).rows(batch));
+  for (int times = 0; times < 2; ++times) {
+    ASSERT_TRUE(catalogue::Batches(catalogue()).setState(batch, records::BatchState::Queued, anna));
+    const Result<BatchFigures> entered = enterComputed(*project_, begun, quiet, {});
+    ASSERT_TRUE(entered) << entered.error().sentence();
+    EXPECT_EQ(entered->sherds, own.sherds);
+    EXPECT_EQ(entered->sure, own.sure);
+    EXPECT_EQ(entered->ask, own.ask);
+    EXPECT_EQ(entered->uncertainty_mm, own.uncertainty_mm);
+    EXPECT_GT(entered->seconds, 0);
+    EXPECT_EQ(state(), state_after);
+    EXPECT_EQ(valueIn(sherds::Sherds(catalogue()).rows(batch)), rows);
+  }
+  EXPECT_EQ(keptFigures(catalogue(), "B0001")->sherds, own.sherds);
+  ASSERT_TRUE(fs::remove(project_->resultsFolder("B0001") / "report.json"));
+  EXPECT_EQ(enterComputed(*project_, begun, quiet, {}).error().code, ErrorCode::Missing);
+}
+
 // In its midst somebody decides, and wants that computed, too.
 TEST_F(ComputeBatch, WhatIsAskedWhileABatchIsComputedIsQueuedAgain) {
   class Asking final : public Progress {

@@ -27,7 +27,7 @@ TEST(Preflight, SaysWhatThereIsAndWhatItWillTake) {
   ASSERT_EQ(ahead->lines.size(), 3u);
   EXPECT_THAT(ahead->lines[0], HasSubstr("24 of the front, 24 of the back, from 3 cameras at 8"));
   EXPECT_THAT(ahead->lines[1], HasSubstr("from the plate's markers alone"));
-  EXPECT_THAT(ahead->lines[2], HasSubstr("8.0 GB are free"));
+  EXPECT_THAT(ahead->lines[2], HasSubstr("8.0 GB are free; time: about 19 minutes of one core"));
   EXPECT_TRUE(ahead->warnings.empty());
 }
 
@@ -46,6 +46,12 @@ TEST(Preflight, LargePhotographsAreReducedAndTakeLittleMore) {
   EXPECT_NEAR(large->memory_mb, small->memory_mb, 50);
   EXPECT_THAT(large->lines[0], HasSubstr("24.0 megapixels, used with 5.0"));
   EXPECT_TRUE(large->warnings.empty()) << "free memory is not known";
+}
+
+// Measured: 943 s for 40 photographs of 5 megapixels (tests/bench/RESULTS.md).
+TEST(Preflight, TimeGrowsWithPhotographsAndTheirPixels) {
+  EXPECT_NEAR(needsOf(batchOf(2592, 1944), {}).core_s, 943 * 48 / 40, 20);
+  EXPECT_NEAR(needsOf(batchOf(1600, 1200), {}).core_s, 943 * 48 / 40 * 1.92 / 5, 10);
 }
 
 TEST(Preflight, TheLargerSidesPhotographsDecideOnMemory) {

@@ -172,8 +172,8 @@ class SentenceTest : public QObject {
     static const QRegularExpression kOfAnOption(QStringLiteral("^[a-z]|\\boptions:|--output"));
     int seen = 0;
     QStringList unknown;
-    for (auto at =
-             kError.globalMatch(coreSources({QStringLiteral("evaluate"), QStringLiteral("api")}));
+    for (auto at = kError.globalMatch(coreSources(
+             {QStringLiteral("evaluate"), QStringLiteral("api"), QStringLiteral("cluster")}));
          at.hasNext();) {
       const QString sentence = at.next().captured(1);
       if (sentence.contains(kOfAnOption)) continue;

@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace ostraka::cluster {
+
+/// What each task of an array asks the cluster for.
+struct Ask {
+  int cores = 4;
+  int memory_mb = 0;
+  int minutes = 0;
+  std::string partition, account;  ///< empty: the cluster's own choice
+  /// Words that start Ostraka on a node, as a shell reads them:
+  /// "module load ostraka; ostraka", "apptainer run ostraka.sif".
+  std::string program = "ostraka";
+  Result<void> check() const;
+};
+
+/// Slurm takes arrays of up to 1000 tasks where its administrator set nothing else.
+constexpr int kMostTasks = 1000;
+
+/// A script for sbatch, to be submitted in a folder that is laid out as a project: the n-th task
+/// runs `process` on the n-th batch, from batches/ to results/, and says in cluster/state/BATCH
+/// when it began and how it ended (queue_text.h). job: the array's name in Slurm.
+std::string jobScript(const std::string& job, const std::vector<std::string>& batches,
+                      const Ask& ask);
+
+/// Where the n-th task's output goes in that folder, the first being 1.
+std::string logOf(const std::string& job, int task);
+std::string scriptOf(const std::string& job);
+
+}  // namespace ostraka::cluster

@@ -1,0 +1,179 @@
+#include "cluster/place.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "colmap/colmap_program.h"
+#include "files/cannot_write.h"
+#include "files/files.h"
+#include "files/scratch_folder.h"
+
+namespace ostraka::cluster {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostOutput = std::size_t{64} << 20, kShownOutput = 400;
+// It never asks: what runs beside a window or in a script has nobody who answers.
+constexpr const char* kNeverAsk = "BatchMode=yes";
+constexpr const char* kSoon = "ConnectTimeout=30";
+
+// Letters, digits and what neither a shell, ssh, rsync nor Slurm reads as something else.
+bool isPlain(std::string_view text, std::string_view also) {
+  return !text.empty() && text.front() != '-' &&
+         std::all_of(text.begin(), text.end(), [&](unsigned char c) {
+           return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') ||
+                  also.find(static_cast<char>(c)) != std::string_view::npos;
+         });
+}
+
+// Slurm replaces %x in the names of files, and reads \ as an escape.
+bool isReadAsItStands(std::string_view path) {
+  return std::none_of(path.begin(), path.end(), [](unsigned char c) {
+    return c < 0x20 || c == 0x7F || c == '%' || c == '\\';
+  });
+}
+
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
+// The end of it, as one line.
+std::string shortened(std::string output) {
+  while (!output.empty() && output.back() == '\n') output.pop_back();
+  if (output.size() > kShownOutput) output = "..." + output.substr(output.size() - kShownOutput);
+  std::replace(output.begin(), output.end(), '\n', ' ');
+  return output;
+}
+
+Result<void> requireProgram(const std::string& program, const std::string& what_to_do) {
+  if (colmap::findProgram(program)) return {};
+  return Error{ErrorCode::Missing,
+               "The program " + program + " is not on this computer's PATH; " + what_to_do,
+               {}};
+}
+
+}  // namespace
+
+Result<Place> Place::of(const fs::path& project, const std::string& host) {
+  std::error_code failed;
+  const fs::path here = fs::canonical(project, failed);
+  if (failed) return Error::unusable("This folder cannot be opened.", project.string());
+  if (host.empty()) {
+    if (!isReadAsItStands(here.string()))
+      return Error::unusable(
+          "The path of this project contains a character that Slurm reads as something else (%, a "
+          "backslash, or a control character); rename the folder.",
+          here.string());
+    if (Result<void> there =
+            requireProgram("sbatch",
+                           "run this command on a login node of the cluster, or name one "
+                           "with --host USER@LOGIN:/FOLDER.");
+        !there)
+      return there.error();
+    return Place(here, {}, {});
+  }
+  const std::size_t colon = host.find(':');
+  const std::string login = host.substr(0, colon),
+                    folder = colon == std::string::npos ? "" : host.substr(colon + 1);
+  if (!isPlain(login, "@._-") || !isPlain(folder, "/._-+=@,") || folder.front() != '/')
+    return Error::unusable(
+        "Not a folder on a cluster; write USER@LOGIN:/FOLDER, the folder from the root on and "
+        "without spaces.",
+        host);
+  for (const char* program : {"ssh", "rsync"})
+    if (Result<void> there = requireProgram(program, "install it, as --host needs it."); !there)
+      return there.error();
+  return Place(here, login, folder);
+}
+
+std::string Place::name() const {
+  return isRemote() ? host_ + ":" + folder_ : project_.string();
+}
+
+Result<std::string> Place::runHere(const std::string& program,
+                                   const std::vector<std::string>& arguments,
+                                   const std::string& named, const std::stop_token& stop) const {
+  const Result<ScratchFolder> scratch = ScratchFolder::make("ostraka-cluster");
+  if (!scratch) return scratch.error();
+  const fs::path log = scratch->path() / "output.txt";
+  const fs::path path = colmap::findProgram(program).value_or(program);
+  const Result<void> done = colmap::runProgram(path, arguments, log, stop);
+  Result<std::string> output = readFile(log, kMostOutput);
+  if (done) return output;
+  if (done.error().code == ErrorCode::Missing)
+    return Error{ErrorCode::Missing,
+                 "The program " + named +
+                     " cannot be started there; ask the cluster's administrators how Slurm is "
+                     "reached.",
+                 name()};
+  if (done.error().code != ErrorCode::Failed) return done.error();
+  return Error{ErrorCode::Failed,
+               named + " did not succeed: " + shortened(output ? *output : std::string()) +
+                   " Nothing is lost; when that is mended, run the same command again.",
+               name()};
+}
+
+Result<std::string> Place::run(const std::vector<std::string>& words,
+                               const std::stop_token& stop) const {
+  if (!isRemote()) {
+    std::vector<std::string> arguments{"-c", "cd \"$1\" && shift && exec \"$@\"", "sh",
+                                       project_.string()};
+    arguments.insert(arguments.end(), words.begin(), words.end());
+    return runHere("sh", arguments, words.front(), stop);
+  }
+  std::string command = "cd " + quoted(folder_) + " && exec";
+  for (const std::string& word : words) command += " " + quoted(word);
+  return runHere("ssh", {"-o", kNeverAsk, "-o", kSoon, host_, command}, words.front(), stop);
+}
+
+Result<void> Place::copy(std::vector<std::string> arguments, const std::stop_token& stop) const {
+  const std::vector<std::string> always{
+      "--recursive",    "--times", "--checksum",
+      "--protect-args", "--rsh",   std::string("ssh -o ") + kNeverAsk + " -o " + kSoon};
+  arguments.insert(arguments.begin(), always.begin(), always.end());
+  const Result<std::string> done = runHere("rsync", arguments, "rsync", stop);
+  return done ? Result<void>() : done.error();
+}
+
+Result<void> Place::prepare(const std::stop_token& stop) const {
+  const std::vector<std::string> folders{"batches", "results", "cluster/state", "cluster/log"};
+  std::string command = "mkdir -p";
+  for (const std::string& folder : folders) {
+    if (const Result<void> made = makeFolder(project_ / folder); !made) return made;
+    command += " " + quoted((fs::path(folder_) / folder).string());
+  }
+  if (!isRemote()) return {};
+  const Result<std::string> made =
+      runHere("ssh", {"-o", kNeverAsk, "-o", kSoon, host_, command}, "mkdir", stop);
+  return made ? Result<void>() : made.error();
+}
+
+Result<void> Place::send(const std::vector<std::string>& paths, const std::stop_token& stop) const {
+  if (!isRemote()) return {};
+  std::vector<std::string> arguments{"--delete", "--relative"};
+  const std::size_t options = arguments.size();
+  std::error_code failed;
+  for (const std::string& path : paths)
+    if (fs::exists(project_ / path, failed))
+      arguments.push_back(project_.string() + "/./" + path);  // relative from there on
+  if (arguments.size() == options) return {};
+  arguments.push_back(host_ + ":" + folder_ + "/");
+  return copy(std::move(arguments), stop);
+}
+
+Result<void> Place::fetch(const std::string& path, const fs::path& to, int most_mb,
+                          const std::vector<std::string>& but, const std::stop_token& stop) const {
+  if (!isRemote()) return {};
+  if (const Result<void> made = makeFolder(to); !made) return made;
+  std::vector<std::string> arguments{"--delete", "--no-links"};
+  if (most_mb > 0) arguments.push_back("--max-size=" + std::to_string(most_mb) + "m");
+  for (const std::string& name : but) arguments.push_back("--exclude=/" + name);
+  arguments.push_back(host_ + ":" + (fs::path(folder_) / path).string() + "/");
+  arguments.push_back(to.string() + "/");
+  return copy(std::move(arguments), stop);
+}
+
+}  // namespace ostraka::cluster

@@ -1,0 +1,49 @@
+#pragma once
+#include <filesystem>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace ostraka::cluster {
+
+/// Where the cluster's programs run and its jobs find batches/, results/ and cluster/: the
+/// project's own folder, which the cluster sees, or a folder on another computer, reached by ssh as
+/// the person has it set up. No password is asked for or kept.
+class Place {
+ public:
+  /// host: empty, or user@login:/folder. Errors: UnusableInput for a host or folder with characters
+  /// that a shell or Slurm reads as something else; Missing (sbatch; ssh and rsync).
+  static Result<Place> of(const std::filesystem::path& project, const std::string& host);
+
+  bool isRemote() const { return !host_.empty(); }
+  /// user@login:/folder, or the project's folder.
+  std::string name() const;
+
+  /// What a program wrote on both of its outputs, run in the folder. Errors: Missing (not on that
+  /// computer's PATH), Failed with what it said, Cancelled.
+  Result<std::string> run(const std::vector<std::string>& words, const std::stop_token& stop) const;
+
+  /// The folders that jobs need, made where they are missing. Errors: those of run.
+  Result<void> prepare(const std::stop_token& stop) const;
+  /// Files and folders of the project, as "batches/B0031", copied to the other computer; what has
+  /// the same checksum stays, and what is no more in such a folder goes. Nothing is done in the
+  /// project's own folder, nor for what is not there. Errors: Failed, Cancelled.
+  Result<void> send(const std::vector<std::string>& paths, const std::stop_token& stop) const;
+  /// The other way, into `to`: regular files only, no larger than most_mb (0: any size), and none
+  /// of those names at the top.
+  Result<void> fetch(const std::string& path, const std::filesystem::path& to, int most_mb,
+                     const std::vector<std::string>& but, const std::stop_token& stop) const;
+
+ private:
+  Place(std::filesystem::path project, std::string host, std::string folder)
+      : project_(std::move(project)), host_(std::move(host)), folder_(std::move(folder)) {}
+  Result<std::string> runHere(const std::string& program, const std::vector<std::string>& arguments,
+                              const std::string& named, const std::stop_token& stop) const;
+  Result<void> copy(std::vector<std::string> arguments, const std::stop_token& stop) const;
+  std::filesystem::path project_;
+  std::string host_, folder_;
+};
+
+}  // namespace ostraka::cluster

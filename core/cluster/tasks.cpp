@@ -1,0 +1,85 @@
+#include "cluster/tasks.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "cluster/queue_text.h"
+#include "files/contained_path.h"
+#include "files/json.h"
+
+namespace ostraka::cluster {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTasksFormat = "ostraka-cluster/1";
+
+fs::path tasksFile(const fs::path& project) {
+  return clusterFolder(project) / "tasks.json";
+}
+
+bool isUsable(const Task& task) {
+  const Result<ContainedPath> batch = ContainedPath::parse(task.batch);
+  return batch && batch->parts().size() == 1 && isJobName(task.job) && task.number >= 1;
+}
+
+}  // namespace
+
+Task* Tasks::of(const std::string& batch) {
+  const auto found = std::find_if(tasks.begin(), tasks.end(),
+                                  [&](const Task& task) { return task.batch == batch; });
+  return found == tasks.end() ? nullptr : &*found;
+}
+
+const Task* Tasks::of(const std::string& batch) const {
+  return const_cast<Tasks*>(this)->of(batch);
+}
+
+bool Tasks::anyUncollected() const {
+  return std::any_of(tasks.begin(), tasks.end(), [](const Task& t) { return !t.collected; });
+}
+
+fs::path clusterFolder(const fs::path& project) {
+  return project / "cluster";
+}
+
+Result<Tasks> readTasks(const fs::path& project) {
+  Tasks tasks;
+  const fs::path file = tasksFile(project);
+  std::error_code failed;
+  if (!fs::exists(file, failed)) return tasks;
+  const Result<nlohmann::json> value = readJson(file);
+  if (!value) return value.error();
+  const Error bad = Error::unusable(
+      "Not a list of the batches on a cluster; restore an earlier one, or delete it: batches that "
+      "the cluster has already are then computed once more.",
+      file.string());
+  try {
+    if (value->at("format") != kTasksFormat) return bad;
+    tasks.host = value->at("host");
+    for (const nlohmann::json& one : value->at("tasks")) {
+      const Task task{one.at("batch"),     one.at("job"),     one.at("task"),
+                      one.at("memory_mb"), one.at("minutes"), one.at("collected")};
+      if (!isUsable(task)) return bad;
+      tasks.tasks.push_back(task);
+    }
+  } catch (const nlohmann::json::exception&) {
+    return bad;
+  }
+  return tasks;
+}
+
+Result<void> writeTasks(const fs::path& project, const Tasks& tasks) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Task& task : tasks.tasks)
+    list.push_back({{"batch", task.batch},
+                    {"job", task.job},
+                    {"task", task.number},
+                    {"memory_mb", task.memory_mb},
+                    {"minutes", task.minutes},
+                    {"collected", task.collected}});
+  return writeJson(tasksFile(project),
+                   {{"format", kTasksFormat}, {"host", tasks.host}, {"tasks", list}});
+}
+
+}  // namespace ostraka::cluster

@@ -1,0 +1,35 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+
+namespace ostraka::cluster {
+
+/// A batch that was handed to the cluster: the n-th task of an array.
+struct Task {
+  std::string batch;  ///< B0031
+  std::string job;    ///< the array's name
+  int number = 1;
+  int memory_mb = 0, minutes = 0;  ///< that were asked for
+  bool collected = false;          ///< its results were entered, or are wanted no more
+  bool operator==(const Task&) const = default;
+};
+
+/// PROJECT/cluster/tasks.json: the newest task of each batch. It is written before a job is
+/// submitted, so that a job which the cluster has is always known.
+struct Tasks {
+  std::string host;  ///< user@login:/folder; empty: the cluster sees the project's folder
+  std::vector<Task> tasks;
+
+  Task* of(const std::string& batch);
+  const Task* of(const std::string& batch) const;
+  bool anyUncollected() const;
+};
+std::filesystem::path clusterFolder(const std::filesystem::path& project);
+/// Empty where there is none. Errors: UnusableInput.
+Result<Tasks> readTasks(const std::filesystem::path& project);
+Result<void> writeTasks(const std::filesystem::path& project, const Tasks& tasks);
+
+}  // namespace ostraka::cluster

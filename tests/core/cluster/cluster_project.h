@@ -1,0 +1,150 @@
+#pragma once
+#include <stdlib.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <vector>
+
+#include "cluster/collect.h"
+#include "cluster/submit.h"
+#include "cluster/tasks.h"
+#include "files/files.h"
+#include "tests/core/catalogue/result_folder.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::cluster {
+
+namespace fs = std::filesystem;
+
+/// Batches that wait in the queue, and a stand-in for Ostraka on the nodes: it leaves the results
+/// of three sherds, unless a file of the folder "fault" says otherwise.
+class ClusterProject : public catalogue::SmallProject {
+ protected:
+  ClusterProject() {
+    fs::create_directories(fault());
+    fs::create_directories(bin());
+    program("ostraka-here", "out=$4\nb=${2#batches/}\nf='" + fault().string() +
+                                "'\nmkdir -p \"$out\"\necho \"$b\" >> \"$f/runs\"\n"
+                                "if [ -f \"$f/$b\" ]; then . \"$f/$b\"; fi\n"
+                                "cp -r '" +
+                                (folder_.path() / "prepared").string() +
+                                "/'\"$b\"/. \"$out\"\nexit 3\n");
+    submitting.ask.program = "'" + (bin() / "ostraka-here").string() + "'";
+    submitting.ask.cores = 1;
+  }
+  fs::path bin() const { return folder_.path() / "bin"; }
+  fs::path fault() const { return folder_.path() / "fault"; }
+  void program(const std::string& name, const std::string& text) const {
+    std::ofstream(bin() / name) << "#!/bin/sh\n" << text;
+    fs::permissions(bin() / name, fs::perms::owner_all);
+  }
+  void put(const fs::path& file, const std::string& text) const { std::ofstream(file) << text; }
+  std::string textOf(const fs::path& file) const {
+    const Result<std::string> text = readFile(file);
+    return text ? *text : std::string();
+  }
+
+  /// B0001, B0002, ...: four small photographs a side, and what a computation would leave of it.
+  store::BatchRow queuedBatch() {
+    const store::BatchRow row = newBatch({bag4});
+    const std::string number = catalogue::Batches(catalogue()).get(row)->number;
+    const int shade = static_cast<int>(row.value % 200);
+    for (const char* side : {"front", "back"}) {
+      fs::create_directories(project_->batchFolder(number) / side);
+      for (int stop = 0; stop < 4; ++stop)
+        cv::imwrite(
+            (project_->batchFolder(number) / side / ("cam0_pos0" + std::to_string(stop) + ".png"))
+                .string(),
+            cv::Mat(12, 16, CV_8UC3, cv::Scalar(shade, 40 * stop, side[0])));
+    }
+    const catalogue::ResultFolder results(folder_.path() / "prepared" / number, 3);
+    EXPECT_TRUE(catalogue::Batches(catalogue()).setState(row, records::BatchState::Queued, anna));
+    return row;
+  }
+  records::BatchState stateOf(store::BatchRow row) {
+    return catalogue::Batches(catalogue()).get(row)->state;
+  }
+  std::size_t sherdsOf(store::BatchRow row) {
+    return catalogue::valueIn(sherds::Sherds(catalogue()).rows(row)).size();
+  }
+
+  Result<Submitted> submitAll() { return submit(*project_, submitting, quiet, {}); }
+  std::vector<TaskStatus> states() { return catalogue::valueIn(status(project_->folder(), {})); }
+  TaskStatus stateOfBatch(const std::string& batch) {
+    for (const TaskStatus& one : states())
+      if (one.task.batch == batch) return one;
+    ADD_FAILURE() << batch;
+    return {};
+  }
+
+  SubmitOptions submitting;
+  QuietProgress quiet;
+};
+
+/// sbatch, squeue, sacct, df and ssh that do what files of the folder "fault" tell them.
+class FakeCluster : public ClusterProject {
+ protected:
+  FakeCluster() {
+    const std::string f = "f='" + fault().string() + "'\n";
+    program("sbatch", f + "[ ! -f $f/refusal ] || { cat $f/refusal >&2; exit 1; }\n"
+                          "for last; do :; done\n"
+                          "job=$(sed -n 's/^#SBATCH --job-name=//p' \"$last\")\n"
+                          "tasks=$(sed -n 's/^#SBATCH --array=1-//p' \"$last\")\n"
+                          "for i in $(seq $tasks); do\n"
+                          "  echo \"$job|$i|PENDING|Resources\" >> $f/queue\n"
+                          "done\n"
+                          "echo \"$PWD/$last\" >> $f/submitted\n"
+                          "echo 'welcome to the cluster'; echo 4711\n"
+                          "[ ! -f $f/broken ]\n");
+    program("squeue", f + "[ ! -f $f/down ] || { echo 'cannot contact slurmctld' >&2; exit 1; }\n"
+                          "cat $f/queue 2> /dev/null || true\n");
+    program("sacct", f + "cat $f/accounts\n");
+    program("df",
+            f + "echo 'Filesystem 1024-blocks Used Available Capacity Mounted on'\n"
+                "echo \"disk 999999999 1 $(cat $f/free 2> /dev/null || echo 999999999) 1% /\"\n");
+    program("ssh", f + "[ ! -f $f/down ] || { echo 'connection refused' >&2; exit 255; }\n"
+                       "while [ \"$1\" = -o ] || [ \"$1\" = -l ]; do shift 2; done\n"
+                       "echo \"$1\" >> $f/logins\nshift\nexec sh -c \"$*\"\n");
+    const char* path = ::getenv("PATH");
+    before_ = path == nullptr ? "" : path;
+    ::setenv("PATH", (bin().string() + ":" + before_).c_str(), 1);
+  }
+  ~FakeCluster() override { ::setenv("PATH", before_.c_str(), 1); }
+
+  int submissions() const { return linesOf("submitted"); }
+  int runs() const { return linesOf("runs"); }
+  /// As a node does: every task that waits, in `folder`.
+  void runTasks(const fs::path& folder, const std::string& state_after = "COMPLETED") const {
+    std::ifstream queue(fault() / "queue");
+    std::string after;
+    for (std::string line; std::getline(queue, line);) {
+      const std::string job = line.substr(0, line.find('|')),
+                        task = line.substr(job.size() + 1,
+                                           line.find('|', job.size() + 1) - job.size() - 1);
+      if (line.find("|PENDING|") != std::string::npos) {
+        const std::string command = "cd '" + folder.string() + "' && SLURM_ARRAY_TASK_ID=" + task +
+                                    " bash cluster/" + job + ".sbatch >> cluster/log/" + job + "." +
+                                    task + ".txt 2>&1";
+        [[maybe_unused]] const int status = std::system(command.c_str());
+        line = job + "|" + task + "|" + state_after + "|None";
+      }
+      after += line + "\n";
+    }
+    queue.close();
+    put(fault() / "queue", after);
+  }
+  void runTasks() const { runTasks(project_->folder()); }
+
+ private:
+  int linesOf(const char* file) const {
+    const std::string lines = textOf(fault() / file);
+    return static_cast<int>(std::count(lines.begin(), lines.end(), '\n'));
+  }
+  std::string before_;
+};
+
+}  // namespace ostraka::cluster

@@ -1,0 +1,189 @@
+#include "cluster/collect.h"
+
+#include <gmock/gmock.h>
+
+#include "cluster_project.h"
+#include "intake/computed_again.h"
+
+namespace ostraka::cluster {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class Collect : public FakeCluster {
+ protected:
+  Collected collectAll() { return catalogue::valueIn(collect(*project_, quiet, {})); }
+};
+
+TEST_F(Collect, WholeResultsAreEnteredOnceHoweverOftenItIsAsked) {
+  const store::BatchRow one = queuedBatch(), two = queuedBatch();
+  put(fault() / "B0002", "echo 'ostraka: The photographs show no plate.' >&2; exit 2\n");
+  ASSERT_TRUE(submitAll());
+  EXPECT_TRUE(collectAll().batches.empty()) << "nothing has run yet";
+  runTasks();
+  const Collected collected = collectAll();
+  EXPECT_THAT(collected.batches, ElementsAre("B0001"));
+  EXPECT_EQ(sherdsOf(one), 3u);
+  EXPECT_EQ(stateOf(one), records::BatchState::Done);
+  ASSERT_EQ(collected.left.size(), 1u);
+  EXPECT_EQ(collected.left[0].words, "The photographs show no plate.");
+  EXPECT_EQ(stateOf(two), records::BatchState::Queued);
+
+  EXPECT_TRUE(collectAll().batches.empty());
+  EXPECT_EQ(sherdsOf(one), 3u);
+  EXPECT_EQ(stateOfBatch("B0001").state, TaskState::Collected);
+  fs::remove(fault() / "B0002");
+  EXPECT_THAT(submitAll()->batches, ElementsAre("B0002"));
+  runTasks();
+  EXPECT_THAT(collectAll().batches, ElementsAre("B0002"));
+  EXPECT_EQ(sherdsOf(two), 3u);
+  EXPECT_EQ(runs(), 3);
+}
+
+// Killed after the catalogue had it, and before the list did.
+TEST_F(Collect, ABatchWhoseEntryWasNotedTooLateIsNotEnteredTwice) {
+  const store::BatchRow one = queuedBatch();
+  ASSERT_TRUE(submitAll());
+  runTasks();
+  const std::string list = textOf(clusterFolder(project_->folder()) / "tasks.json");
+  collectAll();
+  put(clusterFolder(project_->folder()) / "tasks.json", list);
+  EXPECT_TRUE(collectAll().batches.empty());
+  EXPECT_EQ(sherdsOf(one), 3u);
+  EXPECT_EQ(stateOfBatch("B0001").state, TaskState::Collected);
+}
+
+TEST_F(Collect, WhatIsAskedAgainMeanwhileIsSubmittedAgain) {
+  const store::BatchRow one = queuedBatch();
+  ASSERT_TRUE(submitAll());
+  runTasks();
+  ASSERT_TRUE(intake::queueAgain(catalogue(), "B0001", anna));
+  EXPECT_THAT(collectAll().batches, ElementsAre("B0001"));
+  EXPECT_EQ(stateOf(one), records::BatchState::Queued);
+  EXPECT_THAT(submitAll()->batches, ElementsAre("B0001"));
+  runTasks();
+  collectAll();
+  EXPECT_EQ(stateOf(one), records::BatchState::Done);
+  EXPECT_EQ(sherdsOf(one), 3u);
+}
+
+TEST_F(Collect, ResultsOfABatchThatIsPhotographedAgainAreNotEntered) {
+  const store::BatchRow one = queuedBatch();
+  ASSERT_TRUE(submitAll());
+  runTasks();
+  ASSERT_TRUE(catalogue::Batches(catalogue()).setState(one, records::BatchState::Front, anna));
+  EXPECT_TRUE(collectAll().batches.empty());
+  EXPECT_EQ(sherdsOf(one), 0u);
+  EXPECT_EQ(stateOf(one), records::BatchState::Front);
+}
+
+TEST_F(Collect, ResultsThatCannotBeUsedAreNamedAndComputedAgain) {
+  const store::BatchRow one = queuedBatch(), two = queuedBatch();
+  ASSERT_TRUE(submitAll());
+  runTasks();
+  put(project_->resultsFolder("B0001") / "pairs.json", "{");
+  const Collected collected = collectAll();
+  EXPECT_THAT(collected.batches, ElementsAre("B0002"));
+  ASSERT_EQ(collected.warnings.size(), 1u);
+  EXPECT_THAT(collected.warnings[0], HasSubstr("B0001"));
+  EXPECT_EQ(sherdsOf(one), 0u);
+  EXPECT_THAT(submitAll()->batches, ElementsAre("B0001"));
+  runTasks();
+  collectAll();
+  EXPECT_EQ(sherdsOf(one), 3u);
+  EXPECT_EQ(sherdsOf(two), 3u);
+}
+
+// What lies on the other side of the line is a folder of this computer, reached by a false ssh.
+class CollectFromAfar : public Collect {
+ protected:
+  CollectFromAfar() { submitting.host = "anna@login:" + there().string(); }
+  bool hasRsync() const { return std::system("command -v rsync > /dev/null") == 0; }
+  fs::path there() const { return folder_.path() / "there"; }
+};
+
+TEST_F(CollectFromAfar, BatchesGoAndResultsComeWithChecksums) {
+  if (!hasRsync()) GTEST_SKIP() << "rsync is not installed";
+  const store::BatchRow one = queuedBatch();
+  fs::create_directories(there() / "batches/B0001/front");
+  put(there() / "batches/B0001/front/cam0_pos09.png", "of an earlier taking");
+  const Result<Submitted> submitted = submitAll();
+  ASSERT_TRUE(submitted) << submitted.error().sentence();
+  EXPECT_FALSE(fs::exists(there() / "batches/B0001/front/cam0_pos09.png"));
+  for (const char* name : {"front/cam0_pos00.png", "back/cam0_pos03.png"})
+    EXPECT_EQ(textOf(there() / "batches/B0001" / name),
+              textOf(project_->batchFolder("B0001") / name));
+  EXPECT_THAT(textOf(fault() / "logins"), HasSubstr("anna@login\n"));
+  runTasks(there());
+  EXPECT_FALSE(fs::exists(project_->resultsFolder("B0001")));
+  submitting.host.clear();  // it is known from then on
+  EXPECT_TRUE(submitAll()->batches.empty());
+  EXPECT_THAT(collectAll().batches, ElementsAre("B0001"));
+  EXPECT_EQ(sherdsOf(one), 3u);
+  EXPECT_TRUE(fs::exists(project_->resultsFolder("B0001") / "report.json"));
+  EXPECT_FALSE(fs::exists(clusterFolder(project_->folder()) / "incoming/B0001"));
+}
+
+TEST_F(CollectFromAfar, ALineThatBreaksLosesNothing) {
+  if (!hasRsync()) GTEST_SKIP() << "rsync is not installed";
+  const store::BatchRow one = queuedBatch();
+  ASSERT_TRUE(submitAll());
+  runTasks(there());
+  put(fault() / "down", "");
+  EXPECT_FALSE(collect(*project_, quiet, {}));
+  fs::remove(fault() / "down");
+  // Half of the results had come.
+  fs::create_directories(clusterFolder(project_->folder()) / "incoming/B0001/work");
+  put(clusterFolder(project_->folder()) / "incoming/B0001/report.json", "{");
+  EXPECT_THAT(collectAll().batches, ElementsAre("B0001"));
+  EXPECT_EQ(sherdsOf(one), 3u);
+}
+
+class TakePlace : public ClusterProject {
+ protected:
+  TakePlace() {
+    queuedBatch();
+    fs::create_directories(incoming().parent_path());
+    fs::create_directories(project_->resultsFolder("B0001") / "work");
+    fs::copy(folder_.path() / "prepared/B0001", incoming(), fs::copy_options::recursive);
+  }
+  fs::path incoming() const { return clusterFolder(project_->folder()) / "incoming/B0001"; }
+  fs::path results() const { return project_->resultsFolder("B0001"); }
+};
+
+TEST_F(TakePlace, DecisionsTakenMeanwhileStay) {
+  put(results() / "decisions.json", "mine");
+  put(results() / "mask_strokes.json", "my strokes");
+  put(results() / "report.json", "the old one");
+  put(incoming() / "decisions.json", "those of the day before");
+  const Result<void> taken = takePlace(*project_, "B0001", incoming());
+  ASSERT_TRUE(taken) << taken.error().sentence();
+  EXPECT_EQ(textOf(results() / "decisions.json"), "mine");
+  EXPECT_EQ(textOf(results() / "mask_strokes.json"), "my strokes");
+  EXPECT_THAT(textOf(results() / "report.json"), HasSubstr("ostraka-report/1"));
+  EXPECT_FALSE(fs::exists(incoming()));
+}
+
+TEST_F(TakePlace, FilesOfAClusterAreThoseOfStrangers) {
+  put(results() / "report.json", "the old one");
+  const auto refused = [&](const std::string& what) {
+    const Result<void> taken = takePlace(*project_, "B0001", incoming());
+    EXPECT_FALSE(taken) << what;
+    EXPECT_EQ(textOf(results() / "report.json"), "the old one") << what;
+  };
+  fs::create_symlink("/etc/passwd", incoming() / "log.txt");
+  refused("a link");
+  fs::remove(incoming() / "log.txt");
+  put(incoming() / "a\nb", "");
+  refused("a line end in a name");
+  fs::remove(incoming() / "a\nb");
+  put(incoming() / "..\\up", "");
+  refused("a backslash");
+  fs::remove(incoming() / "..\\up");
+  fs::remove(incoming() / "report.json");
+  refused("not whole");
+}
+
+}  // namespace
+}  // namespace ostraka::cluster

@@ -312,6 +312,7 @@ void addCatalogue(CLI::App& root, Command& chosen) {
   fresh->add_option("--numbering", options->record.numbering, "How sherds are numbered")
       ->capture_default_str();
   addCatalogueImport(*catalogue, chosen);
+  addCatalogueMerge(*catalogue, chosen);
   CLI::App* out = add("export", "Write sherds as a folder with checksums", runExport);
   addProject(out, *options);
   addOutput(out, *options, "New folder for the export");

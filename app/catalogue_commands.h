@@ -6,7 +6,8 @@ namespace ostraka::app {
 
 inline const records::Provenance kCommandLine = {{}, "command line", {}};
 
-/// A sub-command of `ostraka catalogue`.
+/// Sub-commands of `ostraka catalogue`.
 void addCatalogueImport(CLI::App& catalogue, Command& chosen);
+void addCatalogueMerge(CLI::App& catalogue, Command& chosen);
 
 }  // namespace ostraka::app

@@ -333,4 +333,18 @@ TEST_F(CatalogueCommand, NamesTheFormsWithoutAnyFile) {
       << told;
 }
 
+TEST_F(CatalogueCommand, TwoProjectsBecomeOne) {
+  run("import " + at("p") + " " + at("sherds.csv") + " --enter --make-places");
+  ASSERT_EQ(run("new -o " + at("q") + " --code ARM"), 0);
+  EXPECT_EQ(run("merge --dry-run " + at("q") + " " + at("p")), 0);
+  EXPECT_EQ(said_["merged"], false);
+  EXPECT_EQ(run("merge " + at("q") + " " + at("p")), 0);
+  EXPECT_EQ(said_["merged"], true);
+  EXPECT_GT(said_["added"], 0);
+  EXPECT_EQ(run("merge " + at("q") + " " + at("p")), 0);
+  EXPECT_EQ(said_["added"], 0);
+  EXPECT_EQ(said_["changed"], 0);
+  EXPECT_EQ(run("merge " + at("p") + " " + at("p")), 2);
+}
+
 }  // namespace

@@ -22,7 +22,7 @@ const std::vector<std::string> kOrder = {
     "review",      "evaluate",  "devices",    "cameras",   "turntables",   "capture",
     "vessels",     "rendering", "virtualrig", "store",     "records",      "catalogue",
     "sherds",      "upkeep",    "intake",     "cluster",   "archive",      "tables",
-    "metadata",    "exchange",  "api"};
+    "metadata",    "exchange",  "merge",      "api"};
 // The window's folders likewise; all of them may use core.
 const std::vector<std::string> kUiOrder = {"words",    "jobs",      "look",   "widgets",  "frame",
                                            "viewport", "import",    "wizard", "capture",  "masks",

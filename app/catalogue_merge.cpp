@@ -1,0 +1,121 @@
+// `ostraka catalogue merge`: what another project holds comes into this one.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "catalogue_commands.h"
+#include "merge/merge.h"
+#include "shown.h"
+#include "upkeep/project.h"
+
+namespace ostraka::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr std::size_t kMostConflicts = 20;
+
+struct MergeArguments {
+  fs::path a, b, settled;
+  bool dry_run = false;
+};
+
+void printConflicts(const merge::MergeReport& report) {
+  std::size_t open = 0;
+  for (const merge::Conflict& conflict : report.conflicts) {
+    if (conflict.settled || ++open > kMostConflicts) continue;
+    std::string takes;
+    for (const std::string& take : conflict.takes) takes += (takes.empty() ? "" : ", ") + take;
+    show(stderr, "%s\n  id: %s (%s)\n  a:  %s\n  b:  %s\n", conflict.subject.c_str(),
+         conflict.id.c_str(), takes.c_str(), conflict.a.c_str(), conflict.b.c_str());
+  }
+  if (open > kMostConflicts)
+    show(stderr, "%zu more conflicts; --json lists all.\n", open - kMostConflicts);
+}
+
+ordered_json conflictsJson(const std::vector<merge::Conflict>& conflicts) {
+  ordered_json list = ordered_json::array();
+  for (const merge::Conflict& conflict : conflicts)
+    list.push_back({{"id", conflict.id},
+                    {"subject", conflict.subject},
+                    {"a", conflict.a},
+                    {"b", conflict.b},
+                    {"takes", conflict.takes},
+                    {"settled", conflict.settled}});
+  return list;
+}
+
+std::string summaryOf(const merge::MergeReport& report) {
+  const auto open = std::count_if(report.conflicts.begin(), report.conflicts.end(),
+                                  [](const merge::Conflict& one) { return !one.settled; });
+  const std::string counts =
+      std::to_string(report.added) + " rows added, " + std::to_string(report.changed) + " changed";
+  if (open > 0)
+    return "Nothing was merged: " + std::to_string(open) +
+           " conflicts are to be settled; write each of their ids and what to take into a file and "
+           "name it with --settle.";
+  if (!report.entered) return counts + "; a preview: nothing was merged.";
+  return counts + ", " + std::to_string(report.files) + " files copied.";
+}
+
+int runMerge(const MergeArguments& arguments, Session& session) {
+  merge::Settled settled;
+  if (!arguments.settled.empty()) {
+    Result<merge::Settled> read = merge::readSettled(arguments.settled);
+    if (!read) return fail(session, read.error());
+    settled = std::move(*read);
+  }
+  Result<upkeep::Project> project =
+      upkeep::Project::open(arguments.a, {}, {session.stop, &session.progress});
+  if (!project) return fail(session, project.error());
+  session.progress.begin("merge", 1.0);
+  const auto mode = arguments.dry_run ? merge::MergeMode::Preview : merge::MergeMode::Enter;
+  const auto report = merge::mergeInto(*project, arguments.b, mode, settled, kCommandLine,
+                                       session.progress, session.stop);
+  if (!report) return fail(session, report.error());
+  session.finishProgress();
+  if (!session.json) printConflicts(*report);
+  for (const auto& [there, here] : report->batches)
+    show(stderr, "Batch %s of B is batch %s here.\n", there.c_str(), here.c_str());
+  for (const std::string& file : report->missing)
+    show(stderr, "B does not have this file, which its catalogue names: %s\n", file.c_str());
+  const int status = report->unsettled()        ? PersonMustDecide
+                     : !report->missing.empty() ? NotWhole
+                                                : Whole;
+  return finish(session, status,
+                {{"merged", report->entered},
+                 {"added", report->added},
+                 {"changed", report->changed},
+                 {"files", report->files},
+                 {"bytes", report->bytes},
+                 {"batches", report->batches},
+                 {"missing", report->missing},
+                 {"conflicts", conflictsJson(report->conflicts)}},
+                summaryOf(*report));
+}
+
+}  // namespace
+
+void addCatalogueMerge(CLI::App& catalogue, Command& chosen) {
+  CLI::App* command = catalogue.add_subcommand(
+      "merge", "Bring what project B holds into project A; B is only read");
+  const auto arguments = std::make_shared<MergeArguments>();
+  command->callback([arguments, &chosen] {
+    chosen = [arguments](Session& session) { return runMerge(*arguments, session); };
+  });
+  command->add_option("A", arguments->a, "Folder of the project that is changed")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("B", arguments->b, "Folder of the project that is read")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--settle", arguments->settled, "What to take of each conflict, as JSON")
+      ->check(CLI::ExistingFile);
+  command->add_flag("--dry-run", arguments->dry_run, "Only say what would happen");
+}
+
+}  // namespace ostraka::app

@@ -1,0 +1,222 @@
+// Batches: their numbers, bags, scans, decisions and files; terms and settings.
+#include <algorithm>
+
+#include "base/text.h"
+#include "catalogue/batches.h"
+#include "catalogue/settings.h"
+#include "merge/merging.h"
+#include "sherds/sherd_columns.h"
+#include "store/database.h"
+
+namespace ostraka::merge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFoldersOfBatches[] = {"batches/", "results/", "models/"};
+
+}  // namespace
+
+// The number that it has in B, or the project's next one, as for a batch that is imported.
+void Merging::numberBatch(const Table& table, const Row& theirs, Values& values) {
+  Value& number = values[table.column("number")];
+  const std::string there = number.value_or("");
+  store::Statement same = database_.sql("SELECT 1 FROM batch WHERE number = ?");
+  bool taken = same.with(there).next();
+  for (const char* folder : kFoldersOfBatches) {
+    std::error_code failed;
+    taken |= fs::exists(fs::symlink_status(projects_.a_folder / folder / there, failed));
+  }
+  if (taken) number = store::valueOrThrow(catalogue::Batches(projects_.a).nextNumber());
+  folder_of_[there] = *number;
+  if (*number != there) outcome_.batches[there] = *number;
+  fresh_batches_.insert(theirs.id);
+}
+
+std::string Merging::placed(const std::string& path) const {
+  for (const std::string folder : kFoldersOfBatches) {
+    if (!path.starts_with(folder)) continue;
+    const std::size_t end = path.find('/', folder.size());
+    if (end == std::string::npos) break;
+    const auto found = folder_of_.find(path.substr(folder.size(), end - folder.size()));
+    if (found != folder_of_.end()) return folder + found->second + path.substr(end);
+  }
+  return path;
+}
+
+// Batches of which A has scans that B does not know.
+void Merging::noteOwnComputations() {
+  std::set<std::string> known;
+  const Table& scans = a_.table("scan");
+  for (const Row& scan : b_.table("scan").rows) known.insert(canonicalId(scan.id));
+  for (const Row& scan : scans.rows)
+    if (!known.contains(scan.id))
+      computed_in_a_.insert(scan.values[scans.column("batch")].value_or(""));
+}
+
+// A plate that each project computed for itself: the scans of A stay those of its results, those of
+// B enter as of an earlier computation, and so do the sherds that were made from them.
+void Merging::placeScan(const Table& table, const Row& theirs, Values& values) {
+  const std::string batch = values[table.column("batch")].value_or("");
+  const auto value = [&](const char* name) { return values[table.column(name)]; };
+  if (fresh_batches_.contains(batch)) return;
+  if (!computed_in_a_.contains(batch)) {
+    computed_in_b_.insert(batch);
+    return;
+  }
+  std::int64_t row = 0;
+  store::Statement last = database_.sql("SELECT ifnull(max(row), 0) + 1 FROM scan");
+  if (last.next()) last >> row;
+  settle({"batch/" + batch + "/results",
+          "batch " + labelOf(batch) + ", results",
+          "as it was computed there",
+          "as it was computed there",
+          {"a"}});
+  demoted_[theirs.id] = value("name").value_or("");
+  values[table.column("position")] = std::to_string(-row);
+  values[table.column("name")] = value("name").value_or("") + "-earlier" + std::to_string(row);
+}
+
+void Merging::mergeBags() {
+  for (const Row& batch : b_.table("batch").rows) {
+    const std::string id = canonicalId(batch.id);
+    std::vector<std::string> theirs, mine = a_.bags[id];
+    if (const auto found = b_.bags.find(batch.id); found != b_.bags.end())
+      for (const std::string& bag : found->second) theirs.push_back(canonicalId(bag));
+    if (theirs == mine) continue;
+    const auto words = [&](const std::vector<std::string>& bags) {
+      std::vector<std::string> rows;
+      for (const std::string& bag : bags) rows.push_back(std::to_string(rows_.at(bag)));
+      return joined(rows, "; ");
+    };
+    const auto labels = [&](const std::vector<std::string>& bags) {
+      std::vector<std::string> names;
+      for (const std::string& bag : bags) names.push_back(labelOf(bag));
+      return joined(names, "; ");
+    };
+    if (!fresh_batches_.contains(id) && decide(&a_.table("batch"), {"bags",
+                                                                    id,
+                                                                    {"bags"},
+                                                                    labels(mine),
+                                                                    labels(theirs),
+                                                                    "bags",
+                                                                    words(mine),
+                                                                    words(theirs)}) != Take::B)
+      continue;
+    database_.sql("DELETE FROM batch_bag WHERE batch = ?").with(rows_.at(id)).run();
+    for (std::size_t i = 0; i < theirs.size(); ++i)
+      database_.sql("INSERT INTO batch_bag VALUES (?, ?, ?)")
+          .with(rows_.at(id), static_cast<std::int64_t>(i), rows_.at(theirs[i]))
+          .run();
+  }
+}
+
+void Merging::addFile(const Table& table, const Values& values, const std::string& from) {
+  const std::string to = values[table.column("path")].value_or("");
+  outcome_.copies[to] = {from, to, values[table.column("sha256")].value_or("")};
+}
+
+// A term that one project took away stays away; one that it described otherwise is settled.
+void Merging::mergeTerms() {
+  compareHistories("vocabulary");
+  copyEvents("vocabulary#0");
+  std::map<std::pair<std::string, std::string>, const std::vector<std::string>*> mine;
+  for (const std::vector<std::string>& term : a_.terms) mine[{term[0], term[1]}] = &term;
+  for (const std::vector<std::string>& term : b_.terms) {
+    const auto found = mine.find({term[0], term[1]});
+    if (found != mine.end()) {
+      const std::vector<std::string>& own = *found->second;
+      if (own[2] == term[2] && own[3] == term[3]) continue;
+      const std::string name = term[0] + "/" + term[1];
+      const std::string a = own[2] + " " + own[3], b = term[2] + " " + term[3];
+      if (decide(nullptr, {name, "vocabulary#0", {name}, a, b, name, a, b}) == Take::B)
+        database_.sql("UPDATE vocabulary SET labels = ?, uri = ? WHERE name = ? AND term = ?")
+            .with(term[2], term[3], term[0], term[1])
+            .run();
+    } else if (!touches(touched_a_, "vocabulary#0", {term[0]}) ||
+               touches(touched_b_, "vocabulary#0", {term[0]})) {
+      database_
+          .sql(
+              "INSERT INTO vocabulary SELECT ?1, ?2, ifnull(max(position), -1) + 1, ?3, ?4 FROM "
+              "vocabulary WHERE name = ?1")
+          .with(term[0], term[1], term[2], term[3])
+          .run();
+    }
+  }
+}
+
+void Merging::mergeProject() {
+  if (a_.project_id != b_.project_id) return;  // two projects: each has a name of its own
+  compareHistories("project");
+  copyEvents("project#1");
+  const records::ProjectRecord mine =
+                                   store::valueOrThrow(catalogue::Settings(projects_.a).project()),
+                               theirs =
+                                   store::valueOrThrow(catalogue::Settings(projects_.b).project());
+  records::ProjectRecord merged = mine;
+  struct Field {
+    const char* name;
+    std::string records::ProjectRecord::*value;
+  };
+  using P = records::ProjectRecord;
+  Table project;
+  project.name = "project";
+  for (const Field& field :
+       {Field{"code", &P::code}, Field{"title", &P::title}, Field{"institution", &P::institution},
+        Field{"licence", &P::licence}, Field{"rights_holder", &P::rights_holder},
+        Field{"numbering", &P::numbering}, Field{"word_for_context", &P::word_for_context}}) {
+    const std::string &a = mine.*field.value, &b = theirs.*field.value;
+    if (a != b &&
+        decide(&project, {field.name, "project#1", {field.name}, a, b, field.name, a, b}) ==
+            Take::B)
+      merged.*field.value = b;
+  }
+  if (outcome_.unsettled()) return;
+  store::valueOrThrow(catalogue::Settings(projects_.a).setProject(merged, provenance_));
+}
+
+// Settings are those of a house and its computer, but for the numbers that were typed on plates.
+void Merging::mergeSettings() {
+  const std::string typed = sherds::kTypedNumbers;
+  for (const auto& [key, value] : b_.settings) {
+    if (key.starts_with(kSameRow) && rows_.contains(canonicalId(value)) &&
+        key != kSameRow + canonicalId(value))
+      database_.sql("INSERT OR IGNORE INTO setting VALUES (?, ?)")
+          .with(key, canonicalId(value))
+          .run();
+    if (!key.starts_with(typed)) continue;
+    const auto batch = folder_of_.find(key.substr(typed.size()));
+    if (batch != folder_of_.end())
+      database_.sql("INSERT OR IGNORE INTO setting VALUES (?, ?)")
+          .with(typed + batch->second, value)
+          .run();
+  }
+}
+
+bool Merging::isOfResults(const Table& table, const Values& values,
+                          const std::set<std::string>& batches) {
+  return table.name == "file" && batches.contains(values[table.column("batch")].value_or("")) &&
+         values[table.column("path")].value_or("").starts_with("results/");
+}
+
+void Merging::finishBatches() {
+  const Table& batches = b_.table("batch");
+  for (const Row& batch : batches.rows) {
+    const std::string& id = batch.id;
+    const std::string there = batch.values[batches.column("number")].value_or(""),
+                      here = labelOf(id);
+    if (fresh_batches_.contains(id)) {
+      for (const std::string folder : {"batches/", "results/"})
+        outcome_.files_of[folder + there] = folder + here;
+      continue;
+    }
+    if (computed_in_b_.contains(id) && !computed_in_a_.contains(id))
+      outcome_.files_of["results/" + there] = "results/" + here;
+    if (!decided_in_b_.contains(id)) continue;
+    outcome_.joint_decisions["results/" + there] = "results/" + here;
+    if (!outcome_.unsettled())
+      sherds::settleSherds(projects_.a, store::BatchRow{rows_.at(id)}, provenance_);
+  }
+}
+
+}  // namespace ostraka::merge

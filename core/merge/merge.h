@@ -1,0 +1,38 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "merge/settled.h"
+#include "records/records.h"
+#include "upkeep/project.h"
+
+namespace ostraka::merge {
+
+enum class MergeMode { Preview, Enter };
+
+struct MergeReport {
+  bool entered = false;
+  int added = 0, changed = 0;  ///< rows of A
+  int files = 0;
+  std::int64_t bytes = 0;
+  std::vector<Conflict> conflicts;             ///< the settled ones, too
+  std::map<std::string, std::string> batches;  ///< numbers of B that are others in A
+  std::vector<std::string> missing;            ///< files that B's catalogue names and B has not
+  bool unsettled() const;
+};
+
+/// Brings what project B holds into A, in one transaction, with its files; B is only read. Nothing
+/// is written while a conflict is unsettled. Once more changes nothing. docs/merge.md has the rule.
+/// Errors: UnusableInput (A itself, no project, another version's schema, a file that is not as B's
+/// catalogue has it), Damaged, CannotWrite, Cancelled; then A is as it was.
+Result<MergeReport> mergeInto(upkeep::Project& a, const std::filesystem::path& b, MergeMode mode,
+                              const Settled& settled, const records::Provenance& provenance,
+                              Progress& progress, std::stop_token stop);
+
+}  // namespace ostraka::merge

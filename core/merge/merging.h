@@ -1,0 +1,142 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "catalogue/catalogue.h"
+#include "merge/content.h"
+#include "merge/outcome.h"
+#include "merge/units.h"
+#include "records/records.h"
+
+namespace ostraka::merge {
+
+/// Settings of rows that are one though each project made its own: this and the one's uuid.
+inline constexpr const char* kSameRow = "merge.same.";
+
+/// Brings the content of B into A's catalogue: once, within the caller's transaction, which is
+/// taken back where a conflict is unsettled (those count as settled for A meanwhile). Throws as
+/// Statement does. docs/merge.md has the rule.
+class Merging {
+ public:
+  struct Projects {
+    const catalogue::Catalogue& a;
+    std::filesystem::path a_folder;
+    const catalogue::Catalogue& b;
+    const Content& b_content;
+  };
+  Merging(Projects projects, const Settled& settled, const records::Provenance& provenance);
+  Outcome run();
+
+ private:
+  using Values = std::vector<Value>;
+  /// Which fields of a row only one of the projects changed.
+  using Touched = std::unordered_map<std::string, std::unordered_set<std::string>>;
+
+  // merging.cpp: rows of any table
+  void readAliases();
+  void mergeTable(const Table& a, const Table& b);
+  void aliasRows(const Table& a, const Table& b);
+  bool sameUnderAnotherId(const Table& a, const Row& mine, const Table& b, const Row& theirs,
+                          const Values& values);
+  void mergeRow(const Table& table, const Row& mine, const Row& theirs);
+  void mergeOwnFields(const Table& table, const Row& mine, const Values& theirs);
+  void insertRow(const Table& table, const Row& theirs, const Values& values);
+  void write(const Table& table, std::int64_t row,
+             const std::vector<std::pair<std::size_t, Value>>& changes);
+  void setDeferred();
+  Values canonical(const Table& table, const Row& row) const;
+  std::string canonicalId(const std::string& id) const;
+  Value stored(const Table& table, std::size_t column, const Value& value) const;
+  /// One thing that a row says, and how the history tells it.
+  struct Said {
+    std::string name, row;
+    std::vector<std::string> fields;
+    std::string a, b;                   ///< for a person
+    std::string field, told_a, told_b;  ///< for the history; told_a = told_b: as a and b
+  };
+  /// Whose word holds: by who changed it since both were the same.
+  Take decide(const Table* table, Said said);
+  Take settle(Conflict conflict);
+  const Choice* choiceOf(const std::string& conflict_id) const;
+  std::string labelOf(const std::string& id) const;
+  void label(const Table& table, const std::string& id, const Values& values);
+  std::string shown(const Table& table, const Unit& unit, const Values& values) const;
+  Said saidOf(const Table& table, const Unit& unit, const Row& mine, const Values& theirs) const;
+  std::string told(const Table& table, std::size_t column, const Value& value) const;
+
+  // events.cpp: the history
+  void compareHistories(const std::string& table);
+  void copyEvents(const std::string& row);
+  void remember(const std::string& table, std::int64_t row, const std::string& field,
+                const std::string& old_value, const std::string& new_value);
+  static bool touches(const Touched& touched, const std::string& row,
+                      const std::vector<std::string>& fields);
+
+  // numbers.cpp: sherds and their numbers
+  void readGivenNumbers();
+  bool takesNumber(const std::string& sherd, const Table& table, Values& values);
+  std::string numberOf(const std::string& sherd) const;
+  void claimNumber(const std::string& sherd, const std::string& number);
+  void addGivenNumbers();
+  void assignNumbers();
+  void mergeMeasurements();
+  void mergeJoins();
+
+  // batches.cpp: batches, their scans, decisions and files
+  void numberBatch(const Table& table, const Row& theirs, Values& values);
+  std::string placed(const std::string& path) const;
+  void noteOwnComputations();
+  void placeScan(const Table& table, const Row& theirs, Values& values);
+  void mergeBags();
+  void comparePairs();
+  void comparePieces();
+  void withdrawLosers();
+  void finishBatches();
+  static bool isOfResults(const Table& table, const Values& values,
+                          const std::set<std::string>& batches);
+  void addFile(const Table& table, const Values& values, const std::string& from);
+  void mergeTerms();
+  void mergeProject();
+  void mergeSettings();
+  void searchAnew();
+
+  Projects projects_;
+  const Settled& settled_;
+  const records::Provenance& provenance_;
+  store::Database& database_;
+  Content a_;
+  const Content& b_;
+  Outcome outcome_;
+  std::map<std::string, std::vector<Unit>> units_;       ///< by table
+  std::unordered_map<std::string, std::string> alias_;   ///< of B -> of A
+  std::unordered_map<std::string, std::int64_t> rows_;   ///< of A, by uuid
+  std::unordered_map<std::string, std::string> labels_;  ///< by uuid
+  std::unordered_map<std::string, Take> takes_;          ///< by conflict
+  std::unordered_map<std::string, Take> of_row_;         ///< settled for all its fields at once
+  std::unordered_map<std::string, std::vector<Event>> new_events_;  ///< of B alone, by row
+  Touched touched_a_, touched_b_;
+  struct Deferred {
+    std::string table, column, id;
+    std::int64_t row = 0;
+  };
+  std::vector<Deferred> deferred_;
+  std::unordered_map<std::string, std::string> number_owner_, slug_owner_;  ///< by key: sherd
+  std::vector<std::int64_t> to_number_;  ///< sherds of A whose number went to another
+  std::set<std::string> lost_numbers_;   ///< sherds of B whose number stays with another
+  std::map<std::string, std::pair<std::string, std::string>> new_numbers_;  ///< sherd: old, new
+  std::map<std::string, std::string> claimed_;                              ///< sherd: number
+  std::map<std::string, std::string> folder_of_;                            ///< number of B -> of A
+  std::set<std::string> fresh_batches_, computed_in_a_, computed_in_b_, decided_in_b_;  ///< uuids
+  std::map<std::string, std::string> demoted_;                  ///< scan of B: its name there
+  std::vector<std::pair<std::int64_t, Value>> scan_positions_;  ///< once all others moved away
+  std::vector<std::pair<std::string, std::string>> losers_;     ///< table, uuid of a decision
+  std::set<std::int64_t> changed_sherds_;
+  bool places_changed_ = false;
+};
+
+}  // namespace ostraka::merge

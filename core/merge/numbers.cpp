@@ -1,0 +1,227 @@
+// Sherds: whose a number is, which measurement counts, and which sherds join.
+#include "sherds/numbers.h"
+#include "catalogue/search.h"
+#include "merge/merging.h"
+#include "records/sherd.h"
+#include "sherds/sherd_columns.h"
+#include "store/database.h"
+#include "store/names.h"
+#include "store/values.h"
+
+namespace ostraka::merge {
+namespace {
+
+std::string keyOfNumber(const std::string& number) {
+  return store::uniqueKey(number);
+}
+std::string slugOfNumber(const std::string& number) {
+  return store::uniqueKey(store::slug(number));
+}
+
+}  // namespace
+
+void Merging::readGivenNumbers() {
+  for (const std::vector<Value>& given : a_.given) {
+    number_owner_[given[0].value_or("")] = given[3].value_or("");
+    slug_owner_[given[1].value_or("")] = given[3].value_or("");
+  }
+}
+
+// False where another sherd of A keeps the number. values: of the sherd as it would be.
+bool Merging::takesNumber(const std::string& sherd, const Table& table, Values& values) {
+  const std::string number = values[table.column("number")].value_or("");
+  if (number.empty()) return true;
+  const Row* mine = a_.table("sherd").find(sherd);
+  if (mine && mine->values[table.column("number")] == number) return true;
+  // What A called otherwise since is A's word on it.
+  if (mine && touches(touched_a_, sherd, {"number"}) && !touches(touched_b_, sherd, {"number"}))
+    return true;
+  std::string owner;
+  if (const auto found = number_owner_.find(keyOfNumber(number)); found != number_owner_.end())
+    owner = found->second;
+  else if (const auto slug = slug_owner_.find(slugOfNumber(number)); slug != slug_owner_.end())
+    owner = slug->second;
+  if (owner.empty() || owner == sherd) return true;
+  // Settled before: B knows the other sherd, and it is called otherwise by now.
+  if (b_.table("sherd").by_id.contains(owner) && numberOf(owner) != number) return true;
+  const Choice* choice = choiceOf("number/" + sherd);
+  const Take take = settle({"number/" + sherd,
+                            "number " + number,
+                            "sherd " + owner,
+                            "sherd " + sherd,
+                            {"a", "b", "number"}});
+  if (take == Take::Number) {
+    const std::string wanted = store::valueOrThrow(store::checkedNumber(choice->number));
+    if (wanted.empty() || number_owner_.contains(keyOfNumber(wanted)) ||
+        slug_owner_.contains(slugOfNumber(wanted)))
+      store::refuse("The number " + wanted + " was assigned before and is never reused; settle " +
+                    "the conflict number/" + sherd + " with another one, nothing was merged.");
+    new_numbers_[sherd] = {number, wanted};
+    values[table.column("number")] = wanted;
+    values[table.column("number_sort")] = store::sortKey(wanted);
+    return true;
+  }
+  if (take == Take::B) {
+    const Row* other = a_.table("sherd").find(owner);
+    if (other && other->values[table.column("number")] == number) {
+      database_
+          .sql(
+              "UPDATE sherd SET number = '', number_sort = ?, state = CASE state WHEN 'numbered' "
+              "THEN 'draft' ELSE state END WHERE row = ?")
+          .with(sherds::kBehindAllNumbers, other->row)
+          .run();
+      remember("sherd", other->row, "number", number, "");
+      if (other->values[table.column("state")] == "numbered") to_number_.push_back(other->row);
+    }
+    return true;
+  }
+  lost_numbers_.insert(sherd);
+  return false;
+}
+
+std::string Merging::numberOf(const std::string& sherd) const {
+  if (const auto claimed = claimed_.find(sherd); claimed != claimed_.end()) return claimed->second;
+  const Table& sherds = a_.table("sherd");
+  const Row* row = sherds.find(sherd);
+  return row ? row->values[sherds.column("number")].value_or("") : std::string();
+}
+
+void Merging::claimNumber(const std::string& sherd, const std::string& number) {
+  if (number.empty()) return;
+  number_owner_[keyOfNumber(number)] = sherd;
+  slug_owner_[slugOfNumber(number)] = sherd;
+  claimed_[sherd] = number;
+}
+
+void Merging::addGivenNumbers() {
+  std::unordered_map<std::string, const std::vector<Value>*> of_b;
+  for (const std::vector<Value>& given : b_.given) {
+    of_b[given[0].value_or("")] = &given;
+    const std::string sherd = canonicalId(given[3].value_or(""));
+    if (!rows_.contains(sherd)) continue;
+    // One that was given in both projects stays with the sherd of A, or goes to the one that a
+    // person chose.
+    database_.sql("INSERT OR IGNORE INTO given_number VALUES (?, ?, ?, ?, ?, ?, ?)")
+        .with(given[0], given[1], given[2], rows_.at(sherd), given[4], given[5], given[6])
+        .run();
+  }
+  for (const auto& [sherd, number] : claimed_) {
+    const std::string key = keyOfNumber(number);
+    const auto found = of_b.find(key);
+    const bool counted = found != of_b.end();
+    database_
+        .sql(
+            "INSERT INTO given_number VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE "
+            "SET sherd = ?4")
+        .with(key, slugOfNumber(number), number, rows_.at(sherd), projects_.a.now(),
+              counted ? (*found->second)[5].value_or("") : std::string(),
+              counted ? (*found->second)[6] : Value())
+        .run();
+  }
+  for (const auto& [sherd, numbers] : new_numbers_)
+    remember("sherd", rows_.at(sherd), "number", numbers.first, numbers.second);
+}
+
+// Sherds whose number went to another get the next one that is free.
+void Merging::assignNumbers() {
+  const Table& sherds = b_.table("sherd");
+  for (const std::string& id : lost_numbers_) {
+    const Row* mine = a_.table("sherd").find(id);
+    const Row* theirs = sherds.find(id);
+    const std::string number =
+        theirs ? theirs->values[sherds.column("number")].value_or("") : std::string();
+    const std::string now =
+        mine ? mine->values[sherds.column("number")].value_or("") : std::string();
+    remember("sherd", rows_.at(id), "number", number, now);
+    if (!mine && theirs && theirs->values[sherds.column("state")] == "numbered")
+      to_number_.push_back(rows_.at(id));
+  }
+  if (to_number_.empty() || outcome_.unsettled()) return;
+  std::vector<store::SherdRow> rows;
+  for (const std::int64_t row : to_number_) rows.push_back({row});
+  store::valueOrThrow(sherds::Numbers(projects_.a).assign(rows, provenance_));
+}
+
+void Merging::mergeMeasurements() {
+  const Table &mine = a_.table("measurement"), &theirs = b_.table("measurement");
+  const std::size_t sherd = theirs.column("sherd"), kind = theirs.column("kind"),
+                    current = theirs.column("current"), value = theirs.column("value"),
+                    unit = theirs.column("unit"), method = theirs.column("method");
+  // By sherd and kind: what counts in each project.
+  std::map<std::pair<std::string, std::string>, std::pair<const Row*, const Row*>> counts;
+  for (const Row& row : mine.rows)
+    if (row.values[current] == "1") counts[{*row.values[sherd], *row.values[kind]}].first = &row;
+  for (const Row& row : theirs.rows)
+    if (row.values[current] == "1")
+      counts[{canonicalId(*row.values[sherd]), *row.values[kind]}].second = &row;
+  const auto words = [&](const Row* row) {
+    return row ? *row->values[value] + " " + *row->values[unit] + ", " + *row->values[method]
+               : std::string();
+  };
+  // The history names values; their methods only where nothing else differs.
+  const auto toldOf = [&](const Row* row, const Row* other) {
+    if (!row) return std::string();
+    return other && other->values[value] == row->values[value] ? words(row) : *row->values[value];
+  };
+  for (const auto& [of, rows] : counts) {
+    const auto& [a, b] = rows;
+    const auto& [id, name] = of;
+    if (records::unitOf(name).empty()) store::refuse("There is no measurement of this kind.", name);
+    if ((a && b && a->id == b->id) || !rows_.contains(id)) continue;
+    // A sherd that only A has, or whose measures B never had.
+    if (!b && !touches(touched_b_, id, {name})) continue;
+    const bool told = touches(touched_a_, id, {name}) || touches(touched_b_, id, {name});
+    Take take = Take::B;
+    if (a && b && words(a) == words(b))
+      take = Take::A;
+    else if (told || (a && b))
+      take = decide(&a_.table("sherd"),
+                    {name, id, {name}, words(a), words(b), name, toldOf(a, b), toldOf(b, a)});
+    if (take != Take::B) continue;
+    const std::int64_t row = rows_.at(id);
+    if (a) database_.sql("UPDATE measurement SET current = 0 WHERE id = ?").with(a->id).run();
+    if (b) database_.sql("UPDATE measurement SET current = 1 WHERE id = ?").with(b->id).run();
+    database_.sql("UPDATE sherd_measure SET " + name + " = ? WHERE sherd = ?")
+        .with(b ? b->values[value] : Value(), row)
+        .run();
+    changed_sherds_.insert(row);
+  }
+}
+
+// A set of pairs: what one of the projects joined or parted since holds, and nothing else goes.
+void Merging::mergeJoins() {
+  std::set<std::pair<std::string, std::string>> mine(a_.joins.begin(), a_.joins.end()), theirs;
+  for (const auto& [sherd, other] : b_.joins)
+    theirs.emplace(canonicalId(sherd), canonicalId(other));
+  const auto partedIn = [&](const Touched& here, const Touched& there,
+                            const std::pair<std::string, std::string>& pair) {
+    const auto told = [&](const Touched& touched) {
+      return touches(touched, pair.first, {"joins"}) || touches(touched, pair.second, {"joins"});
+    };
+    return told(here) && !told(there);
+  };
+  for (const auto& pair : theirs) {
+    if (mine.contains(pair) || partedIn(touched_a_, touched_b_, pair)) continue;
+    if (!rows_.contains(pair.first) || !rows_.contains(pair.second) || pair.first == pair.second)
+      continue;
+    database_.sql("INSERT OR IGNORE INTO sherd_join VALUES (?, ?)")
+        .with(rows_.at(pair.first), rows_.at(pair.second))
+        .run();
+  }
+  for (const auto& pair : mine)
+    if (!theirs.contains(pair) && partedIn(touched_b_, touched_a_, pair))
+      database_.sql("DELETE FROM sherd_join WHERE sherd = ? AND other = ?")
+          .with(rows_.at(pair.first), rows_.at(pair.second))
+          .run();
+}
+
+void Merging::searchAnew() {
+  if (places_changed_) {
+    store::Statement all = database_.sql("SELECT row FROM sherd");
+    for (std::int64_t row = 0; all.next(); changed_sherds_.insert(row)) all >> row;
+  }
+  for (const std::int64_t row : changed_sherds_)
+    catalogue::searchAnew(database_, store::SherdRow{row});
+}
+
+}  // namespace ostraka::merge

@@ -1,0 +1,29 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "merge/settled.h"
+
+namespace ostraka::merge {
+
+/// A file of B that A gets.
+struct FileCopy {
+  std::string from, to;  ///< relative to their projects
+  std::string sha256;    ///< as B's catalogue has it; empty: it does not name the file
+  bool operator==(const FileCopy&) const = default;
+};
+
+/// What one merge does, or would do.
+struct Outcome {
+  int added = 0, changed = 0;  ///< rows of A
+  std::vector<Conflict> conflicts;
+  std::map<std::string, std::string> files_of;  ///< folder of B -> folder of A, all of its files
+  std::map<std::string, FileCopy> copies;       ///< by where they go: what B's catalogue names
+  std::map<std::string, std::string> batches;   ///< numbers of B that are others in A
+  std::map<std::string, std::string> joint_decisions;  ///< results of B -> of A: A gets both lists
+  std::map<std::string, std::string> withdrawn;  ///< in decisions.json: what lost -> its withdrawal
+  bool unsettled() const;
+};
+
+}  // namespace ostraka::merge

@@ -1,0 +1,41 @@
+#include "merge/settled.h"
+
+#include <nlohmann/json.hpp>
+
+#include "files/json.h"
+
+namespace ostraka::merge {
+
+Result<Settled> readSettled(const std::filesystem::path& file) {
+  const Result<nlohmann::json> json = readJson(file);
+  if (!json) return json.error();
+  const auto unusable = [&](const std::string& what) {
+    return Error::unusable(what, file.string());
+  };
+  if (!json->is_array())
+    return unusable(
+        "This file must be a JSON list of {\"id\": \"…\", \"take\": \"a\"} or {\"id\": \"…\", "
+        "\"number\": \"…\"}; correct it, nothing was merged.");
+  Settled settled;
+  for (const nlohmann::json& entry : *json) {
+    const auto text = [&](const char* key) {
+      return entry.is_object() && entry.contains(key) && entry[key].is_string()
+                 ? entry[key].get<std::string>()
+                 : std::string();
+    };
+    const std::string id = text("id"), take = text("take"), number = text("number");
+    const bool one_side = (take == "a" || take == "b") && number.empty();
+    if (id.empty() || (!one_side && (number.empty() || !take.empty())))
+      return unusable("An entry of this file is not of the form {\"id\": \"…\", \"take\": \"a\"} " +
+                      std::string("(or \"b\", or \"number\" with a new number): ") + entry.dump() +
+                      "; correct it, nothing was merged.");
+    const Choice choice{one_side ? (take == "a" ? Take::A : Take::B) : Take::Number, number};
+    if (!settled.emplace(id, choice).second)
+      return unusable("The conflict " + id +
+                      " is settled twice in this file; keep one of the entries, nothing was "
+                      "merged.");
+  }
+  return settled;
+}
+
+}  // namespace ostraka::merge

@@ -1,0 +1,55 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "catalogue/catalogue.h"
+#include "files/open_folder.h"
+#include "merge/outcome.h"
+
+namespace ostraka::merge {
+
+/// Files on their way into a project: they wait in PROJECT/merge.partial, whole, until the
+/// catalogue that names them is saved, and then take their places by renaming. Which go where
+/// stands in the same transaction (setting merge.files), so that a process that was killed in
+/// between is completed by the next one, and one that was killed before has left nothing.
+class StagedFiles {
+ public:
+  /// After what an earlier merge left was completed or removed.
+  static Result<StagedFiles> begin(catalogue::Catalogue& catalogue,
+                                   const std::filesystem::path& project);
+  /// Each against its checksum, in B's catalogue and as it was written. Those that B has not are
+  /// listed. Errors: UnusableInput for a file that is not as B's catalogue has it, or a link.
+  Result<void> copy(const std::filesystem::path& b, const std::vector<FileCopy>& files,
+                    Progress& progress, const std::stop_token& stop);
+  Result<void> put(const std::string& to, const std::string& bytes);
+  /// Within the transaction.
+  Result<void> note(catalogue::Catalogue& catalogue) const;
+  /// After it.
+  Result<void> finish(catalogue::Catalogue& catalogue);
+  /// Where nothing was saved.
+  void drop();
+
+  const std::vector<std::string>& missing() const { return missing_; }
+  int files() const { return static_cast<int>(staged_.size()); }
+  std::int64_t bytes() const { return bytes_; }
+
+ private:
+  explicit StagedFiles(std::filesystem::path project) : project_(std::move(project)) {}
+  std::string nextName();
+  std::filesystem::path project_;
+  std::map<std::string, std::string> staged_;  ///< where it goes -> its name meanwhile
+  std::vector<std::string> missing_;
+  std::int64_t bytes_ = 0;
+  int names_ = 0;
+};
+
+/// The files below these folders of B and what its catalogue names, each once. Errors: a link.
+Result<std::vector<FileCopy>> filesToCopy(const std::filesystem::path& b, const Outcome& outcome);
+
+}  // namespace ostraka::merge

@@ -1,0 +1,24 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "merge/content.h"
+
+namespace ostraka::merge {
+
+/// Columns that change together: a person decides about all of them at once.
+struct Unit {
+  std::string name;
+  std::vector<std::size_t> columns;
+  std::vector<std::string> fields;  ///< by which the history tells their changes
+};
+/// Of a table's columns. Not those that say who wrote the row and when, those that follow from
+/// others (the state of a scan), and the user's own fields (`extra`), which are units by name.
+std::vector<Unit> unitsOf(const Table& table);
+
+/// The user's own fields of a row, name and value as JSON.
+std::vector<std::pair<std::string, std::string>> ownFields(const Value& extra);
+/// The JSON of such fields, in the order of their names.
+std::string ownFieldsJson(const std::vector<std::pair<std::string, std::string>>& fields);
+
+}  // namespace ostraka::merge

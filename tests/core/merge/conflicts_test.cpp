@@ -1,0 +1,226 @@
+// What both houses say differently: listed, and settled by a person.
+#include <gmock/gmock.h>
+
+#include "two_houses.h"
+
+namespace ostraka::merge {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+using namespace catalogue;
+
+class Conflicts : public TwoHouses {
+ protected:
+  Conflicts() : b_(copied("b")) {}
+  /// Nothing is written before it is settled; afterwards neither direction asks again.
+  void settle(const Settled& settled) {
+    const std::string before = contentIn(*project_), before_b = contentIn(b_);
+    const MergeReport open = merged(*project_, b_);
+    EXPECT_FALSE(open.entered);
+    std::vector<std::string> ids;
+    for (const auto& [id, choice] : settled) ids.push_back(id);
+    EXPECT_THAT(openIn(open), testing::UnorderedElementsAreArray(ids));
+    EXPECT_EQ(contentIn(*project_), before);
+    const MergeReport done = merged(*project_, b_, settled);
+    EXPECT_TRUE(done.entered);
+    EXPECT_THAT(openIn(done), IsEmpty());
+    EXPECT_EQ(contentIn(b_), before_b);
+    const std::string after = contentIn(*project_);
+    EXPECT_THAT(openIn(merged(*project_, b_)), IsEmpty());
+    EXPECT_EQ(contentIn(*project_), after);
+    EXPECT_THAT(openIn(merged(b_, *project_)), IsEmpty());
+    EXPECT_TRUE(project_->catalogue().checkIntegrity());
+    EXPECT_TRUE(b_.catalogue().checkIntegrity());
+  }
+  upkeep::Project b_;
+};
+
+TEST_F(Conflicts, AFieldThatBothChangedIsTakenFromB) {
+  say(*project_, rows[0], "ware", "grey");
+  say(b_, rows[0], "ware", "red");
+  const std::string id = idOf(rows[0]);
+  settle({{"sherd/" + id + "/ware", take(Take::B)}});
+  EXPECT_EQ(saidOf(*project_, id, "ware"), "red");
+  EXPECT_EQ(saidOf(b_, id, "ware"), "red");
+}
+
+TEST_F(Conflicts, AFieldThatBothChangedStaysAsInA) {
+  say(*project_, rows[0], "ware", "grey");
+  say(b_, rows[0], "ware", "red");
+  const std::string id = idOf(rows[0]);
+  settle({{"sherd/" + id + "/ware", take(Take::A)}});
+  EXPECT_EQ(saidOf(*project_, id, "ware"), "grey");
+  EXPECT_EQ(saidOf(b_, id, "ware"), "grey");
+}
+
+TEST_F(Conflicts, AMeasurementAndAFieldOfOnesOwnAreFieldsLikeOthers) {
+  say(*project_, rows[0], "weight_g", "24");
+  say(b_, rows[0], "weight_g", "25");
+  say(*project_, rows[0], "extra.drawer", "8");
+  say(b_, rows[0], "extra.drawer", "9");
+  const std::string id = idOf(rows[0]);
+  const auto kind = "sherd/" + id + "/weight";
+  settle({{kind, take(Take::B)}, {"sherd/" + id + "/extra.drawer", take(Take::A)}});
+  EXPECT_EQ(saidOf(*project_, id, "weight_g"), "25");
+  EXPECT_EQ(saidOf(b_, id, "weight_g"), "25");
+  EXPECT_EQ(saidOf(*project_, id, "extra.drawer"), "8");
+}
+
+TEST_F(Conflicts, ANumberGivenToTwoSherdsStaysWithOne) {
+  const std::string own = sherds::Sherds(catalogue()).get(newSherd(*project_, context13, true))->id;
+  const std::string theirs = sherds::Sherds(b_.catalogue()).get(newSherd(b_, context13, true))->id;
+  ASSERT_EQ(saidOf(*project_, own, "number"), saidOf(b_, theirs, "number"));
+  settle({{"number/" + theirs, take(Take::A)}});
+  EXPECT_EQ(saidOf(*project_, own, "number"), "ARM1-T3-0013-0001");
+  EXPECT_EQ(saidOf(*project_, theirs, "number"), "ARM1-T3-0013-0002");
+}
+
+TEST_F(Conflicts, ANumberGivenToTwoSherdsGoesToTheOther) {
+  const std::string own = sherds::Sherds(catalogue()).get(newSherd(*project_, context13, true))->id;
+  const std::string theirs = sherds::Sherds(b_.catalogue()).get(newSherd(b_, context13, true))->id;
+  settle({{"number/" + theirs, take(Take::B)}});
+  EXPECT_EQ(saidOf(*project_, theirs, "number"), "ARM1-T3-0013-0001");
+  EXPECT_EQ(saidOf(*project_, own, "number"), "ARM1-T3-0013-0002");
+}
+
+TEST_F(Conflicts, ANumberGivenToTwoSherdsBecomesANewOne) {
+  newSherd(*project_, context13, true);
+  const std::string theirs = sherds::Sherds(b_.catalogue()).get(newSherd(b_, context13, true))->id;
+  const Result<MergeReport> taken =
+      tried(*project_, b_, {{"number/" + theirs, {Take::Number, "ARM1-T3-0012-0001"}}});
+  ASSERT_FALSE(taken);
+  EXPECT_THAT(taken.error().what, testing::HasSubstr("never reused"));
+  settle({{"number/" + theirs, {Take::Number, "ARM1-T3-0013-0101"}}});
+  EXPECT_EQ(saidOf(*project_, theirs, "number"), "ARM1-T3-0013-0101");
+}
+
+class TwoPlaces : public Conflicts {
+ protected:
+  std::string made(upkeep::Project& project, const std::string& period) {
+    records::ContextRecord c;
+    c.site = site;
+    c.trench = trench;
+    c.number = "0099";
+    c.period = period;
+    return Places(project.catalogue()).context(*Places(project.catalogue()).save(c, anna))->id;
+  }
+  std::size_t contexts() { return Places(catalogue()).contexts()->size(); }
+};
+
+TEST_F(TwoPlaces, ThatSayTheSameAreOneByThemselves) {
+  made(*project_, "");
+  made(b_, "Iron Age");
+  const std::size_t before = contexts();
+  EXPECT_TRUE(merged(*project_, b_).entered);
+  EXPECT_EQ(contexts(), before);
+  const std::string after = contentIn(*project_);
+  EXPECT_TRUE(merged(*project_, b_).entered);
+  EXPECT_EQ(contentIn(*project_), after);
+  EXPECT_TRUE(merged(b_, *project_).entered);
+}
+
+TEST_F(TwoPlaces, ThatSayOtherThingsAreOneAsAPersonSays) {
+  made(*project_, "Bronze Age");
+  const std::string theirs = made(b_, "Iron Age");
+  const std::size_t before = contexts();
+  settle({{"context/" + theirs, take(Take::B)}});
+  EXPECT_EQ(contexts(), before);
+  const auto all_contexts = valueIn(Places(catalogue()).contexts());
+  EXPECT_EQ(std::count_if(all_contexts.begin(), all_contexts.end(),
+                          [](const auto& c) { return c.period == "Iron Age"; }),
+            1);
+}
+
+TEST_F(TwoPlaces, ThatSayOtherThingsAreTwoUnderAnotherNumber) {
+  made(*project_, "Bronze Age");
+  const std::string theirs = made(b_, "Iron Age");
+  const std::size_t before = contexts();
+  settle({{"context/" + theirs, {Take::Number, "0100"}}});
+  EXPECT_EQ(contexts(), before + 1);
+}
+
+class TwoDecisions : public Conflicts {
+ protected:
+  void decide(upkeep::Project& project, records::Verdict verdict) {
+    const std::vector<records::ScanRecord> scans =
+        valueIn(Batches(project.catalogue()).scans(batch));
+    records::PairDecision d;
+    d.batch = batch;
+    d.verdict = verdict;
+    for (const records::ScanRecord& scan : scans)
+      if (scan.index == 1) (scan.side == batch::Side::Front ? d.front : d.back) = scan.row;
+    EXPECT_TRUE(sherds::PairDecisions(project.catalogue()).add(d, anna));
+  }
+  bool accepted() {
+    for (const auto& d : valueIn(sherds::PairDecisions(catalogue()).current(batch)))
+      if (d.by && d.verdict == records::Verdict::Accept) return true;
+    return false;
+  }
+};
+
+TEST_F(TwoDecisions, ThatAreTheSameNeedNoPerson) {
+  decide(*project_, records::Verdict::Accept);
+  decide(b_, records::Verdict::Accept);
+  EXPECT_TRUE(merged(*project_, b_).entered);
+  EXPECT_TRUE(accepted());
+}
+
+TEST_F(TwoDecisions, ThatDifferOnOnePairAreSettledAndNoneGoes) {
+  decide(*project_, records::Verdict::Reject);
+  decide(b_, records::Verdict::Accept);
+  const MergeReport open = merged(*project_, b_);
+  Settled settled;
+  for (const std::string& id : openIn(open)) settled[id] = take(Take::B);
+  ASSERT_FALSE(settled.empty());
+  EXPECT_TRUE(settled.begin()->first.starts_with("pair/"));
+  const std::size_t before = sherds::PairDecisions(catalogue()).all(batch)->size();
+  EXPECT_TRUE(merged(*project_, b_, settled).entered);
+  EXPECT_TRUE(accepted());
+  EXPECT_EQ(sherds::PairDecisions(catalogue()).all(batch)->size(), before + 2)
+      << "B's, and the withdrawal of A's";
+  const std::string after = contentIn(*project_);
+  EXPECT_TRUE(merged(*project_, b_).entered);
+  EXPECT_EQ(contentIn(*project_), after);
+}
+
+class TwoComputations : public Conflicts {
+ protected:
+  /// B0005 in both projects, computed in each; b_moves: by how much B finds its pieces elsewhere.
+  void compute(double b_moves_mm) {
+    for (upkeep::Project* project : {&*project_, &b_}) {
+      records::BatchRecord b;
+      b.number = "B0005";
+      b.id = kBatch;
+      const store::BatchRow row = valueIn(Batches(project->catalogue()).add(b, anna));
+      ResultFolder two(project->resultsFolder("B0005"), 2);
+      if (project == &b_)
+        for (Eigen::Vector2d& place : two.places_mm) place.x() += b_moves_mm;
+      two.write();
+      ASSERT_TRUE(intake::enterResults(project->catalogue(), project->folder(), row,
+                                       project->resultsFolder("B0005"), {}, quiet, {}));
+      ASSERT_EQ(sherds::Sherds(project->catalogue()).rows(row)->size(), 2u);
+    }
+  }
+  std::size_t sherdsOfBatch() {
+    const store::BatchRow row = Batches(catalogue()).byNumber("B0005")->row;
+    return sherds::Sherds(catalogue()).rows(row)->size();
+  }
+  const std::string kBatch = "01980000-0000-7000-8000-000000000005";
+};
+
+TEST_F(TwoComputations, ThatFoundTheSameAreOneByThemselves) {
+  compute(0);
+  EXPECT_TRUE(merged(*project_, b_).entered);
+  EXPECT_EQ(sherdsOfBatch(), 2u);
+}
+
+TEST_F(TwoComputations, ThatFoundOtherPiecesKeepTheResultsOfA) {
+  compute(30);
+  settle({{"batch/" + kBatch + "/results", take(Take::A)}});
+  EXPECT_EQ(sherdsOfBatch(), 4u) << "nothing is lost";
+}
+
+}  // namespace
+}  // namespace ostraka::merge

@@ -1,0 +1,134 @@
+// Photographs, results and models of another house: whole, where they belong, or not at all.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "two_houses.h"
+#include "upkeep/file_check.h"
+
+namespace ostraka::merge {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace catalogue;
+
+class MergedFiles : public TwoHouses {
+ protected:
+  MergedFiles() : b_(copied("b")) {
+    here_ = plate(*project_, "of A");
+    there_ = plate(b_, "of B");
+  }
+  // B0002, with one photograph, results and a draft with a model.
+  std::string plate(upkeep::Project& project, const std::string& bytes) {
+    records::BatchRecord record;
+    record.number = "B0002";
+    const store::BatchRow row = valueIn(Batches(project.catalogue()).add(record, anna));
+    records::FileRecord f;
+    f.path = "batches/B0002/front/cam0_pos00.jpg";
+    f.sha256 = sha256(bytes);
+    f.bytes = static_cast<std::int64_t>(bytes.size());
+    f.media_type = "image/jpeg";
+    f.role = "photo";
+    f.batch = row;
+    put(project.folder() / f.path, bytes);
+    put(project.folder() / "batches/B0002/batch.json", "{}");
+    EXPECT_TRUE(Files(project.catalogue()).save(f, anna));
+    const ResultFolder one(project.resultsFolder("B0002"), 1);
+    EXPECT_TRUE(intake::enterResults(project.catalogue(), project.folder(), row,
+                                     project.resultsFolder("B0002"), {}, quiet, {}));
+    return Batches(project.catalogue()).get(row)->id;
+  }
+  void everyFileIsThere() {
+    for (const records::FileRecord& file : valueIn(Files(catalogue()).all()))
+      EXPECT_EQ(sha256(bytesOf(project_->folder() / file.path)), file.sha256) << file.path;
+  }
+  upkeep::Project b_;
+  std::string here_, there_;
+};
+
+TEST_F(MergedFiles, ABatchWhoseNumberIsTakenGetsTheNextOneWithItsFiles) {
+  const std::string bytes_of_b = bytesOf(b_.folder() / "catalogue.sqlite");
+  const MergeReport report = merged(*project_, b_);
+  EXPECT_THAT(report.batches, testing::ElementsAre(testing::Pair("B0002", "B0003")));
+  EXPECT_EQ(bytesOf(b_.folder() / "catalogue.sqlite"), bytes_of_b) << "B is only read";
+  const records::BatchRecord batch3 = valueIn(Batches(catalogue()).byNumber("B0003"));
+  EXPECT_EQ(batch3.id, there_);
+  EXPECT_EQ(Batches(catalogue()).byNumber("B0002")->id, here_);
+  EXPECT_EQ(bytesOf(project_->folder() / "batches/B0003/front/cam0_pos00.jpg"), "of B");
+  EXPECT_EQ(bytesOf(project_->folder() / "batches/B0003/batch.json"), "{}");
+  EXPECT_TRUE(fs::exists(project_->folder() / "results/B0003/pairs.json"));
+  everyFileIsThere();
+  const auto sherds_of = valueIn(sherds::Sherds(catalogue()).rows(batch3.row));
+  ASSERT_EQ(sherds_of.size(), 1u);
+  const records::SherdRecord sherd = valueIn(sherds::Sherds(catalogue()).get(sherds_of[0]));
+  EXPECT_TRUE(sherd.model_path.starts_with("models/B0003/")) << sherd.model_path;
+  EXPECT_TRUE(fs::exists(project_->folder() / sherd.model_path));
+  EXPECT_FALSE(fs::exists(project_->folder() / "merge.partial"));
+  const std::string after = contentIn(*project_);
+  EXPECT_EQ(merged(*project_, b_).files, 0);
+  EXPECT_EQ(contentIn(*project_), after);
+}
+
+TEST_F(MergedFiles, AFileThatIsNotAsItsCatalogueHasItStopsAll) {
+  put(b_.folder() / "batches/B0002/front/cam0_pos00.jpg", "oF B");
+  const std::string before = contentIn(*project_);
+  const Result<MergeReport> report = tried(*project_, b_, {});
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().where, testing::HasSubstr("cam0_pos00.jpg"));
+  EXPECT_EQ(contentIn(*project_), before);
+  EXPECT_FALSE(fs::exists(project_->folder() / "batches/B0003"));
+  EXPECT_FALSE(fs::exists(project_->folder() / "merge.partial"));
+}
+
+TEST_F(MergedFiles, AFileThatBHasLostIsNamed) {
+  fs::remove(b_.folder() / "batches/B0002/front/cam0_pos00.jpg");
+  const MergeReport report = merged(*project_, b_);
+  EXPECT_TRUE(report.entered);
+  EXPECT_THAT(report.missing, testing::ElementsAre("batches/B0002/front/cam0_pos00.jpg"));
+}
+
+// As a process leaves it that is killed after the catalogue was saved.
+TEST_F(MergedFiles, AMergeThatWasKilledIsCompletedByTheNextOne) {
+  merged(*project_, b_);
+  const fs::path photograph = project_->folder() / "batches/B0003/front/cam0_pos00.jpg";
+  fs::create_directories(project_->folder() / "merge.partial");
+  fs::rename(photograph, project_->folder() / "merge.partial/1");
+  const nlohmann::json journal = {{"batches/B0003/front/cam0_pos00.jpg", "1"}};
+  ASSERT_TRUE(Settings(catalogue()).setValue("merge.files", journal.dump()));
+  const auto checked = upkeep::checkFiles(catalogue(), project_->folder(),
+                                          upkeep::CheckDepth::NamesAndSizes, quiet, {});
+  ASSERT_TRUE(checked);
+  EXPECT_EQ(checked->damaged.size(), 1u) << "nothing half merged looks whole";
+  merged(*project_, b_);
+  EXPECT_EQ(bytesOf(photograph), "of B");
+  EXPECT_EQ(valueIn(Settings(catalogue()).value("merge.files")), "");
+  everyFileIsThere();
+}
+
+// And one that is killed before.
+TEST_F(MergedFiles, WhatAKilledMergeCopiedInVainGoes) {
+  put(project_->folder() / "merge.partial/1", "half");
+  merged(*project_, b_);
+  EXPECT_FALSE(fs::exists(project_->folder() / "merge.partial"));
+  everyFileIsThere();
+}
+
+TEST_F(MergedFiles, ABatchThatOnlyBComputedGetsItsResults) {
+  upkeep::Project& a = *project_;
+  records::BatchRecord record;
+  record.number = "B0007";
+  const store::BatchRow row = valueIn(Batches(a.catalogue()).add(record, anna));
+  upkeep::Project cluster = copied("cluster");
+  const ResultFolder two(cluster.resultsFolder("B0007"), 2);
+  ASSERT_TRUE(intake::enterResults(cluster.catalogue(), cluster.folder(), row,
+                                   cluster.resultsFolder("B0007"), {}, quiet, {}));
+  const MergeReport report = merged(a, cluster);
+  EXPECT_TRUE(report.entered);
+  EXPECT_EQ(sherds::Sherds(a.catalogue()).rows(row)->size(), 2u);
+  EXPECT_EQ(Batches(a.catalogue()).get(row)->state, Batches(cluster.catalogue()).get(row)->state);
+  EXPECT_TRUE(fs::exists(a.resultsFolder("B0007") / "pairs.json"));
+  everyFileIsThere();
+}
+
+}  // namespace
+}  // namespace ostraka::merge

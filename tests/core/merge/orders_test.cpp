@@ -1,0 +1,108 @@
+// Three copies of one project, edited at random: whatever is merged into what, in any order and as
+// often as one likes, they end as the same project, and nothing is lost.
+#include <gmock/gmock.h>
+
+#include <random>
+#include <set>
+
+#include "two_houses.h"
+
+namespace ostraka::merge {
+namespace {
+
+using namespace catalogue;
+
+class Orders : public TwoHouses, public testing::WithParamInterface<unsigned> {
+ protected:
+  using Random = std::mt19937_64;
+
+  // What a person sees of the project, known by uuids, but for places, which are known by numbers.
+  static std::set<std::string> seen(const upkeep::Project& project) {
+    std::set<std::string> lines;
+    const Catalogue& catalogue = project.catalogue();
+    const sherds::Sherds all(catalogue);
+    for (const store::SherdRow row : valueIn(all.rows(sherds::Filter{}, {}))) {
+      const records::SherdRecord sherd = valueIn(all.get(row));
+      for (const records::SherdField& field : sherds::sherdFields())
+        lines.insert(sherd.id + " " + field.name + ": " + sherds::textOf(sherd, field.name));
+      for (const char* own : {"extra.drawer", "extra.shelf"})
+        lines.insert(sherd.id + " " + own + ": " + sherds::textOf(sherd, own));
+    }
+    for (const records::ContextRecord& c : valueIn(Places(catalogue).contexts()))
+      lines.insert("context " + c.site_code + c.trench_code + c.number + " " + c.period);
+    for (const records::BatchRecord& b : valueIn(Batches(catalogue).all()))
+      lines.insert("batch " + b.id + " " + b.note);
+    return lines;
+  }
+
+  // Each field of each sherd belongs to one of the projects, so that no two say different things.
+  void edit(std::vector<upkeep::Project*>& projects, Random& random) {
+    const std::vector<std::string> fields = {"ware",   "fabric",       "note",        "vessel",
+                                             "period", "extra.drawer", "extra.shelf", "weight_g"};
+    for (int i = 0; i < 40; ++i) {
+      const std::size_t sherd = random() % rows.size(), field = random() % fields.size();
+      upkeep::Project& project = *projects[(sherd * 5 + field * 3) % projects.size()];
+      std::string value = random() % 4 == 0 ? "" : std::to_string(1 + random() % 50);
+      say(project, rows[sherd], fields[field], value);
+    }
+    for (std::size_t i = 0; i < projects.size(); ++i) {
+      upkeep::Project& project = *projects[i];
+      for (std::uint64_t n = random() % 4; n > 0; --n) {
+        records::ContextRecord c;
+        c.site = site;
+        c.trench = trench;
+        c.number = "9" + std::to_string(random() % 6);  // several make the same one
+        const auto made = Places(project.catalogue()).save(c, anna);
+        if (!made) continue;  // it is there
+        const store::SherdRow row = newSherd(project, *made, false);
+        say(project, row, "note", "of " + std::to_string(i) + " " + std::to_string(now_ms));
+      }
+      records::BatchRecord record;  // each is the next one, B0002
+      record.note = "of " + std::to_string(i);
+      EXPECT_TRUE(Batches(project.catalogue()).add(record, anna));
+    }
+  }
+};
+
+TEST_P(Orders, EndAsTheSameProject) {
+  Random random(GetParam());
+  upkeep::Project b = copied("b"), c = copied("c");
+  std::vector<upkeep::Project*> projects = {&*project_, &b, &c};
+  edit(projects, random);
+  std::set<std::string> notes;  // of what each made
+  for (const upkeep::Project* project : projects)
+    for (const std::string& line : seen(*project))
+      if (line.find(": of ") != std::string::npos || line.starts_with("batch ")) notes.insert(line);
+  const auto once = [&](std::size_t into, std::size_t from) {
+    const Result<MergeReport> report = tried(*projects[into], *projects[from], {});
+    ASSERT_TRUE(report) << report.error().sentence();
+    for (const Conflict& conflict : report->conflicts)
+      ADD_FAILURE() << conflict.id << ": " << conflict.a << " / " << conflict.b;
+    ASSERT_TRUE(report->entered);
+  };
+  for (int i = 0; i < 5; ++i) {
+    const std::size_t into = random() % 3;
+    once(into, (into + 1 + random() % 2) % 3);
+  }
+  const std::vector<std::pair<std::size_t, std::size_t>> all_pairs = {{0, 1}, {0, 2}, {1, 0},
+                                                                      {2, 0}, {1, 2}, {2, 1}};
+  for (const auto& [into, from] : all_pairs) once(into, from);
+  const std::set<std::string> end = seen(*project_);
+  EXPECT_EQ(seen(b), end);
+  EXPECT_EQ(seen(c), end);
+  for (const std::string& line : notes) EXPECT_TRUE(end.contains(line)) << line << " is lost";
+  for (const upkeep::Project* project : projects) {
+    EXPECT_TRUE(project->catalogue().checkIntegrity());
+    EXPECT_EQ(Batches(project->catalogue()).all()->size(), 4u);
+  }
+  for (const auto& [into, from] : all_pairs) {
+    const std::string before = contentIn(*projects[into]);
+    once(into, from);
+    EXPECT_EQ(contentIn(*projects[into]), before) << "merging once more changes nothing";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(AnyOrder, Orders, testing::Range(1u, 7u));
+
+}  // namespace
+}  // namespace ostraka::merge

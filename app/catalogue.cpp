@@ -35,7 +35,7 @@ struct Options {
   std::string filter, batch;
   records::ProjectRecord record;
   std::vector<Form> forms;
-  double lighter_mm = 0;
+  std::size_t most_model_bytes = 0;
   bool quick = false, with_damage = false;
 };
 
@@ -79,7 +79,7 @@ int runExport(const Options& options, Session& session) {
   how.target = options.output;
   how.program = kProgram;
   if (!options.forms.empty()) how.forms = {options.forms.begin(), options.forms.end()};
-  how.deviation_mm = options.lighter_mm;
+  how.most_model_bytes = options.most_model_bytes;
   session.progress.begin("export", 1.0);
   const auto done = exchange::exportFolder(project->catalogue(), project->folder(), *rows, how,
                                            session.progress, session.stop);
@@ -321,9 +321,13 @@ void addCatalogue(CLI::App& root, Command& chosen) {
       ->delimiter(',')
       ->transform(CLI::CheckedTransformer(formsByName()))
       ->default_str("csv,json,ply,glb,pictures");
-  out->add_option("--lighter", options->lighter_mm,
-                  "Models with fewer triangles, 99.9 % of each within this many mm")
-      ->check(CLI::Range(0.01, 1.0));
+  out->add_option(
+         "--size", options->most_model_bytes,
+         "How large a GLB may be: as it is (full), 5 MB (web) or 1 MB (phone); PLY and OBJ "
+         "get the same surface")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, std::size_t>{
+          {"full", 0}, {"web", exchange::kWebBytes}, {"phone", exchange::kPhoneBytes}}))
+      ->default_str("full");
   CLI::App* enter = add("enter", "Enter the results of 'ostraka process' of a batch", runEnter);
   addProject(enter, *options);
   enter->add_option("BATCH", options->batch, "Number of the batch, as B0031")->required();

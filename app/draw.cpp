@@ -9,7 +9,6 @@
 #include "command.h"
 #include "drawing/drawing.h"
 #include "drawing/drawing_files.h"
-#include "files/files.h"
 #include "shown.h"
 #include "texture/texture.h"
 
@@ -67,17 +66,6 @@ void print(const SherdDrawing& drawing) {
       show(stdout, "%s: %s\n", drawing.id.c_str(), sentence.c_str());
 }
 
-// Of a painted surface, where `process` has left them beside the model.
-Result<std::optional<texture::TexturedMesh>> photographsBeside(fs::path model, Surface surface) {
-  using Photographs = std::optional<texture::TexturedMesh>;
-  model.replace_extension(".glb");
-  std::error_code code;
-  if (surface != Surface::Painted || !fs::is_regular_file(model, code)) return Photographs();
-  const Result<std::string> bytes = readFile(model);
-  if (!bytes) return bytes.error();
-  return texture::openedGlb(*bytes, model.string());
-}
-
 int runDraw(const DrawArguments& arguments, Session& session) {
   if (!arguments.ids.empty() && arguments.ids.size() != arguments.models.size())
     return fail(session, {ErrorCode::UnusableInput,
@@ -96,7 +84,9 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     if (!model) return fail(session, model.error());
     const std::string id = arguments.ids.empty() ? idOf(arguments.models[i]) : arguments.ids[i];
     drawing::DrawingOptions how = arguments.drawing;
-    const auto photographs = photographsBeside(arguments.models[i], how.surface);
+    const auto photographs = how.surface == Surface::Painted
+                                 ? texture::openedBeside(arguments.models[i])
+                                 : std::optional<texture::TexturedMesh>();
     if (!photographs)
       how.remarks.push_back("Drawn without its photographs: " + photographs.error().what);
     else if (*photographs)

@@ -2432,9 +2432,9 @@
       <translation>Feinheit der Modelle</translation>
     </message>
     <message>
-      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <source>How large a GLB may be. PLY and OBJ get the same surface. Larger models get fewer triangles and smaller photographs; how far they are off is measured and stated in each file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Von PLY, GLB und OBJ: Mit weniger Dreiecken sind die Dateien um ein Vielfaches kleiner. Wie weit sie abweichen, wird gemessen und steht in jeder.</translation>
+      <translation>Wie groß eine GLB-Datei werden darf. PLY und OBJ erhalten dieselbe Oberfläche. Größere Modelle bekommen weniger Dreiecke und kleinere Fotos; wie weit sie abweichen, wird gemessen und steht in jeder Datei.</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2497,9 +2497,14 @@
       <translation>auf A4 eingepasst</translation>
     </message>
     <message>
-      <source>simplified, within %1 mm</source>
+      <source>for the web, up to 5 MB</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>vereinfacht, auf %1 mm</translation>
+      <translation>für das Web, bis 5 MB</translation>
+    </message>
+    <message>
+      <source>for a phone, up to 1 MB</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>für ein Telefon, bis 1 MB</translation>
     </message>
 </context>
 <context>

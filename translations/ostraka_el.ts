@@ -2427,9 +2427,9 @@
       <translation>Λεπτομέρεια των μοντέλων</translation>
     </message>
     <message>
-      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <source>How large a GLB may be. PLY and OBJ get the same surface. Larger models get fewer triangles and smaller photographs; how far they are off is measured and stated in each file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Για PLY, GLB και OBJ: με λιγότερα τρίγωνα τα αρχεία είναι πολύ μικρότερα. Η απόκλισή τους μετριέται και γράφεται σε καθένα.</translation>
+      <translation>Πόσο μεγάλο μπορεί να είναι ένα GLB. Τα PLY και OBJ έχουν την ίδια επιφάνεια. Τα μεγαλύτερα μοντέλα έχουν λιγότερα τρίγωνα και μικρότερες φωτογραφίες· η απόκλισή τους μετριέται και γράφεται σε κάθε αρχείο.</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2492,9 +2492,14 @@
       <translation>όπως χωρά σε A4</translation>
     </message>
     <message>
-      <source>simplified, within %1 mm</source>
+      <source>for the web, up to 5 MB</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ελαφρύτερα, έως %1 mm</translation>
+      <translation>για τον ιστό, έως 5 MB</translation>
+    </message>
+    <message>
+      <source>for a phone, up to 1 MB</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>για τηλέφωνο, έως 1 MB</translation>
     </message>
 </context>
 <context>

@@ -2427,9 +2427,9 @@
       <translation>Detalle de los modelos</translation>
     </message>
     <message>
-      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <source>How large a GLB may be. PLY and OBJ get the same surface. Larger models get fewer triangles and smaller photographs; how far they are off is measured and stated in each file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>De PLY, GLB y OBJ: con menos triángulos los archivos son mucho menores. Su desviación se mide y consta en cada uno.</translation>
+      <translation>Tamaño máximo de un GLB. PLY y OBJ reciben la misma superficie. Los modelos mayores tienen menos triángulos y fotografías más pequeñas; su desviación se mide y consta en cada archivo.</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2492,9 +2492,14 @@
       <translation>según A4</translation>
     </message>
     <message>
-      <source>simplified, within %1 mm</source>
+      <source>for the web, up to 5 MB</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>simplificados, hasta %1 mm</translation>
+      <translation>para la web, hasta 5 MB</translation>
+    </message>
+    <message>
+      <source>for a phone, up to 1 MB</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>para un teléfono, hasta 1 MB</translation>
     </message>
 </context>
 <context>

@@ -2427,9 +2427,9 @@
       <translation>Détail des modèles</translation>
     </message>
     <message>
-      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <source>How large a GLB may be. PLY and OBJ get the same surface. Larger models get fewer triangles and smaller photographs; how far they are off is measured and stated in each file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Pour PLY, GLB et OBJ : avec moins de triangles, les fichiers sont bien plus petits. Leur écart est mesuré et inscrit dans chacun.</translation>
+      <translation>Taille maximale d’un fichier GLB. PLY et OBJ reçoivent la même surface. Les modèles plus grands ont moins de triangles et des photographies plus petites ; leur écart est mesuré et inscrit dans chaque fichier.</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2492,9 +2492,14 @@
       <translation>selon A4</translation>
     </message>
     <message>
-      <source>simplified, within %1 mm</source>
+      <source>for the web, up to 5 MB</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>simplifiés, à %1 mm près</translation>
+      <translation>pour le web, jusqu’à 5 Mo</translation>
+    </message>
+    <message>
+      <source>for a phone, up to 1 MB</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pour un téléphone, jusqu’à 1 Mo</translation>
     </message>
 </context>
 <context>

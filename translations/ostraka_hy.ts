@@ -2427,9 +2427,9 @@
       <translation>Մոդելների մանրամասնությունը</translation>
     </message>
     <message>
-      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <source>How large a GLB may be. PLY and OBJ get the same surface. Larger models get fewer triangles and smaller photographs; how far they are off is measured and stated in each file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PLY, GLB և OBJ. քիչ եռանկյուններով նիշքերը շատ ավելի փոքր են։ Շեղումը չափվում և գրվում է յուրաքանչյուրում։</translation>
+      <translation>Որքան մեծ կարող է լինել GLB նիշքը։ PLY-ն և OBJ-ն ունեն նույն մակերևույթը։ Ավելի մեծ մոդելները ստանում են ավելի քիչ եռանկյուններ և ավելի փոքր լուսանկարներ. շեղումը չափվում և գրվում է յուրաքանչյուր նիշքում։</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2492,9 +2492,14 @@
       <translation>ըստ A4-ի</translation>
     </message>
     <message>
-      <source>simplified, within %1 mm</source>
+      <source>for the web, up to 5 MB</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>թեթև, մինչև %1 մմ</translation>
+      <translation>համացանցի համար, մինչև 5 ՄԲ</translation>
+    </message>
+    <message>
+      <source>for a phone, up to 1 MB</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հեռախոսի համար, մինչև 1 ՄԲ</translation>
     </message>
 </context>
 <context>

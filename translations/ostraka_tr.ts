@@ -2396,9 +2396,9 @@
       <translation>Modellerin ayrıntısı</translation>
     </message>
     <message>
-      <source>Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they are off is measured and stated in each.</source>
+      <source>How large a GLB may be. PLY and OBJ get the same surface. Larger models get fewer triangles and smaller photographs; how far they are off is measured and stated in each file.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PLY, GLB ve OBJ için: daha az üçgenle dosyalar çok daha küçüktür. Sapmaları ölçülür ve her birine yazılır.</translation>
+      <translation>Bir GLB dosyasının en fazla ne kadar büyük olabileceği. PLY ve OBJ aynı yüzeyi alır. Daha büyük modeller daha az üçgen ve daha küçük fotoğraflar alır; sapmaları ölçülür ve her dosyaya yazılır.</translation>
     </message>
     <message>
       <source>Stop the export</source>
@@ -2461,9 +2461,14 @@
       <translation>A4'e sığdığı gibi</translation>
     </message>
     <message>
-      <source>simplified, within %1 mm</source>
+      <source>for the web, up to 5 MB</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>daha hafif, %1 mm’ye kadar</translation>
+      <translation>web için, en çok 5 MB</translation>
+    </message>
+    <message>
+      <source>for a phone, up to 1 MB</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>telefon için, en çok 1 MB</translation>
     </message>
 </context>
 <context>

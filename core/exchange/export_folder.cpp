@@ -139,7 +139,7 @@ class Exporting {
       return Error::unusable(differsFromEntered(sherd), file.from.string());
     ModelLabel label{sherd.id, sherd.number, licence, options_.program, scale_doubts};
     const TriangleMesh* light = nullptr;
-    if (isModel(file.form) && options_.deviation_mm > 0) {
+    if (isMadeAnew(file, options_)) {
       const Result<LighterModel>& lighter = lightened(sherd, *bytes, file.from.string());
       if (!lighter) return lighter.error();
       label.deviation_mm = saidOf(lighter->deviation_mm);
@@ -181,10 +181,12 @@ class Exporting {
         photographs_ = std::move(*read);
       } else if (*read) {
         auto made = retextured(*light, **read);
-        if (made)
+        if (made) {
           photographs_ = std::move(*made);
-        else
+          shrinkPhotographs(*photographs_, unlabelledBytes(options_));
+        } else {
           why = made.error();
+        }
       }
       if (why)
         exported_.warnings.push_back(to + " is exported without photographs: " + why->sentence());
@@ -215,11 +217,11 @@ class Exporting {
     lighter_of_ = sherd.row;
     Result<PlyContents> model = parsePly(ply, where);
     if (!model) return lighter_ = model.error();
-    lighter_ = lighterModel(model->mesh, options_.deviation_mm);
+    lighter_ = lighterModel(model->mesh, surfaceBytes(options_));
     if (lighter_) return lighter_;
     exported_.warnings.push_back(where +
                                  " is exported in full detail: " + lighter_.error().sentence());
-    return lighter_ = LighterModel{std::move(model->mesh), 0};
+    return lighter_ = LighterModel{std::move(model->mesh)};
   }
 
   void name(store::SherdRow sherd, const std::string& role, const std::string& to,

@@ -29,6 +29,9 @@ enum class Form {
   Views  ///< pictures, masks and poses of the batches, for COLMAP and OpenMVS
 };
 
+/// What a model may take that a browser or a phone is to open.
+inline constexpr std::size_t kWebBytes = 5'000'000, kPhoneBytes = 1'000'000;
+
 struct ExportOptions {
   std::filesystem::path target;  ///< new folder
   std::set<Form> forms = {Form::Csv, Form::Json, Form::Ply, Form::Glb, Form::Pictures};
@@ -39,9 +42,10 @@ struct ExportOptions {
   std::optional<double> drawing_scale = 1;
   drawing::Wording wording;         ///< of the drawings
   std::string program = "ostraka";  ///< with its version
-  /// PLY, GLB and OBJ with fewer triangles, this far off the model (see lighterModel); what it came
-  /// to is stated in each file. 0: as computed, and the GLB as it is kept.
-  double deviation_mm = 0;
+  /// What a GLB may take, photographs and all. Larger ones get fewer triangles and texels, PLY and
+  /// OBJ the same surface; how far it is off is stated in each file. 0: as computed, and the GLB as
+  /// it is kept.
+  std::size_t most_model_bytes = 0;
 };
 
 struct ExportSize {

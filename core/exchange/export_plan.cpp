@@ -21,6 +21,10 @@ std::string slugOf(const records::SherdRecord& sherd) {
                      std::to_string(sherd.piece));
 }
 
+bool isMadeAnew(const PlannedFile& file, const ExportOptions& options) {
+  return isModel(file.form) && options.most_model_bytes > 0 && file.from.extension() == ".ply";
+}
+
 bool isModel(Form form) {
   return form == Form::Ply || form == Form::Glb || form == Form::Obj;
 }
@@ -29,15 +33,16 @@ Result<void> ExportPlan::add(const records::SherdRecord& sherd) {
   const std::string name = slugOf(sherd);
   const Result<std::vector<records::FileRecord>> files = Files(catalogue_).of(sherd.row);
   if (!files) return files.error();
-  std::string glb;
+  std::string glb;  // that goes out as it is
+  const auto most = static_cast<std::int64_t>(unlabelledBytes(options_));
   for (const records::FileRecord& file : *files) {
     hashes_[file.path] = file.sha256;
-    if (file.role == "model" && file.path.ends_with(".glb")) glb = file.path;
+    if (file.role == "model" && file.path.ends_with(".glb") && (most == 0 || file.bytes <= most))
+      glb = file.path;
   }
   if (sherd.model_path.empty()) ++without_model_;
   want(Form::Ply, sherd, "model", "models/" + name + ".ply", sherd.model_path);
-  want(Form::Glb, sherd, "model", "models/" + name + ".glb",
-       options_.deviation_mm > 0 || glb.empty() ? sherd.model_path : glb);
+  want(Form::Glb, sherd, "model", "models/" + name + ".glb", glb.empty() ? sherd.model_path : glb);
   want(Form::Obj, sherd, "model", "models/" + name + ".obj", sherd.model_path);
   want(Form::Pictures, sherd, "preview", "images/" + name + ".png", sherd.preview_path);
   if (options_.forms.contains(Form::Drawings)) addDrawing(sherd, name);

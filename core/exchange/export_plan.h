@@ -25,6 +25,14 @@ bool isModel(Form form);
 /// The scales that drawings are made at where the sheet decides.
 inline constexpr double kDrawingScales[] = {1, 1 / 2.0, 1 / 3.0, 1 / 4.0, 1 / 5.0};
 
+/// Of what a GLB may take: all but its label, and its surface without the photographs.
+constexpr std::size_t unlabelledBytes(const ExportOptions& options) {
+  return options.most_model_bytes / 20 * 19;
+}
+constexpr std::size_t surfaceBytes(const ExportOptions& options) {
+  return options.most_model_bytes / 5 * 2;
+}
+
 /// One file to be copied, and what for.
 struct PlannedFile {
   store::SherdRow sherd;  ///< none: of a batch
@@ -34,6 +42,8 @@ struct PlannedFile {
   Form form = Form::Ply;
   std::string inside = {};  ///< `from` as the catalogue has it; empty for what a person named
 };
+/// A model that is made anew, so that it takes no more than it may.
+bool isMadeAnew(const PlannedFile& file, const ExportOptions& options);
 
 /// Everything that an export copies and makes, in a fixed order.
 class ExportPlan {

@@ -72,8 +72,8 @@ class Sizing {
   // Copies that stay as they are; models that are made anew are measured on one of them.
   Result<void> copies() {
     const auto made = [&](const PlannedFile& file) {
-      return isModel(file.form) && (options_.deviation_mm > 0 || file.form == Form::Obj ||
-                                    (file.form == Form::Glb && file.from.extension() == ".ply"));
+      return isMadeAnew(file, options_) || file.form == Form::Obj ||
+             (file.form == Form::Glb && file.from.extension() == ".ply");
     };
     std::vector<PlannedFile> models;
     std::set<store::SherdRow> lightened;
@@ -84,14 +84,16 @@ class Sizing {
         models.push_back(file);
       else
         add(file.to, bytesOf(file.from), file.sherd, file.role);
-      if (isModel(file.form) && options_.deviation_mm > 0) lightened.insert(file.sherd);
+      if (isMadeAnew(file, options_)) lightened.insert(file.sherd);
     }
     size_.lightened = static_cast<int>(lightened.size());
     const auto* middle =
         middleOf(models, [](const PlannedFile& file) { return bytesOf(file.from); });
     const Shares shares = middle == nullptr ? Shares() : sharesOf(*middle);
     for (const PlannedFile& file : models) {
-      const auto bytes = static_cast<double>(bytesOf(file.from));
+      // What is made smaller comes to about the same, whatever it was.
+      const auto bytes =
+          static_cast<double>(bytesOf(isMadeAnew(file, options_) ? middle->from : file.from));
       const auto addAs = [&](const char* ending, double share) {
         add(fs::path(file.to).replace_extension(ending).string(),
             static_cast<std::int64_t>(bytes * share), file.sherd, file.role);
@@ -126,8 +128,8 @@ class Sizing {
     if (!read) return {};
     const auto of = static_cast<double>(std::max<std::size_t>(1, bytes->size()));
     std::optional<LighterModel> lighter;
-    if (options_.deviation_mm > 0)
-      if (Result<LighterModel> made = lighterModel(read->mesh, options_.deviation_mm))
+    if (isMadeAnew(file, options_))
+      if (Result<LighterModel> made = lighterModel(read->mesh, surfaceBytes(options_)))
         lighter = std::move(*made);
     const std::string plain = lighter ? formatPly(lighter->mesh, "plate_front") : *bytes;
     const std::optional<texture::TexturedMesh> textured =
@@ -164,7 +166,9 @@ class Sizing {
     auto read = texturedModelOf(catalogue_, *sherd, plan_.project());
     if (!read || !*read || light == nullptr) return read ? std::move(*read) : std::nullopt;
     auto made = retextured(*light, **read);
-    return made ? std::optional(std::move(*made)) : std::nullopt;
+    if (!made) return std::nullopt;
+    shrinkPhotographs(*made, unlabelledBytes(options_));
+    return std::move(*made);
   }
 
   // Shaded views take most of a drawing, and their pixels grow with the sherd, as its model does: a

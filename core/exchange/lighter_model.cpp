@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
+#include "cloud/glb.h"
 #include "evaluate/surface.h"
 #include "model/model.h"
 #include "texture/atlas.h"
 #include "texture/charts.h"
 #include "texture/fill.h"
+#include "texture/seams.h"
 
 namespace ostraka::exchange {
 namespace {
 
-constexpr int kAttempts = 4;
+constexpr double kFirst_mm = 0.005;  // off the model: less takes away next to nothing
+constexpr int kAttempts = 10;        // each begins with what the one before it left
 constexpr std::size_t kOneIn = 1000;
 
 // Measures of LighterModel, from one surface to the other.
@@ -71,20 +75,45 @@ bool isSeenAt(const cv::Mat1b& seen, const Eigen::Vector2f& place) {
 
 }  // namespace
 
-Result<LighterModel> lighterModel(const TriangleMesh& model, double deviation_mm) {
-  const evaluate::Surface whole(model);
-  // The collapses are bounded by a mean over planes; one in a thousand lies about twice as far off.
-  double bound_mm = deviation_mm / 2;
+Result<LighterModel> lighterModel(const TriangleMesh& model, std::size_t most_bytes) {
+  LighterModel lighter{model};
+  double bound_mm = kFirst_mm;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    Result<TriangleMesh> mesh = model::decimated(model, bound_mm);
+    const Result<std::string> glb = formatGlb(lighter.mesh, {});
+    if (!glb) return glb.error();
+    const double share = static_cast<double>(glb->size()) / static_cast<double>(most_bytes);
+    if (share <= 1) break;
+    if (attempt > 0) bound_mm *= std::clamp(share, 1.2, 4.0);
+    Result<TriangleMesh> mesh = model::decimated(lighter.mesh, bound_mm);
     if (!mesh) return mesh.error();
-    LighterModel lighter{std::move(*mesh)};
-    measure(model, evaluate::Surface(lighter.mesh), lighter);
-    measure(lighter.mesh, whole, lighter);
-    if (lighter.deviation_mm <= deviation_mm) return lighter;
-    bound_mm *= std::max(0.25, 0.9 * deviation_mm / lighter.deviation_mm);
+    lighter.mesh = std::move(*mesh);
   }
-  return LighterModel{model};
+  if (lighter.mesh.triangles.size() == model.triangles.size()) return lighter;
+  measure(model, evaluate::Surface(lighter.mesh), lighter);
+  measure(lighter.mesh, evaluate::Surface(model), lighter);
+  return lighter;
+}
+
+void shrinkPhotographs(texture::TexturedMesh& model, std::size_t most_bytes) {
+  const texture::Texture whole = model.texture;
+  const double whole_texel_mm = model.texel_mm;
+  double scale = 1;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    const GlbTexture page{model.uv, texture::asJpeg(model.texture.picture),
+                          texture::asPng(model.texture.seen)};
+    const Result<std::string> glb = formatGlb(model.mesh, page, {});
+    if (!glb || glb->size() <= most_bytes) return;
+    const auto pictures = static_cast<double>(page.jpeg.size() + page.seen_png.size());
+    const double room =
+        static_cast<double>(most_bytes) - static_cast<double>(glb->size()) + pictures;
+    // A picture half as wide takes more than a fourth: what is left is denser.
+    scale *= std::clamp(std::sqrt(std::max(0.0, 0.9 * room / pictures)), 0.25, 0.95);
+    const cv::Size size(std::max(1, cvRound(scale * whole.picture.cols)),
+                        std::max(1, cvRound(scale * whole.picture.rows)));
+    cv::resize(whole.picture, model.texture.picture, size, 0, 0, cv::INTER_AREA);
+    cv::resize(whole.seen, model.texture.seen, size, 0, 0, cv::INTER_NEAREST);
+    model.texel_mm = whole_texel_mm / scale;
+  }
 }
 
 Result<texture::TexturedMesh> retextured(TriangleMesh mesh, const texture::TexturedMesh& model) {
@@ -126,7 +155,10 @@ Result<texture::TexturedMesh> retextured(TriangleMesh mesh, const texture::Textu
   }
   made.texture.seen_share =
       nearest.empty() ? 0 : static_cast<double>(seen) / static_cast<double>(nearest.size());
-  texture::filled(page, on_chart).convertTo(made.texture.picture, CV_8U);
+  page = texture::filled(page, on_chart);
+  texture::levelSeams(page, texels.face, made.texture.seen, texture::seamsOf(mesh, charts, atlas),
+                      0);
+  page.convertTo(made.texture.picture, CV_8U);
   texture::UnwrappedMesh unwrapped = texture::unwrapped(mesh, charts, atlas);
   made.mesh = std::move(unwrapped.mesh);
   made.uv = std::move(unwrapped.uv);

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "texture/fill.h"
 #include "texture/gains.h"
+#include "texture/seams.h"
 
 namespace ostraka::texture {
 namespace {
@@ -152,7 +153,7 @@ class Baking {
     });
   }
 
-  Texture drawn() const {
+  Texture drawn(const std::vector<Seam>& seams) const {
     const int width = texels_.face.cols, height = texels_.face.rows;
     const cv::Mat3f coarse = coarsePage();
     cv::Mat3f page(height, width, cv::Vec3f(0, 0, 0));
@@ -176,7 +177,9 @@ class Baking {
         seen += texture.seen(y, x) != 0 ? 1 : 0;
       }
     texture.seen_share = all > 0 ? static_cast<double>(seen) / static_cast<double>(all) : 0;
-    filled(page, texture.seen).convertTo(texture.picture, CV_8U);
+    page = filled(page, texture.seen);
+    levelSeams(page, texels_.face, texture.seen, seams, threads_);
+    page.convertTo(texture.picture, CV_8U);
     return texture;
   }
 
@@ -317,7 +320,7 @@ Result<Texture> bake(const TriangleMesh& mesh, const std::vector<Chart>& charts,
   progress.report(2, 3);
   if (stop.stop_requested()) return Error::cancelled();
   baking.choose();
-  Texture texture = baking.drawn();
+  Texture texture = baking.drawn(seamsOf(mesh, charts, atlas));
   progress.report(3, 3);
   return texture;
 }

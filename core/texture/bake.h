@@ -25,8 +25,8 @@ struct Texture {
 /// shadows); what is finer comes from the one or two that see it best (slant, distance, sharpness),
 /// so that nothing is doubled where the poses are off by a pixel. Exposures are brought together
 /// over both sides beforehand: one gain per photograph and channel by least squares over all places
-/// that several photographs show. mesh: with normals. The result does not depend on `threads`.
-/// Errors: Cancelled.
+/// that several photographs show. Where charts meet, both show the same. mesh: with normals. The
+/// result does not depend on `threads`. Errors: Cancelled.
 Result<Texture> bake(const TriangleMesh& mesh, const std::vector<Chart>& charts, const Atlas& atlas,
                      const std::vector<View>& views, int threads, Progress& progress,
                      const std::stop_token& stop);

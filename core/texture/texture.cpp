@@ -7,6 +7,7 @@
 #include "base/limits.h"
 #include "batch/image_header.h"
 #include "batch/photograph.h"
+#include "files/files.h"
 #include "model/model.h"
 
 namespace ostraka::texture {
@@ -69,6 +70,15 @@ Result<std::optional<TexturedMesh>> openedGlb(std::string_view glb, const std::s
   return made ? Result<Textured>(std::move(*made)) : made.error();
 }
 
+Result<std::optional<TexturedMesh>> openedBeside(std::filesystem::path model) {
+  model.replace_extension(".glb");
+  std::error_code code;
+  if (!std::filesystem::is_regular_file(model, code)) return std::optional<TexturedMesh>();
+  const Result<std::string> bytes = readFile(model);
+  if (!bytes) return bytes.error();
+  return openedGlb(*bytes, model.string());
+}
+
 cv::Vec3f levelAt(const cv::Mat3b& picture, const Eigen::Vector2f& place) {
   // Texel centres lie half a texel within the picture's edge.
   const float x = std::clamp(place.x() * static_cast<float>(picture.cols) - 0.5f, 0.f,
@@ -89,6 +99,18 @@ Eigen::Vector3d colourAt(const TexturedMesh& model, const std::array<int, 3>& tr
     place += static_cast<float>(weights[k]) * model.uv[static_cast<std::size_t>(triangle[k])];
   const cv::Vec3f bgr = levelAt(model.texture.picture, place);
   return {bgr[2], bgr[1], bgr[0]};
+}
+
+std::vector<Color> vertexColours(const TexturedMesh& model) {
+  std::vector<Color> colours;
+  colours.reserve(model.uv.size());
+  for (const Eigen::Vector2f& place : model.uv) {
+    const cv::Vec3f bgr = levelAt(model.texture.picture, place);
+    colours.push_back({cv::saturate_cast<std::uint8_t>(bgr[2]),
+                       cv::saturate_cast<std::uint8_t>(bgr[1]),
+                       cv::saturate_cast<std::uint8_t>(bgr[0])});
+  }
+  return colours;
 }
 
 std::string asJpeg(const cv::Mat3b& picture) {

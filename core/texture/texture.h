@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <filesystem>
 #include <opencv2/core/mat.hpp>
 #include <optional>
 #include <stop_token>
@@ -38,6 +39,10 @@ Result<TexturedMesh> opened(const TexturedModel& model, const std::string& where
 /// The same from a GLB's bytes; nothing where it has no texture. Errors: those of both.
 Result<std::optional<TexturedMesh>> openedGlb(std::string_view glb, const std::string& where);
 
+/// The same of the GLB that `process` leaves beside a model (its name, ending in .glb); nothing
+/// where there is none.
+Result<std::optional<TexturedMesh>> openedBeside(std::filesystem::path model);
+
 /// The picture's level, BGR 0..255, at a place of 0..1 from its top left corner, by the four texels
 /// around.
 cv::Vec3f levelAt(const cv::Mat3b& picture, const Eigen::Vector2f& place);
@@ -45,6 +50,9 @@ cv::Vec3f levelAt(const cv::Mat3b& picture, const Eigen::Vector2f& place);
 /// The colour, red, green and blue 0..255, at a place of a triangle by the weights of its corners.
 Eigen::Vector3d colourAt(const TexturedMesh& model, const std::array<int, 3>& triangle,
                          const std::array<double, 3>& weights);
+
+/// The picture's colour at each vertex, for what shows no pictures.
+std::vector<Color> vertexColours(const TexturedMesh& model);
 
 /// The picture as a JPEG file, quality 95.
 std::string asJpeg(const cv::Mat3b& picture);

@@ -3,7 +3,8 @@
 //   texture_accuracy BATCH OUT [--threads N]
 // Per sherd and in the mean: colour difference (CIE 1976, RMS over the texels that the photograph
 // shows, after one gain a channel: its exposure), the share of the photograph's fine contrast that
-// the texture has at the same places, the share of texels from photographs, seconds.
+// the texture has at the same places, the step across charts (the same difference, between both
+// places where the page shows a point of a border), the share of texels from photographs, seconds.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -19,6 +20,7 @@
 #include "cloud/ply.h"
 #include "files/json.h"
 #include "model/model.h"
+#include "texture/seams.h"
 #include "texture/sherd_views.h"
 #include "texture/texture.h"
 
@@ -64,8 +66,12 @@ cv::Vec3f at(const cv::Mat3b& picture, const Eigen::Vector2d& pixel) {
 }
 
 struct Sums {
-  double lab2 = 0, both = 0, own2 = 0;
-  std::size_t texels = 0;
+  double lab2 = 0, both = 0, own2 = 0, step2 = 0;
+  std::size_t texels = 0, places = 0;
+
+  static double rms(double sum2, std::size_t count) {
+    return std::sqrt(sum2 / std::max<double>(1, static_cast<double>(count)));
+  }
 };
 
 struct Page {
@@ -126,6 +132,20 @@ void compare(const Page& page, const texture::View& view, Sums& sums) {
   sums.texels += all.size();
 }
 
+void addSteps(const Page& page, const std::vector<texture::Seam>& seams, Sums& sums) {
+  const auto levelAt = [&](const Eigen::Vector2d& texel) {
+    const Eigen::Vector2f place(static_cast<float>((texel.x() + 0.5) / page.atlas.width),
+                                static_cast<float>((texel.y() + 0.5) / page.atlas.height));
+    return texture::levelAt(page.texture.picture, place);
+  };
+  for (const texture::Seam& seam : seams)
+    for (const auto& [one, other] : texture::placesAlong(seam)) {
+      const cv::Vec3f off = labOf(levelAt(one)) - labOf(levelAt(other));
+      sums.step2 += off.dot(off);
+      ++sums.places;
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -137,8 +157,8 @@ int main(int argc, char** argv) {
   const int threads = argc > 4 && std::strcmp(argv[3], "--threads") == 0 ? std::atoi(argv[4]) : 0;
   const std::vector<texture::Photograph> photographs = photographsOf(batch, out);
   const nlohmann::json pairs = orExit(readJson(out / "pairs.json"));
-  std::printf("%-6s %8s %9s %8s %8s %7s\n", "sherd", "dE RMS", "contrast", "seen %", "texel mm",
-              "s");
+  std::printf("%-6s %8s %9s %8s %8s %8s %7s\n", "sherd", "dE RMS", "contrast", "step", "seen %",
+              "texel mm", "s");
   Sums total;
   for (const auto& pair : pairs["pairs"]) {
     const std::string number = pair["front"].get<std::string>().substr(2);
@@ -163,16 +183,19 @@ int main(int argc, char** argv) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     Sums sums;
     for (const texture::View& view : orExit(others.of(0, {})).views) compare(page, view, sums);
-    std::printf("%-6s %8.2f %9.3f %8.2f %8.3f %7.1f\n", number.c_str(),
-                std::sqrt(sums.lab2 / std::max<double>(1, static_cast<double>(sums.texels))),
-                sums.both / sums.own2, 100 * page.texture.seen_share, atlas.texel_mm, seconds);
+    addSteps(page, texture::seamsOf(mesh, charts, atlas), sums);
+    std::printf("%-6s %8.2f %9.3f %8.2f %8.2f %8.3f %7.1f\n", number.c_str(),
+                Sums::rms(sums.lab2, sums.texels), sums.both / sums.own2,
+                Sums::rms(sums.step2, sums.places), 100 * page.texture.seen_share, atlas.texel_mm,
+                seconds);
     total.lab2 += sums.lab2;
     total.both += sums.both;
     total.own2 += sums.own2;
     total.texels += sums.texels;
+    total.step2 += sums.step2;
+    total.places += sums.places;
   }
-  std::printf("%-6s %8.2f %9.3f\n", "all",
-              std::sqrt(total.lab2 / std::max<double>(1, static_cast<double>(total.texels))),
-              total.both / total.own2);
+  std::printf("%-6s %8.2f %9.3f %8.2f\n", "all", Sums::rms(total.lab2, total.texels),
+              total.both / total.own2, Sums::rms(total.step2, total.places));
   return 0;
 }

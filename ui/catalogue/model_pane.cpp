@@ -11,6 +11,7 @@
 
 #include "cloud/ply.h"
 #include "model/model.h"
+#include "texture/texture.h"
 #include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/viewport/sherd_view.h"
@@ -25,15 +26,31 @@ constexpr int kPicture = 480;
 constexpr std::size_t kTriangles = 80000;
 constexpr double kDeviation_mm = 0.03;  // less than a pixel of the view
 
-using MeshPtr = std::shared_ptr<const TriangleMesh>;
+struct ForView {
+  TriangleMesh mesh;
+  ShownTexture texture;
+};
+using ForViewPtr = std::shared_ptr<const ForView>;
 
-Result<MeshPtr> readForView(const std::string& file) {
+// With its photographs where the model has them and they can be read, else in its own colours.
+Result<ForViewPtr> readForView(const std::string& file) {
+  if (Result<std::optional<texture::TexturedMesh>> textured = texture::openedBeside(file);
+      textured && *textured) {
+    texture::TexturedMesh& model = **textured;
+    model.mesh.colors = texture::vertexColours(model);
+    const cv::Mat3b& page = model.texture.picture;
+    const QImage picture(page.data, page.cols, page.rows, static_cast<qsizetype>(page.step),
+                         QImage::Format_BGR888);
+    return std::make_shared<const ForView>(
+        ForView{std::move(model.mesh),
+                {picture.convertToFormat(QImage::Format_RGB888), std::move(model.uv)}});
+  }
   Result<PlyContents> model = readPly(file);
   if (!model) return model.error();
   if (model->mesh.triangles.size() > kTriangles)
     if (Result<TriangleMesh> fewer = model::decimated(model->mesh, kDeviation_mm))
-      return std::make_shared<const TriangleMesh>(std::move(*fewer));
-  return std::make_shared<const TriangleMesh>(std::move(model->mesh));
+      return std::make_shared<const ForView>(ForView{std::move(*fewer), {}});
+  return std::make_shared<const ForView>(ForView{std::move(model->mesh), {}});
 }
 
 }  // namespace
@@ -147,9 +164,9 @@ void ModelPane::fetch() {
     return readForView(file);
   };
   reading_ = jobs_->start(makeJob(tr("Model of a sherd"), read), this);
-  whenDone<MeshPtr>(reading_, this, [this](const auto& mesh) {
-    if (!mesh || !view()->hasOpenGl()) return;  // the picture stays
-    view()->showModel(**mesh);
+  whenDone<ForViewPtr>(reading_, this, [this](const auto& model) {
+    if (!model || !view()->hasOpenGl()) return;  // the picture stays
+    view()->showModel((*model)->mesh, (*model)->texture);
     pages_->setCurrentWidget(view_);
     acts_->setVisible(true);
   });

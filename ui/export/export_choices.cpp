@@ -62,7 +62,7 @@ void ExportChoices::readChoices() {
   const exchange::ExportOptions usual;
   forms_ = usual.forms;
   drawing_scale_ = usual.drawing_scale;
-  deviation_mm_ = usual.deviation_mm;
+  most_model_bytes_ = usual.most_model_bytes;
   parent_ = QDir::homePath();
   const Result<std::string> kept =
       catalogue::Settings(session_->project().catalogue()).value(kChoicesKey);
@@ -75,7 +75,8 @@ void ExportChoices::readChoices() {
         forms_.insert(static_cast<exchange::Form>(form.toInt()));
     const double scale = choices[QStringLiteral("drawing_scale")].toDouble();
     drawing_scale_ = scale > 0 ? std::optional(scale) : std::nullopt;
-    deviation_mm_ = qBound(0.0, choices[QStringLiteral("deviation_mm")].toDouble(), 1.0);
+    most_model_bytes_ = static_cast<std::size_t>(
+        std::max<qint64>(0, choices[QStringLiteral("most_model_bytes")].toInteger()));
     const QString parent = choices[QStringLiteral("folder")].toString();
     if (!parent.isEmpty() && QFileInfo(parent).isDir()) parent_ = parent;
   }
@@ -86,10 +87,11 @@ void ExportChoices::keepChoices() const {
   if (!session_) return;
   QJsonArray forms;
   for (const exchange::Form form : forms_) forms.append(static_cast<int>(form));
-  const QJsonObject choices{{QStringLiteral("forms"), forms},
-                            {QStringLiteral("drawing_scale"), drawing_scale_.value_or(0)},
-                            {QStringLiteral("deviation_mm"), deviation_mm_},
-                            {QStringLiteral("folder"), parent_}};
+  const QJsonObject choices{
+      {QStringLiteral("forms"), forms},
+      {QStringLiteral("drawing_scale"), drawing_scale_.value_or(0)},
+      {QStringLiteral("most_model_bytes"), static_cast<qint64>(most_model_bytes_)},
+      {QStringLiteral("folder"), parent_}};
   (void)catalogue::Settings(session_->project().catalogue())
       .setValue(kChoicesKey, QJsonDocument(choices).toJson(QJsonDocument::Compact).toStdString());
 }
@@ -99,7 +101,7 @@ exchange::ExportOptions ExportChoices::options() const {
   options.target = target_.toStdString();
   options.forms = forms_;
   options.drawing_scale = drawing_scale_;
-  options.deviation_mm = deviation_mm_;
+  options.most_model_bytes = most_model_bytes_;
   options.wording = printWording();
   options.program = ("ostraka " + QCoreApplication::applicationVersion()).trimmed().toStdString();
   return options;
@@ -147,8 +149,8 @@ void ExportChoices::setDrawingScale(std::optional<double> scale) {
   emit contentChanged();
 }
 
-void ExportChoices::setDeviation(double deviation_mm) {
-  deviation_mm_ = deviation_mm;
+void ExportChoices::setMostModelBytes(std::size_t bytes) {
+  most_model_bytes_ = bytes;
   keepChoices();
   emit contentChanged();
 }

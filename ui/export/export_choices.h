@@ -40,7 +40,7 @@ class ExportChoices final : public QObject {
   const ExportSelection& selection() const { return selection_; }
   const std::set<exchange::Form>& forms() const { return forms_; }
   std::optional<double> drawingScale() const { return drawing_scale_; }
-  double deviation_mm() const { return deviation_mm_; }
+  std::size_t mostModelBytes() const { return most_model_bytes_; }
   const QString& target() const { return target_; }
   exchange::ExportOptions options() const;
 
@@ -51,8 +51,7 @@ class ExportChoices final : public QObject {
   void offerChosen(std::vector<store::SherdRow> sherds);
   void setForm(exchange::Form form, bool wanted);
   void setDrawingScale(std::optional<double> scale);  ///< nothing: what fits the sheet
-  /// Models with fewer triangles, this far off at most, mm; 0: as computed.
-  void setDeviation(double deviation_mm);
+  void setMostModelBytes(std::size_t bytes);          ///< 0: as large as they are
   void setTarget(const QString& folder);
 
   /// Another folder beside the target where that is there already. Tells nobody.
@@ -73,7 +72,7 @@ class ExportChoices final : public QObject {
   ExportSelection selection_;
   std::set<exchange::Form> forms_ = exchange::ExportOptions().forms;
   std::optional<double> drawing_scale_ = 1;
-  double deviation_mm_ = 0;
+  std::size_t most_model_bytes_ = 0;
   QString target_, parent_;
 };
 

@@ -125,15 +125,20 @@ QWidget* ExportScreen::buildDetail(QWidget* box) {
   auto* detail = new QComboBox(box);
   detail->setObjectName("exportDetail");
   detail->setAccessibleName(tr("Detail of the models"));
-  detail->setToolTip(tr(
-      "Of PLY, GLB and OBJ: with fewer triangles the files are a fraction as large. How far they "
-      "are off is measured and stated in each."));
+  detail->setToolTip(
+      tr("How large a GLB may be. PLY and OBJ get the same surface. Larger models get fewer "
+         "triangles and smaller photographs; how far they are off is measured and stated in each "
+         "file."));
   detail->setMinimumHeight(controlHeight(*this));
-  detail->addItem(tr("Full detail"), 0.0);
-  for (const double off_mm : {0.1, 0.2, 0.4})
-    detail->addItem(tr("simplified, within %1 mm").arg(locale().toString(off_mm)), off_mm);
-  connect(detail, &QComboBox::activated, choices_,
-          [this, detail](int at) { choices_->setDeviation(detail->itemData(at).toDouble()); });
+  const auto add = [detail](const QString& text, std::size_t most_bytes) {
+    detail->addItem(text, static_cast<qulonglong>(most_bytes));
+  };
+  add(tr("Full detail"), 0);
+  add(tr("for the web, up to 5 MB"), exchange::kWebBytes);
+  add(tr("for a phone, up to 1 MB"), exchange::kPhoneBytes);
+  connect(detail, &QComboBox::activated, choices_, [this, detail](int at) {
+    choices_->setMostModelBytes(detail->itemData(at).toULongLong());
+  });
   return detail_ = detail;
 }
 
@@ -282,7 +287,8 @@ void ExportScreen::refresh() {
   for (const auto& [check, form] : forms_) check->setChecked(choices_->forms().contains(form));
   const auto drawing_scale = choices_->drawingScale();
   scale_->setCurrentIndex(drawing_scale ? scale_->findData(*drawing_scale) : scale_->count() - 1);
-  detail_->setCurrentIndex(std::max(0, detail_->findData(choices_->deviation_mm())));
+  detail_->setCurrentIndex(
+      std::max(0, detail_->findData(static_cast<qulonglong>(choices_->mostModelBytes()))));
   if (!target_->hasFocus()) target_->setText(choices_->target());
   size_->setText(model_.sizeText());
   const bool done = model_.state() == ExportModel::State::Done;

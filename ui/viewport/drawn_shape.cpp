@@ -8,6 +8,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkProperty.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -32,6 +33,7 @@ constexpr float kRadiusPerSpacing = 0.95f;
 constexpr float kBandPerSpacing = 1.5f;
 
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) && sizeof(Color) == 3);
+static_assert(sizeof(Eigen::Vector2f) == 2 * sizeof(float));
 
 vtkSmartPointer<vtkFloatArray> floats(const float* values, std::size_t count, int components) {
   auto out = vtkSmartPointer<vtkFloatArray>::New();
@@ -88,7 +90,7 @@ void addAttribute(vtkPolyData& data, const char* name, const std::vector<float>&
 }  // namespace
 
 DrawnShape::DrawnShape(vtkRenderer& renderer, Shape shape, Light light)
-    : shape_(shape), light_(light) {
+    : renderer_(renderer), shape_(shape), light_(light) {
   const char* attribute = shape == Shape::Surfels ? kRadius : kUnseen;
   for (Level* level : {&whole_, &coarse_}) {
     level->mapper->SetInputData(level->data);
@@ -96,18 +98,23 @@ DrawnShape::DrawnShape(vtkRenderer& renderer, Shape shape, Light light)
     level->mapper->MapDataArrayToVertexAttribute(attribute, attribute,
                                                  vtkDataObject::FIELD_ASSOCIATION_POINTS);
     level->actor->SetMapper(level->mapper);
-    setShader(*level->actor, shape, false);
+    setShader(*level->actor, shape);
     setSurfels(*level->actor, 1, light);
     setBand(*level->actor, 0, StateColours::inkOnMatte());
     renderer.AddActor(level->actor);
   }
   coarse_.actor->PickableOff();
+  texture_->SetInputData(picture_);
+  texture_->InterpolateOn();
+  texture_->MipmapOn();
+  texture_->SetWrap(vtkTexture::ClampToEdge);
   clear();
 }
 
 // An empty mapper remembers where its points were: the view would make room for them.
 void DrawnShape::clear() {
   for (Level* level : {&whole_, &coarse_}) level->data->Initialize();
+  picture_->Initialize();
   has_coarse_ = false;
   choose();
 }
@@ -136,7 +143,8 @@ void DrawnShape::setPoints(const std::vector<Eigen::Vector3f>& points,
   filled(all.size(), some.size());
 }
 
-void DrawnShape::setMesh(const TriangleMesh& mesh, const std::vector<Color>& colours) {
+void DrawnShape::setMesh(const TriangleMesh& mesh, const std::vector<Color>& colours,
+                         const ShownTexture& texture) {
   clear();
   if (mesh.vertices.empty()) return;
   std::vector<float> unseen(mesh.vertices.size(), 0.0f);
@@ -150,9 +158,30 @@ void DrawnShape::setMesh(const TriangleMesh& mesh, const std::vector<Color>& col
   setColours(colours);
   const std::vector<std::array<int, 3>> fewer = coarseTriangles(mesh, kCoarseTriangles);
   coarse_.data->ShallowCopy(whole_.data);
+  if (texture.uv.size() == mesh.vertices.size() && !texture.picture.isNull()) setTexture(texture);
   whole_.data->SetPolys(faces(mesh.triangles));
   coarse_.data->SetPolys(faces(fewer));
   filled(mesh.triangles.size(), fewer.size());
+}
+
+// VTK counts rows from the texture's foot, so the first row at its foot leaves places as they are.
+void DrawnShape::setTexture(const ShownTexture& texture) {
+  const QImage rgb = texture.picture.convertToFormat(QImage::Format_RGB888);
+  picture_->SetDimensions(rgb.width(), rgb.height(), 1);
+  picture_->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int y = 0; y < rgb.height(); ++y)
+    std::memcpy(picture_->GetScalarPointer(0, y, 0), rgb.constScanLine(y),
+                3 * static_cast<std::size_t>(rgb.width()));
+  whole_.data->GetPointData()->SetTCoords(floats(texture.uv[0].data(), texture.uv.size(), 2));
+  whole_.actor->SetTexture(texture_);
+  setShader(*whole_.actor, shape_);
+}
+
+// On the graphics card it can only go while the context is there.
+void DrawnShape::dropTexture() {
+  texture_->ReleaseGraphicsResources(renderer_.GetRenderWindow());
+  whole_.actor->SetTexture(nullptr);
+  setShader(*whole_.actor, shape_);
 }
 
 void DrawnShape::setColours(const std::vector<Color>& colours) {
@@ -186,7 +215,7 @@ void DrawnShape::setCut(vtkPlane* plane) {
   for (Level* level : {&whole_, &coarse_}) {
     level->mapper->RemoveAllClippingPlanes();
     if (plane != nullptr) level->mapper->AddClippingPlane(plane);
-    setShader(*level->actor, shape_, plane != nullptr);
+    setShader(*level->actor, shape_);
   }
 }
 
@@ -201,6 +230,7 @@ void DrawnShape::setMoving(bool moving) {
 }
 
 void DrawnShape::setFrame(const FrameFacts& frame) {
+  if (picture_->GetNumberOfPoints() == 0 && whole_.actor->GetTexture() != nullptr) dropTexture();
   for (Level* level : {&whole_, &coarse_}) ui::setFrame(*level->actor, frame);
 }
 

@@ -1,6 +1,7 @@
 #include "ui/viewport/shading.h"
 
 #include <vtkActor.h>
+#include <vtkMapper.h>
 #include <vtkShaderProperty.h>
 #include <vtkUniforms.h>
 
@@ -94,9 +95,14 @@ constexpr const char* kSurfaceVertex = R"(//VTK::PositionVC::Impl
 constexpr const char* kSurfaceNames = R"(//VTK::Normal::Dec
 in float unseenVSOutput;
 )";
-// Where a closed surface is cut, one sees its inside, and nowhere else: that is the cap.
+// Where a closed surface is cut, one sees its inside, and nowhere else: that is the cap. The names
+// of the texture and of the place on it are VTK's.
 constexpr const char* kSurfaceColour = R"(
+#ifdef TEXTURED
+  vec3 own = texture(actortexture, tcoordVCVSOutput).rgb;
+#else
   vec3 own = vertexColorVSOutput.rgb;
+#endif
   float stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 8.0 * pixelRatio);
   if (unseenVSOutput > 0.5) own = stripe < 4.5 * pixelRatio ? unseenColour : 0.35 * own;
   vec3 shown = own * lightOn(normalVCVSOutput);
@@ -135,7 +141,7 @@ QColor edgeColour() {
   return QColor::fromRgb(kEdge);
 }
 
-void setShader(vtkActor& actor, Shape shape, bool cut) {
+void setShader(vtkActor& actor, Shape shape) {
   vtkShaderProperty& shaders = *actor.GetShaderProperty();
   shaders.ClearAllShaderReplacements();
   const auto vertex = [&](const char* at, const std::string& code) {
@@ -144,7 +150,10 @@ void setShader(vtkActor& actor, Shape shape, bool cut) {
   const auto pixel = [&](const char* at, const std::string& code) {
     shaders.AddFragmentShaderReplacement(at, true, code, false);
   };
-  const std::string common = std::string(cut ? "#define CUT\n" : "") + kCommon;
+  const bool cut = actor.GetMapper()->GetNumberOfClippingPlanes() > 0;
+  const bool textured = actor.GetTexture() != nullptr;
+  const std::string common =
+      std::string(cut ? "#define CUT\n" : "") + (textured ? "#define TEXTURED\n" : "") + kCommon;
   const bool surfels = shape == Shape::Surfels;
   vertex("//VTK::Normal::Dec", surfels ? kSurfelVertexNames : kSurfaceVertexNames);
   vertex("//VTK::PositionVC::Impl", surfels ? kSurfelVertex : kSurfaceVertex);
@@ -155,6 +164,7 @@ void setShader(vtkActor& actor, Shape shape, bool cut) {
   } else {
     pixel("//VTK::Normal::Dec", kSurfaceNames + common);
     pixel("//VTK::Light::Impl", kSurfaceColour);
+    pixel("//VTK::TCoord::Impl", "");  // VTK would multiply what is shown with the texture
   }
   vtkUniforms& uniforms = pixelUniforms(actor);
   setColour(uniforms, "capColour", capColour());

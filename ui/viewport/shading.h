@@ -31,8 +31,9 @@ QColor edgeColour();  ///< its outline
 /// Draws the actor with the light of all models: key from the upper left, fill from the right, rim
 /// from behind, fixed to the viewer, so that no side is black. What lies inside is darker; while it
 /// is cut (by the mapper's first clipping plane), the inside has the flat tone of a cap, and of
-/// surfels those near the cut are drawn as a band with an outline.
-void setShader(vtkActor& actor, Shape shape, bool cut);
+/// surfels those near the cut are drawn as a band with an outline. A surface with a texture has its
+/// colours in place of the points'. To be called again when the plane or the texture comes or goes.
+void setShader(vtkActor& actor, Shape shape);
 void setFrame(vtkActor& actor, const FrameFacts& frame);
 /// growth: how much wider surfels are than their radius, since others are left out.
 void setSurfels(vtkActor& actor, float growth, Light light);

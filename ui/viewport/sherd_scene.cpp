@@ -184,11 +184,11 @@ void SherdScene::setDistances(const std::vector<Eigen::Vector3f>& points,
   a.colourSides();
 }
 
-void SherdScene::setModel(const TriangleMesh& mesh) {
+void SherdScene::setModel(const TriangleMesh& mesh, const ShownTexture& texture) {
   clear();
   std::vector<Color> colours = mesh.colors;
   colours.resize(mesh.vertices.size(), kClay);
-  actors_->model.setMesh(mesh, colours);
+  actors_->model.setMesh(mesh, colours, texture);
   actors_->outline();
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cloud/point_cloud.h"
+#include "ui/viewport/shown_texture.h"
 
 class vtkCamera;
 class vtkRenderer;
@@ -33,7 +34,7 @@ class SherdScene {
   /// Empty: the fracture has the colours of the sides.
   void setDistances(const std::vector<Eigen::Vector3f>& points,
                     const std::vector<float>& distance_mm, const DistanceScale& scale);
-  void setModel(const TriangleMesh& mesh);
+  void setModel(const TriangleMesh& mesh, const ShownTexture& texture);
   void setMeasure(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool shown);
   /// The back is drawn this far below the front, for looking between.
   void setApart(bool apart);

@@ -120,10 +120,10 @@ void SherdView::setDistances(const ShownDistances& distances) {
   canvas_->redraw();
 }
 
-void SherdView::showModel(const TriangleMesh& model) {
+void SherdView::showModel(const TriangleMesh& model, const ShownTexture& texture) {
   if (canvas_ == nullptr) return;
   setSection(false);
-  canvas_->scene().setModel(model);
+  canvas_->scene().setModel(model, texture);
   canvas_->scene().resetView();
   overlay_->setMeasure({});
   const bool filled = std::find(model.seen.begin(), model.seen.end(), 0) != model.seen.end();

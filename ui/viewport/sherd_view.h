@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cloud/point_cloud.h"
+#include "ui/viewport/shown_texture.h"
 
 namespace ostraka::ui {
 
@@ -46,7 +47,7 @@ class SherdView final : public QWidget {
   void setPose(const Eigen::Isometry3d& front_from_back);
   /// Empty: the fractures keep the colours of their sides.
   void setDistances(const ShownDistances& distances);
-  void showModel(const TriangleMesh& model);
+  void showModel(const TriangleMesh& model, const ShownTexture& texture = {});
   void setUnitKnown(bool known);  ///< false: no length is known, and the bar says so
   /// The line and its length, in words; empty: none.
   void setMeasure(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const QString& text);

@@ -7,6 +7,7 @@
 #include "archive/bagit.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
+#include "closed_shell.h"
 #include "exchange/drawn_sherds.h"
 #include "exported_project.h"
 #include "records/records.h"
@@ -143,11 +144,30 @@ TEST_F(Export, ItsSizeIsCountedUntilSomebodyStopsIt) {
   EXPECT_EQ(size.error().code, ErrorCode::Cancelled);
 }
 
-TEST_F(Export, LighterModelsSayHowFarOffTheyAreAndAreOfWhatWasEntered) {
+// The catalogued file of a sherd, with other bytes.
+void enter(Catalogue& catalogue, const fs::path& project, store::SherdRow sherd, const char* ending,
+           const std::string& bytes, const records::Provenance& provenance) {
+  const auto files = *Files(catalogue).of(sherd);
+  for (records::FileRecord file : files) {
+    if (!file.path.ends_with(ending)) continue;
+    EXPECT_TRUE(writeFileAtomically(project / file.path, bytes));
+    file.sha256 = sha256(bytes);
+    file.bytes = static_cast<std::int64_t>(bytes.size());
+    EXPECT_TRUE(Files(catalogue).save(file, provenance));
+  }
+}
+
+constexpr std::size_t kSmall = 60'000;  // half of what a shell takes
+
+TEST_F(Export, SmallerModelsSayHowFarOffTheyAreAndAreOfWhatWasEntered) {
+  for (const store::SherdRow row : rows) {
+    enter(catalogue(), project_->folder(), row, "model.ply", formatPly(closedShell(), "a"), anna);
+    enter(catalogue(), project_->folder(), row, "model.glb", *formatGlb(closedShell(), {}), anna);
+  }
   ExportOptions options;
   options.target = folder_.path() / "light";
   options.forms = {Form::Ply, Form::Glb, Form::Obj};
-  options.deviation_mm = 0.1;
+  options.most_model_bytes = kSmall;
   const Result<ExportSize> size = sizeOfExport(catalogue(), project_->folder(), rows, options, {});
   ASSERT_TRUE(size);
   EXPECT_EQ(size->lightened, 3);
@@ -157,12 +177,11 @@ TEST_F(Export, LighterModelsSayHowFarOffTheyAreAndAreOfWhatWasEntered) {
   const fs::path models = options.target / "data/models";
   for (const char* sherd : {"ARM1-T3-0012-0001", "ARM1-T3-0012-0003"}) {
     for (const char* ending : {".ply", ".obj"})
-      EXPECT_THAT(
-          *readFile(models / (std::string(sherd) + ending)),
-          testing::HasSubstr(
-              " simplified from the full-detail model: 99.9 % within 0 mm, all within 0 mm\n"));
-    EXPECT_THAT(*readFile(models / (std::string(sherd) + ".glb")),
-                testing::HasSubstr("\"deviation_mm\":0"));
+      EXPECT_THAT(*readFile(models / (std::string(sherd) + ending)),
+                  testing::HasSubstr(" simplified from the full-detail model: 99.9 % within 0"));
+    const std::string glb = *readFile(models / (std::string(sherd) + ".glb"));
+    EXPECT_THAT(glb, testing::HasSubstr("\"deviation_mm\":0"));
+    EXPECT_LE(glb.size(), kSmall);
   }
   put(modelOf(1), "another one");
   options.target = folder_.path() / "changed";
@@ -173,16 +192,18 @@ TEST_F(Export, LighterModelsSayHowFarOffTheyAreAndAreOfWhatWasEntered) {
   EXPECT_FALSE(fs::exists(options.target));
 }
 
-// The catalogued GLB of a sherd, with other bytes.
-void enterGlb(Catalogue& catalogue, const fs::path& project, store::SherdRow sherd,
-              const std::string& bytes, const records::Provenance& provenance) {
-  const auto files = *Files(catalogue).of(sherd);
-  for (records::FileRecord file : files) {
-    if (!file.path.ends_with(".glb")) continue;
-    EXPECT_TRUE(writeFileAtomically(project / file.path, bytes));
-    file.sha256 = sha256(bytes);
-    file.bytes = static_cast<std::int64_t>(bytes.size());
-    EXPECT_TRUE(Files(catalogue).save(file, provenance));
+TEST_F(Export, ModelsThatAreSmallEnoughStayWhole) {
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  options.forms = {Form::Ply, Form::Glb};
+  options.most_model_bytes = kSmall;
+  ASSERT_TRUE(exportFolder(catalogue(), project_->folder(), rows, options, quiet, {}));
+  for (const char* ending : {".ply", ".glb"}) {
+    const auto model =
+        readFile(options.target / ("data/models/ARM1-T3-0012-0001" + std::string(ending)));
+    ASSERT_TRUE(model);
+    EXPECT_THAT(*model, testing::Not(testing::HasSubstr("simplified")));
+    EXPECT_THAT(*model, testing::Not(testing::HasSubstr("deviation_mm")));
   }
 }
 
@@ -196,7 +217,7 @@ std::string texturedGlb(const cv::Mat3b& picture) {
 
 TEST_F(Export, AnObjHasThePhotographsOfItsModelBesideIt) {
   const cv::Mat3b picture(8, 16, cv::Vec3b(30, 60, 200));
-  enterGlb(catalogue(), project_->folder(), rows[1], texturedGlb(picture), anna);
+  enter(catalogue(), project_->folder(), rows[1], ".glb", texturedGlb(picture), anna);
   const Result<Exported> done = exportTo("out", {Form::Obj, Form::Json});
   ASSERT_TRUE(done) << done.error().sentence();
   EXPECT_THAT(done->warnings, testing::IsEmpty());
@@ -216,15 +237,21 @@ TEST_F(Export, AnObjHasThePhotographsOfItsModelBesideIt) {
   EXPECT_FALSE(fs::exists(data / "models/ARM1-T3-0012-0001.mtl")) << "without a texture";
 }
 
-TEST_F(Export, PhotographsStayOnLighterModelsAndTheirSizeIsKnownBefore) {
-  const cv::Mat3b picture(8, 16, cv::Vec3b(30, 60, 200));
-  for (const store::SherdRow row : rows)
-    enterGlb(catalogue(), project_->folder(), row, texturedGlb(picture), anna);
-  for (const double deviation_mm : {0.0, 0.1}) {
+TEST_F(Export, PhotographsStayOnSmallerModelsAndTheirSizeIsKnownBefore) {
+  const TriangleMesh shell = closedShell();
+  GlbTexture photographs;  // seen from above, through to the other side
+  for (const Eigen::Vector3f& v : shell.vertices)
+    photographs.uv.emplace_back(0.5f + v.x() / 80, 0.5f - v.y() / 80);
+  photographs.jpeg = texture::asJpeg(cv::Mat3b(400, 400, cv::Vec3b(30, 60, 200)));
+  for (const store::SherdRow row : rows) {
+    enter(catalogue(), project_->folder(), row, "model.ply", formatPly(shell, "a"), anna);
+    enter(catalogue(), project_->folder(), row, ".glb", *formatGlb(shell, photographs, {}), anna);
+  }
+  for (const std::size_t most : {std::size_t{0}, kSmall}) {
     ExportOptions options;
-    options.target = folder_.path() / (deviation_mm > 0 ? "light" : "whole");
+    options.target = folder_.path() / (most > 0 ? "light" : "whole");
     options.forms = {Form::Obj, Form::Glb};
-    options.deviation_mm = deviation_mm;
+    options.most_model_bytes = most;
     const auto size = sizeOfExport(catalogue(), project_->folder(), rows, options, {});
     ASSERT_TRUE(size) << size.error().sentence();
     const auto done = exportFolder(catalogue(), project_->folder(), rows, options, quiet, {});
@@ -234,7 +261,9 @@ TEST_F(Export, PhotographsStayOnLighterModelsAndTheirSizeIsKnownBefore) {
     EXPECT_NEAR(static_cast<double>(size->bytes) / static_cast<double>(done->bytes), 1, 0.1);
     const fs::path models = options.target / "data/models";
     EXPECT_TRUE(fs::exists(models / "ARM1-T3-0012-0001.png"));
-    const auto glb = texture::openedGlb(*readFile(models / "ARM1-T3-0012-0001.glb"), "a");
+    const std::string bytes = *readFile(models / "ARM1-T3-0012-0001.glb");
+    EXPECT_EQ(bytes.size() <= kSmall, most > 0);
+    const auto glb = texture::openedGlb(bytes, "a");
     ASSERT_TRUE(glb) << glb.error().sentence();
     ASSERT_TRUE(glb->has_value());
     const cv::Mat3b& page = (*glb)->texture.picture;
@@ -243,7 +272,7 @@ TEST_F(Export, PhotographsStayOnLighterModelsAndTheirSizeIsKnownBefore) {
 }
 
 TEST_F(Export, ATextureThatCannotBeReadLeavesTheObjItsColours) {
-  enterGlb(catalogue(), project_->folder(), rows[1], "no GLB", anna);
+  enter(catalogue(), project_->folder(), rows[1], ".glb", "no GLB", anna);
   const Result<Exported> done = exportTo("out", {Form::Obj});
   ASSERT_TRUE(done) << done.error().sentence();
   EXPECT_THAT(done->warnings,
@@ -375,12 +404,12 @@ TEST_F(Export, TheNumberOfFilesIsKnownBeforeAndTheirSizeWithinATenth) {
                                                {Form::Ply, Form::Photographs},
                                                {Form::Obj, Form::Glb, Form::Pictures},
                                                {Form::Drawings, Form::Csv}};
-  for (const double deviation_mm : {0.0, 0.1})
+  for (const std::size_t most : {std::size_t{0}, kSmall})
     for (std::size_t i = 0; i < choices.size(); ++i) {
       ExportOptions options;
-      options.target = folder_.path() / ("out" + std::to_string(i) + (deviation_mm > 0 ? "l" : ""));
+      options.target = folder_.path() / ("out" + std::to_string(i) + (most > 0 ? "l" : ""));
       options.forms = choices[i];
-      options.deviation_mm = deviation_mm;
+      options.most_model_bytes = most;
       const Result<ExportSize> size =
           sizeOfExport(catalogue(), project_->folder(), rows, options, {});
       ASSERT_TRUE(size) << size.error().sentence();

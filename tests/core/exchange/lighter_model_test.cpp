@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/glb.h"
 #include "evaluate/surface.h"
 #include "model/model.h"
 #include "texture/atlas.h"
@@ -42,16 +43,18 @@ TriangleMesh dentedBall() {
   return mesh;
 }
 
-TEST(LighterModel, KeepsWhatItStatesAndIsLighterTheMoreItMay) {
+TEST(LighterModel, TakesNoMoreThanItMayAndStatesHowFarOffItIs) {
   const TriangleMesh ball = dentedBall();
   ASSERT_TRUE(model::isClosedManifold(ball));
   std::size_t before = ball.triangles.size();
-  for (const double allowed : {0.05, 0.1, 0.2}) {
-    const auto lighter = lighterModel(ball, allowed);
+  for (const std::size_t most : {300'000, 60'000, 20'000}) {
+    const auto lighter = lighterModel(ball, most);
     ASSERT_TRUE(lighter.has_value()) << lighter.error().sentence();
+    EXPECT_LE(formatGlb(lighter->mesh, {})->size(), most);
     EXPECT_TRUE(model::isClosedManifold(lighter->mesh));
-    EXPECT_LT(lighter->mesh.triangles.size(), before) << allowed;
+    EXPECT_LE(lighter->mesh.triangles.size(), before) << most;
     before = lighter->mesh.triangles.size();
+    EXPECT_LT(before, ball.triangles.size());
     const evaluate::Surface whole(ball), light(lighter->mesh);
     std::vector<double> off;
     for (const Eigen::Vector3f& v : ball.vertices)
@@ -62,17 +65,23 @@ TEST(LighterModel, KeepsWhatItStatesAndIsLighterTheMoreItMay) {
     for (const Eigen::Vector3f& v : lighter->mesh.vertices)
       off.push_back(whole.closest(v.cast<double>()).distance_mm);
     EXPECT_NEAR(*std::max_element(off.begin(), off.end()), lighter->farthest_mm, 1e-9);
-    EXPECT_LE(lighter->deviation_mm, allowed);
     EXPECT_GE(lighter->farthest_mm, lighter->deviation_mm);
   }
   EXPECT_LT(before, ball.triangles.size() / 8);
 }
 
+TEST(LighterModel, IsTheModelItselfWhereThatIsSmallEnough) {
+  const TriangleMesh ball = dentedBall();
+  const auto lighter = lighterModel(ball, 5'000'000);
+  ASSERT_TRUE(lighter.has_value());
+  EXPECT_EQ(lighter->mesh.triangles, ball.triangles);
+  EXPECT_LT(lighter->deviation_mm, 0) << "it is whole";
+}
+
 TEST(LighterModel, RefusesWhatItCannotThin) {
   TriangleMesh open = dentedBall();
   open.triangles.pop_back();
-  EXPECT_EQ(lighterModel(open, 0.1).error().code, ErrorCode::UnusableInput);
-  EXPECT_EQ(lighterModel(dentedBall(), 0).error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(lighterModel(open, 20'000).error().code, ErrorCode::UnusableInput);
 }
 
 // Rings of paint around z, 19 mm from one to the next; nobody saw what lies above 10 mm.
@@ -109,7 +118,7 @@ texture::TexturedMesh paintedBall() {
 }
 
 TEST(LighterModel, HasThePhotographsWhereTheyWere) {
-  const auto lighter = lighterModel(dentedBall(), 0.2);
+  const auto lighter = lighterModel(dentedBall(), 60'000);
   ASSERT_TRUE(lighter.has_value());
   const auto made = retextured(lighter->mesh, paintedBall());
   ASSERT_TRUE(made.has_value()) << made.error().sentence();
@@ -131,6 +140,35 @@ TEST(LighterModel, HasThePhotographsWhereTheyWere) {
   EXPECT_GE(static_cast<double>(right), 0.98 * static_cast<double>(made->uv.size()));
   EXPECT_GT(made->texture.seen_share, 0.5);
   EXPECT_LT(made->texture.seen_share, 0.9);
+}
+
+TEST(LighterModel, HasSmallerPhotographsWhereTheyWouldNotFit) {
+  auto made = retextured(lighterModel(dentedBall(), 60'000)->mesh, paintedBall());
+  ASSERT_TRUE(made.has_value()) << made.error().sentence();
+  const auto size = [&] {
+    return formatGlb(made->mesh,
+                     {made->uv, texture::asJpeg(made->texture.picture),
+                      texture::asPng(made->texture.seen)},
+                     {})
+        ->size();
+  };
+  const cv::Size page = made->texture.picture.size();
+  const double texel_mm = made->texel_mm;
+  shrinkPhotographs(*made, size());
+  EXPECT_EQ(made->texture.picture.size(), page) << "they fit";
+  const std::size_t most = size() - texture::asJpeg(made->texture.picture).size() / 2;
+  shrinkPhotographs(*made, most);
+  EXPECT_LE(size(), most);
+  EXPECT_LT(made->texture.picture.cols, page.width);
+  EXPECT_EQ(made->texture.seen.size(), made->texture.picture.size());
+  EXPECT_GT(made->texel_mm, texel_mm);
+  std::size_t right = 0;
+  for (std::size_t v = 0; v < made->uv.size(); ++v)
+    right += std::abs(texture::levelAt(made->texture.picture, made->uv[v])[0] -
+                      paintAt(made->mesh.vertices[v].z())) < 25
+                 ? 1
+                 : 0;
+  EXPECT_GE(static_cast<double>(right), 0.95 * static_cast<double>(made->uv.size()));
 }
 
 TEST(LighterModel, WithoutAClosedSurfaceHasNoPhotographs) {

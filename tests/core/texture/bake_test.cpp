@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "block.h"
+#include "seam_step.h"
 
 namespace ostraka::texture {
 namespace {
@@ -123,6 +124,11 @@ TEST_F(Bake, KeepsTheContrastOfTheFinestPattern) {
       truth += 30 * wave * wave;
     }
   EXPECT_GT(both / truth, 0.9);
+}
+
+TEST_F(Bake, ShowsTheSameOnBothSidesOfABorder) {
+  const Texture texture = baked(around({1, 0.8, 1.1, 0.9, 1.2, 1, 0.85, 1.05}));
+  EXPECT_LT(stepAcross(texture.picture, texture.seen, seamsOf(tile, charts, atlas)), 1.5);
 }
 
 TEST_F(Bake, LeavesHighlightsOut) {

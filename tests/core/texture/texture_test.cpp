@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "block.h"
+#include "files/files.h"
 
 namespace ostraka::texture {
 namespace {
@@ -72,6 +73,25 @@ TEST(Texture, IsOpenedWithItsMask) {
       << "a texel's middle";
   EXPECT_EQ(levelAt(made->texture.picture, {0.75f, 0.75f}), cv::Vec3f(5, 10, 100));
   EXPECT_EQ(levelAt(made->texture.picture, {9, 9}), cv::Vec3f(10, 20, 200));
+}
+
+TEST(Texture, IsFoundBesideItsModel) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "texture_beside";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  const auto none = openedBeside(folder / "model.ply");
+  ASSERT_TRUE(none) << none.error().sentence();
+  EXPECT_FALSE(*none);
+  const TexturedModel model = painted(cv::Mat3b(4, 4, cv::Vec3b(10, 20, 200)), {});
+  ASSERT_TRUE(writeGlb(folder / "model.glb", formatGlb(model.mesh, model.texture, {})));
+  const auto made = openedBeside(folder / "model.ply");
+  ASSERT_TRUE(made) << made.error().sentence();
+  ASSERT_TRUE(*made);
+  const std::vector<Color> colours = vertexColours(**made);
+  ASSERT_EQ(colours.size(), (*made)->mesh.vertices.size());
+  EXPECT_EQ(colours.front(), (Color{200, 20, 10}));
+  ASSERT_TRUE(writeFileAtomically(folder / "model.glb", "no model"));
+  EXPECT_FALSE(openedBeside(folder / "model.ply")) << "it is there and cannot be read";
 }
 
 TEST(Texture, ThatNoPageHoldsIsRefusedBeforeItIsDecoded) {

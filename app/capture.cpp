@@ -53,8 +53,8 @@ Result<ShotName> shotFromWord(const std::string& word) {
 }
 
 // A sentence to the terminal, then Enter; the end of the input means no.
-bool askOnTerminal(const std::string& sentence, std::stop_token stop) {
-  show(stderr, "\n%s Then press Enter. ", sentence.c_str());
+bool askOnTerminal(const Message& sentence, std::stop_token stop) {
+  show(stderr, "\n%s Then press Enter. ", sentence.english().c_str());
   std::fflush(stderr);
   while (!stop.stop_requested()) {
     pollfd input{STDIN_FILENO, POLLIN, 0};
@@ -97,7 +97,7 @@ void tell(const CaptureEvent& event, Session& session) {
       show(stderr, "Press the shutter of camera %s.\n", batch::cameraLetter(event.camera).c_str());
       break;
     case CaptureEventKind::ShotKept:
-      for (const std::string& sentence : event.check.sentences())
+      for (const Message& sentence : event.check.sentences())
         session.progress.note(NoteLevel::Warning, shot + ": " + sentence);
       break;
     default:
@@ -107,7 +107,7 @@ void tell(const CaptureEvent& event, Session& session) {
 
 struct SideResult {
   SideSummary summary;
-  std::vector<std::string> sentences;  // everything that asks a person
+  std::vector<Message> sentences;  // everything that asks a person
 };
 
 // Nothing where the front was not photographed.
@@ -147,7 +147,9 @@ Result<SideResult> shoot(const CaptureArguments& arguments, batch::Side side, Ri
   if (!done) {
     Error error = done.error();
     if (error.code != ErrorCode::Cancelled)
-      error.what += " What was photographed so far is safe; start the same command again to go on.";
+      error.what =
+          inOne(error.what,
+                "What was photographed so far is safe; start the same command again to go on.");
     return error;
   }
   SideResult result{*done, done->check.sentences};
@@ -159,7 +161,7 @@ Result<SideResult> shoot(const CaptureArguments& arguments, batch::Side side, Ri
           "This batch has no photographs of the front: take them with --side front into the same "
           "folder.");
     else
-      for (std::string& sentence : capture::compareSides(**front, done->check))
+      for (Message& sentence : capture::compareSides(**front, done->check))
         result.sentences.push_back(std::move(sentence));
   }
   return result;
@@ -181,7 +183,8 @@ nlohmann::ordered_json asJson(const SideResult& result, batch::Side side, int st
 void print(const SideResult& result, batch::Side side, const CaptureArguments& arguments) {
   show(stdout, "%s: %d photographs, %d sherd%s.\n", batch::name(side), result.summary.kept,
        result.summary.check.sherds, result.summary.check.sherds == 1 ? "" : "s");
-  for (const std::string& sentence : result.sentences) show(stdout, "  %s\n", sentence.c_str());
+  for (const Message& sentence : result.sentences)
+    show(stdout, "  %s\n", sentence.english().c_str());
   if (result.sentences.empty())
     show(stdout, "  %s\n",
          side == batch::Side::Front ? "You may turn the sherds over now."

@@ -85,7 +85,7 @@ int runExport(const Options& options, Session& session) {
                                            session.progress, session.stop);
   if (!done) return fail(session, done.error());
   session.finishProgress();
-  for (const std::string& warning : done->warnings) show(stderr, "%s\n", warning.c_str());
+  for (const Message& warning : done->warnings) show(stderr, "%s\n", warning.english().c_str());
   const std::vector<std::string> missing = namesOf(done->without_file);
   if (!missing.empty())
     show(stderr, "No file of these forms, since the sherds have none: %s.\n",
@@ -117,11 +117,11 @@ int runEnter(const Options& options, Session& session) {
                                             session.progress, session.stop);
   if (!entered) return fail(session, entered.error());
   session.finishProgress();
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   if (const auto saved = project->backUp(); !saved)
-    warnings.push_back("The results are entered, but the backup afterwards failed. " +
-                       saved.error().sentence());
-  for (const std::string& warning : warnings) show(stderr, "ostraka: %s\n", warning.c_str());
+    warnings.push_back(inOne("The results are entered, but the backup afterwards failed.",
+                             saved.error().sentence()));
+  for (const Message& warning : warnings) show(stderr, "ostraka: %s\n", warning.english().c_str());
   const int status = entered->open > 0 ? PersonMustDecide : warnings.empty() ? Whole : NotWhole;
   return finish(session, status,
                 {{"batch", options.batch},
@@ -172,7 +172,7 @@ int runRestore(const Options& options, Session& session) {
       archive::restoreProject(options.other, options.output, session.progress, session.stop);
   if (!done) return fail(session, done.error());
   session.finishProgress();
-  for (const std::string& line : done->damage) show(stderr, "%s\n", line.c_str());
+  for (const Message& line : done->damage) show(stderr, "%s\n", line.english().c_str());
   return finish(session, done->damage.empty() ? Whole : NotWhole,
                 {{"output", options.output.string()}, {"damage", done->damage}},
                 done->damage.empty()

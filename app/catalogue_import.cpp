@@ -137,7 +137,7 @@ void printReport(const tables::ImportReport& report) {
   printMapping(report.mapping);
   printRefusals(report);
   printChanges(report.changed_values);
-  for (const std::string& warning : report.warnings) show(stderr, "%s\n", warning.c_str());
+  for (const Message& warning : report.warnings) show(stderr, "%s\n", warning.english().c_str());
 }
 
 ExitStatus statusOf(const tables::ImportReport& report, bool units_open, bool refusals_lost) {
@@ -168,7 +168,7 @@ int reported(Session& session, const tables::ImportReport& report,
   if (report.not_reached > 0)
     show(stderr, "Stopped: %d rows are not entered; the same command enters them.\n",
          report.not_reached);
-  if (!written) show(stderr, "ostraka: %s\n", written.error().sentence().c_str());
+  if (!written) show(stderr, "ostraka: %s\n", written.error().sentence().english().c_str());
   ordered_json json = {{"entered", arguments.enter && !report.held},
                        {"new", report.fresh},
                        {"same", report.same},

@@ -78,8 +78,8 @@ void printLines(const std::vector<TaskStatus>& all) {
     show(stdout, "%-8s %-9s %s\n", one.task.batch.c_str(), wordOf(one.state), one.words.c_str());
 }
 
-void printWarnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) show(stderr, "ostraka: %s\n", warning.c_str());
+void printWarnings(const std::vector<Message>& warnings) {
+  for (const Message& warning : warnings) show(stderr, "ostraka: %s\n", warning.english().c_str());
 }
 
 int count(const std::vector<TaskStatus>& all, TaskState state) {

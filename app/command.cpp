@@ -88,7 +88,7 @@ int finish(const Session& session, int status, nlohmann::ordered_json result,
 
 int fail(const Session& session, const Error& error, WhenStopped when_stopped) {
   const bool stopped = error.code == ErrorCode::Cancelled;
-  std::string sentence = error.sentence();
+  std::string sentence = error.sentence().english();
   if (stopped && error.what == Error::cancelled().what)
     sentence = when_stopped == WhenStopped::GoesOn
                    ? "Cancelled. Complete stages are kept; run the same command to continue "

@@ -99,8 +99,8 @@ Result<std::vector<stereo::View>> readViews(const DenseArguments& arguments, Ses
     if (view) {
       views.push_back(reducedTo(std::move(*view), arguments.megapixels));
     } else {
-      if (first_wrong.empty()) first_wrong = view.error().sentence();
-      session.progress.note(NoteLevel::Warning, view.error().sentence() + " It is left out.");
+      if (first_wrong.empty()) first_wrong = view.error().sentence().english();
+      session.progress.note(NoteLevel::Warning, inOne(view.error().sentence(), "It is left out."));
     }
   }
   if (views.size() < 3)
@@ -134,7 +134,8 @@ Result<void> maskCluttered(std::vector<stereo::View>& views, int threads, Sessio
   Result<mask::MaskResult> masks =
       mask::maskByHull(cameras, photographs, options, session.progress, session.stop);
   if (!masks && masks.error().code == ErrorCode::NotEnough) {
-    session.progress.note(NoteLevel::Warning, masks.error().sentence() + " All pixels are used.");
+    session.progress.note(NoteLevel::Warning,
+                          inOne(masks.error().sentence(), "All pixels are used."));
     return {};
   }
   if (!masks) return masks.error();

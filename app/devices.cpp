@@ -40,7 +40,7 @@ void print(const std::vector<devices::FoundDevice>& devices) {
          d.serial.empty() ? "" : ", number ", d.serial.c_str());
     show(stdout, "  in RIG.json: driver %s, %s\n", d.driver.c_str(),
          d.address.empty() ? "no address" : d.address.c_str());
-    for (const std::string& trouble : d.troubles) show(stdout, "  %s\n", trouble.c_str());
+    for (const Message& trouble : d.troubles) show(stdout, "  %s\n", trouble.english().c_str());
     if (d.troubles.empty()) show(stdout, "  ready\n");
   }
   if (devices.empty())

@@ -59,11 +59,11 @@ ordered_json asJson(const SherdDrawing& drawing) {
 void print(const SherdDrawing& drawing) {
   if (drawing.drawn_as_rim && drawing.mouth)
     show(stdout, "%s: rim diameter %.1f mm (95 %%: %.1f to %.1f), %.0f %% of the rim preserved.\n",
-         drawing.id.c_str(), drawing.rim->diameter_mm, drawing.rim->low_mm, drawing.rim->high_mm,
-         100 * drawing.rim->kept);
+         drawing.id.english().c_str(), drawing.rim->diameter_mm, drawing.rim->low_mm,
+         drawing.rim->high_mm, 100 * drawing.rim->kept);
   for (const auto* sentences : {&drawing.remarks, &drawing.hints})
-    for (const std::string& sentence : *sentences)
-      show(stdout, "%s: %s\n", drawing.id.c_str(), sentence.c_str());
+    for (const Message& sentence : *sentences)
+      show(stdout, "%s: %s\n", drawing.id.english().c_str(), sentence.english().c_str());
 }
 
 int runDraw(const DrawArguments& arguments, Session& session) {
@@ -88,7 +88,8 @@ int runDraw(const DrawArguments& arguments, Session& session) {
                                  ? texture::openedBeside(arguments.models[i])
                                  : std::optional<texture::TexturedMesh>();
     if (!photographs)
-      how.remarks.push_back("Drawn without its photographs: " + photographs.error().what);
+      how.remarks.push_back(
+          Message("Drawn without its photographs: %1", {photographs.error().what}));
     else if (*photographs)
       how.photographs = &**photographs;
     Result<SherdDrawing> drawing = drawSherd(model->mesh, id, how);

@@ -67,7 +67,7 @@ void printTable(const ProcessSummary& summary) {
   printNames("To be reshot", summary.reshoot);
   printNames("Pushed while photographed", summary.moved);
   printNames("Set aside", summary.set_aside);
-  for (const std::string& sentence : summary.left_out) show(stdout, "%s\n", sentence.c_str());
+  for (const Message& sentence : summary.left_out) show(stdout, "%s\n", sentence.english().c_str());
   show(stdout, "%zu %s, reprojection %.2f px, %.0f s. Report: %s\n", summary.sherds.size(),
        summary.sherds.size() == 1 ? "sherd" : "sherds", summary.reprojection_rms_px,
        summary.seconds, summary.report.c_str());
@@ -86,8 +86,8 @@ void printTable(const ProcessSummary& summary) {
              ? "%d pair needs review: the report says why; decide it in the window.\n"
              : "%d pairs need review: the report says why; decide them in the window.\n",
          summary.ambiguous());
-  for (const std::string& doubt : summary.scale_doubts)
-    show(stdout, "Decide this before measuring anything: %s\n", doubt.c_str());
+  for (const Message& doubt : summary.scale_doubts)
+    show(stdout, "Decide this before measuring anything: %s\n", doubt.english().c_str());
 }
 
 int runProcess(const ProcessOptions& options, Session& session) {

@@ -38,7 +38,7 @@ Result<void> checkRefusalsFile(const fs::path& file) {
   if (!file.has_filename())
     return Error::unusable("This is a folder, not a file; add the name of the table.",
                            file.string());
-  if (std::string other = otherThanAFile(file); !other.empty())
+  if (Message other = otherThanAFile(file); !other.empty())
     return Error::unusable(std::move(other), file.string());
   if (fs::exists(fs::symlink_status(file, failed)))
     if (Result<void> good = checkReplaced(file); !good) return good;

@@ -79,8 +79,8 @@ int runCalibrate(const std::filesystem::path& folder, const std::filesystem::pat
                      : calibration::scaleIsRight(*report) ? NotWhole
                                                           : PersonMustDecide;
   return finish(session, status, asJson(*report, output.string()), [&] {
-    for (const std::string& line : calibration::inWords(*report))
-      show(stdout, "%s\n", line.c_str());
+    for (const Message& line : calibration::inWords(*report))
+      show(stdout, "%s\n", line.english().c_str());
     if (report->rig)
       show(stdout, "Saved: %s\n", output.c_str());
     else

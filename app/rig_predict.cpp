@@ -91,7 +91,7 @@ void print(const Prediction& p) {
          "accuracy and the completeness will be better than this, and the seconds fewer. Leave out "
          "--width for the exact way.\n",
          100 * p.width_share, p.seconds, sherds);
-  for (const std::string& remark : p.remarks) show(stdout, "%s\n", remark.c_str());
+  for (const Message& remark : p.remarks) show(stdout, "%s\n", remark.english().c_str());
 }
 
 int runPredict(const fs::path& rig_file, PredictOptions options, Session& session) {

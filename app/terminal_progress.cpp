@@ -44,11 +44,11 @@ void TerminalProgress::report(std::int64_t done, std::int64_t total) {
   draw(false);
 }
 
-void TerminalProgress::note(NoteLevel level, std::string_view text) {
+void TerminalProgress::note(NoteLevel level, const Message& text) {
   const bool warning = level == NoteLevel::Warning;
   if (loudness_ == Loudness::Quiet || (!warning && loudness_ != Loudness::Everything)) return;
   clearLine();
-  show(out_, "%s%.*s\n", warning ? "Warning: " : "", static_cast<int>(text.size()), text.data());
+  show(out_, "%s%s\n", warning ? "Warning: " : "", text.english().c_str());
   if (terminal_) draw(true);
 }
 

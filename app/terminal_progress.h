@@ -23,7 +23,7 @@ class TerminalProgress final : public Progress {
 
   void begin(std::string_view stage, double share) override;
   void report(std::int64_t done, std::int64_t total) override;
-  void note(NoteLevel level, std::string_view text) override;
+  void note(NoteLevel level, const Message& text) override;
   /// Ends the line that is drawn anew, before other output.
   void finish();
 

@@ -5379,11 +5379,6 @@
       <translation>Die Fotos zeigen keinen gemeinsamen Gegenstand; die Kameras prüfen oder Masken angeben.</translation>
     </message>
     <message>
-      <source>Each photograph needs one pose.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Jedes Foto braucht eine Lage.</translation>
-    </message>
-    <message>
       <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Hülle braucht mindestens 3 Fotos; den Gegenstand aus mehr Richtungen aufnehmen.</translation>
@@ -6437,11 +6432,6 @@
       <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan ist keine Rückseite dieses Durchgangs.</translation>
-    </message>
-    <message>
-      <source>its front no longer has a back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>seine Vorderseite hat keine Rückseite mehr</translation>
     </message>
     <message>
       <source>A pair needs a front and a back.</source>
@@ -8659,66 +8649,6 @@
       <translation>Gegenüber Kamera %1 hat sich Kamera %2 seit der Kalibrierung des Messplatzes um %3 mm verschoben und um %4 Grad gedreht.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Die Brennweite ist nicht bestimmt: %2 px mit einer Standardabweichung von %3 px; mehr Bilder aufnehmen, näher und mit der Tafel um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
-    </message>
-    <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Kein Bild zeigt die Tafel um mehr als 15 Grad geneigt; sie stärker neigen, damit sich Brennweite und Entfernung unterscheiden lassen.</translation>
-    </message>
-    <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Die Ecken streuen um %2 px, mehr als die 0,3 px scharfer Bilder einer ebenen Tafel; Fokus, Licht und Ebenheit der Tafel prüfen.</translation>
-    </message>
-    <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Das schlechteste Bild ist %2 mit %3 px; noch einmal aufnehmen oder weglassen.</translation>
-    </message>
-    <message>
-      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Nur %2 Kalibrierbilder zeigen die Tafel, mindestens 3 sind nötig; mehr Bilder von ihr aufnehmen.</translation>
-    </message>
-    <message>
-      <source>Camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Kein Kameramodell passt zu den Kalibrierbildern.</translation>
-    </message>
-    <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Die Brennweite ist nicht bestimmt: %2 px mit einer Standardabweichung von %3 px; mehr Bilder aufnehmen, näher und mit der Tafel um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
-    </message>
-    <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Kein Bild zeigt die Tafel um mehr als 15 Grad geneigt; sie stärker neigen, damit sich Brennweite und Entfernung unterscheiden lassen.</translation>
-    </message>
-    <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Die Ecken streuen um %2 px, mehr als die 0,3 px scharfer Bilder einer ebenen Tafel; Fokus, Licht und Ebenheit der Tafel prüfen.</translation>
-    </message>
-    <message>
-      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Das schlechteste Bild ist %2 mit %3 px; noch einmal aufnehmen oder weglassen.</translation>
-    </message>
-    <message>
-      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Nur %2 Kalibrierbilder zeigen die Tafel, mindestens 3 sind nötig; mehr Bilder von ihr aufnehmen.</translation>
-    </message>
-    <message>
-      <source>camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: Kein Kameramodell passt zu den Kalibrierbildern.</translation>
-    </message>
-    <message>
       <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Die Tafel wurde nicht erkannt; das Bild wird beiseitegelegt.</translation>
@@ -9387,6 +9317,116 @@
       <source>sherd %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Scherbe %1 von %2</translation>
+    </message>
+    <message>
+      <source>camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: %2</translation>
+    </message>
+    <message>
+      <source>%1 and %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 und %2</translation>
+    </message>
+    <message>
+      <source>Camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: %2</translation>
+    </message>
+    <message>
+      <source>The focal length is not determined: %1 px with a standard deviation of %2 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Brennweite ist nicht bestimmt: %1 px mit einer Standardabweichung von %2 px; mehr Bilder aufnehmen, näher und mit der Tafel um 20 bis 45 Grad in verschiedene Richtungen geneigt.</translation>
+    </message>
+    <message>
+      <source>No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Bild zeigt die Tafel um mehr als 15 Grad geneigt; sie stärker neigen, damit sich Brennweite und Entfernung unterscheiden lassen.</translation>
+    </message>
+    <message>
+      <source>The corners scatter by %1 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Ecken streuen um %1 px, mehr als die 0,3 px scharfer Bilder einer ebenen Tafel; Fokus, Licht und Ebenheit der Tafel prüfen.</translation>
+    </message>
+    <message>
+      <source>The worst picture is %1 with %2 px; retake it or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das schlechteste Bild ist %1 mit %2 px; noch einmal aufnehmen oder weglassen.</translation>
+    </message>
+    <message>
+      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nur %1 Kalibrierbilder zeigen die Tafel, mindestens 3 sind nötig; mehr Bilder von ihr aufnehmen.</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1, Position %2: %3.</translation>
+    </message>
+    <message>
+      <source>%1 poses are given for %2 photographs; give one pose for each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Für %2 Fotos sind %1 Lagen angegeben; für jedes genau eine angeben.</translation>
+    </message>
+    <message>
+      <source>its front no longer has a back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>seine Vorderseite hat keine Rückseite mehr</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about ten times the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einheit prüfen: %1 ist etwa das Zehnfache des berechneten Werts.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about a tenth of the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einheit prüfen: %1 ist etwa ein Zehntel des berechneten Werts.</translation>
+    </message>
+    <message>
+      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wert prüfen: %1 weicht mindestens um das Dreifache vom berechneten Wert ab.</translation>
+    </message>
+    <message>
+      <source>Check the values: %1 (%2) is below %3 (%4).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Werte prüfen: %1 (%2) liegt unter: %3 (%4).</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Delete it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der berechnete Wert ist %1. Löschen?</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Replace it with the measured value?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der berechnete Wert ist %1. Durch den gemessenen ersetzen?</translation>
+    </message>
+    <message>
+      <source>the length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Länge</translation>
+    </message>
+    <message>
+      <source>the width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Breite</translation>
+    </message>
+    <message>
+      <source>the minimum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die kleinste Dicke</translation>
+    </message>
+    <message>
+      <source>the maximum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die größte Dicke</translation>
+    </message>
+    <message>
+      <source>the thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>die Dicke</translation>
     </message>
 </context>
 <context>

@@ -5374,11 +5374,6 @@
       <translation>Δεν βρέθηκε σώμα στο οποίο συμφωνούν οι φωτογραφίες· ελέγξτε τις κάμερες ή δώστε μάσκες.</translation>
     </message>
     <message>
-      <source>Each photograph needs one pose.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάθε φωτογραφία χρειάζεται μία θέση.</translation>
-    </message>
-    <message>
       <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα περίβλημα χρειάζεται τουλάχιστον 3 φωτογραφίες· φωτογραφίστε το αντικείμενο από περισσότερες κατευθύνσεις.</translation>
@@ -6432,11 +6427,6 @@
       <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση δεν είναι πίσω όψη αυτής της παρτίδας.</translation>
-    </message>
-    <message>
-      <source>its front no longer has a back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>η μπροστινή του όψη δεν έχει πια πίσω όψη</translation>
     </message>
     <message>
       <source>A pair needs a front and a back.</source>
@@ -8654,66 +8644,6 @@
       <translation>Σε σχέση με την κάμερα %1, η κάμερα %2 μετακινήθηκε κατά %3 mm και στράφηκε κατά %4 μοίρες από τη βαθμονόμηση της διάταξης.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: η εστιακή απόσταση δεν καθορίστηκε: %2 px με τυπική απόκλιση %3 px· τραβήξτε περισσότερες εικόνες, από πιο κοντά και με τον πίνακα βαθμονόμησης σε κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
-    </message>
-    <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: καμία εικόνα δεν δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 15 μοίρες· δώστε του μεγαλύτερη κλίση, για να ξεχωρίζει η εστιακή απόσταση από την απόσταση.</translation>
-    </message>
-    <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: οι γωνίες διασπείρονται κατά %2 px, περισσότερο από τα 0,3 px ευκρινών εικόνων ενός επίπεδου πίνακα· ελέγξτε εστίαση, φως και αν ο πίνακας είναι επίπεδος.</translation>
-    </message>
-    <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: η χειρότερη εικόνα είναι η %2 με %3 px· τραβήξτε την ξανά ή αφήστε την έξω.</translation>
-    </message>
-    <message>
-      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: μόνο %2 εικόνες βαθμονόμησης δείχνουν τον πίνακα βαθμονόμησης, χρειάζονται τουλάχιστον 3· τραβήξτε περισσότερες.</translation>
-    </message>
-    <message>
-      <source>Camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
-    </message>
-    <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: η εστιακή απόσταση δεν καθορίστηκε: %2 px με τυπική απόκλιση %3 px· τραβήξτε περισσότερες εικόνες, από πιο κοντά και με τον πίνακα βαθμονόμησης σε κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
-    </message>
-    <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: καμία εικόνα δεν δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 15 μοίρες· δώστε του μεγαλύτερη κλίση, για να ξεχωρίζει η εστιακή απόσταση από την απόσταση.</translation>
-    </message>
-    <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: οι γωνίες διασπείρονται κατά %2 px, περισσότερο από τα 0,3 px ευκρινών εικόνων ενός επίπεδου πίνακα· ελέγξτε εστίαση, φως και αν ο πίνακας είναι επίπεδος.</translation>
-    </message>
-    <message>
-      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: η χειρότερη εικόνα είναι η %2 με %3 px· τραβήξτε την ξανά ή αφήστε την έξω.</translation>
-    </message>
-    <message>
-      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: μόνο %2 εικόνες βαθμονόμησης δείχνουν τον πίνακα βαθμονόμησης, χρειάζονται τουλάχιστον 3· τραβήξτε περισσότερες.</translation>
-    </message>
-    <message>
-      <source>camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κάμερα %1: καμία κάμερα δεν εξηγεί τις εικόνες βαθμονόμησης.</translation>
-    </message>
-    <message>
       <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: ο πίνακας βαθμονόμησης δεν φαίνεται σε αυτήν· μπαίνει στην άκρη.</translation>
@@ -9382,6 +9312,116 @@
       <source>sherd %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>όστρακο %1 της %2</translation>
+    </message>
+    <message>
+      <source>camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: %2</translation>
+    </message>
+    <message>
+      <source>%1 and %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 και %2</translation>
+    </message>
+    <message>
+      <source>Camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1: %2</translation>
+    </message>
+    <message>
+      <source>The focal length is not determined: %1 px with a standard deviation of %2 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η εστιακή απόσταση δεν καθορίστηκε: %1 px με τυπική απόκλιση %2 px· τραβήξτε περισσότερες εικόνες, από πιο κοντά και με τον πίνακα βαθμονόμησης σε κλίση 20 έως 45 μοιρών προς διαφορετικές κατευθύνσεις.</translation>
+    </message>
+    <message>
+      <source>No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>καμία εικόνα δεν δείχνει τον πίνακα βαθμονόμησης με κλίση πάνω από 15 μοίρες· δώστε του μεγαλύτερη κλίση, για να ξεχωρίζει η εστιακή απόσταση από την απόσταση.</translation>
+    </message>
+    <message>
+      <source>The corners scatter by %1 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>οι γωνίες διασπείρονται κατά %1 px, περισσότερο από τα 0,3 px ευκρινών εικόνων ενός επίπεδου πίνακα· ελέγξτε εστίαση, φως και αν ο πίνακας είναι επίπεδος.</translation>
+    </message>
+    <message>
+      <source>The worst picture is %1 with %2 px; retake it or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η χειρότερη εικόνα είναι η %1 με %2 px· τραβήξτε την ξανά ή αφήστε την έξω.</translation>
+    </message>
+    <message>
+      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μόνο %1 εικόνες βαθμονόμησης δείχνουν τον πίνακα βαθμονόμησης, χρειάζονται τουλάχιστον 3· τραβήξτε περισσότερες.</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1, στάση %2: %3.</translation>
+    </message>
+    <message>
+      <source>%1 poses are given for %2 photographs; give one pose for each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δίνονται %1 θέσεις για %2 φωτογραφίες· δώστε μία θέση για καθεμία.</translation>
+    </message>
+    <message>
+      <source>its front no longer has a back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η μπροστινή του όψη δεν έχει πια πίσω όψη</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about ten times the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ελέγξτε τη μονάδα: %1 είναι περίπου δεκαπλάσιο της υπολογισμένης τιμής.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about a tenth of the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ελέγξτε τη μονάδα: %1 είναι περίπου το ένα δέκατο της υπολογισμένης τιμής.</translation>
+    </message>
+    <message>
+      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ελέγξτε την τιμή: %1 απέχει τουλάχιστον τρεις φορές από την υπολογισμένη τιμή.</translation>
+    </message>
+    <message>
+      <source>Check the values: %1 (%2) is below %3 (%4).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ελέγξτε τις τιμές: %1 (%2) είναι μικρότερο από: %3 (%4).</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Delete it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η υπολογισμένη τιμή είναι %1. Διαγραφή;</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Replace it with the measured value?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η υπολογισμένη τιμή είναι %1. Αντικατάσταση με τη μετρημένη τιμή;</translation>
+    </message>
+    <message>
+      <source>the length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το μήκος</translation>
+    </message>
+    <message>
+      <source>the width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το πλάτος</translation>
+    </message>
+    <message>
+      <source>the minimum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το ελάχιστο πάχος</translation>
+    </message>
+    <message>
+      <source>the maximum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το μέγιστο πάχος</translation>
+    </message>
+    <message>
+      <source>the thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>το πάχος</translation>
     </message>
 </context>
 <context>

@@ -5374,11 +5374,6 @@
       <translation>Las fotos no muestran ningún objeto común; revise las cámaras o dé máscaras.</translation>
     </message>
     <message>
-      <source>Each photograph needs one pose.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cada foto necesita una pose.</translation>
-    </message>
-    <message>
       <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una envolvente necesita al menos 3 fotos; fotografíe el objeto desde más direcciones.</translation>
@@ -6432,11 +6427,6 @@
       <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo no es un reverso de esta tanda.</translation>
-    </message>
-    <message>
-      <source>its front no longer has a back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>su anverso ya no tiene reverso</translation>
     </message>
     <message>
       <source>A pair needs a front and a back.</source>
@@ -8654,66 +8644,6 @@
       <translation>Respecto a la cámara %1, la cámara %2 se ha movido %3 mm y ha girado %4 grados desde que se calibró el equipo.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: la distancia focal no está determinada: %2 px con una desviación típica de %3 px; tome más imágenes, más de cerca y con el tablero inclinado de 20 a 45 grados en distintas direcciones.</translation>
-    </message>
-    <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: ninguna imagen muestra el tablero inclinado más de 15 grados; inclínelo más, para distinguir la distancia focal de la distancia.</translation>
-    </message>
-    <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: las esquinas se dispersan %2 px, más que los 0,3 px de imágenes nítidas de un tablero plano; revise el enfoque, la luz y que el tablero sea plano.</translation>
-    </message>
-    <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: la peor imagen es %2 con %3 px; repítala u omítala.</translation>
-    </message>
-    <message>
-      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: solo %2 imágenes de calibración muestran el tablero, se necesitan al menos 3; tome más imágenes de él.</translation>
-    </message>
-    <message>
-      <source>Camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: ningún modelo de cámara se ajusta a las imágenes de calibración.</translation>
-    </message>
-    <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: la distancia focal no está determinada: %2 px con una desviación típica de %3 px; tome más imágenes, más de cerca y con el tablero inclinado de 20 a 45 grados en distintas direcciones.</translation>
-    </message>
-    <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: ninguna imagen muestra el tablero inclinado más de 15 grados; inclínelo más, para distinguir la distancia focal de la distancia.</translation>
-    </message>
-    <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: las esquinas se dispersan %2 px, más que los 0,3 px de imágenes nítidas de un tablero plano; revise el enfoque, la luz y que el tablero sea plano.</translation>
-    </message>
-    <message>
-      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: la peor imagen es %2 con %3 px; repítala u omítala.</translation>
-    </message>
-    <message>
-      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: solo %2 imágenes de calibración muestran el tablero, se necesitan al menos 3; tome más imágenes de él.</translation>
-    </message>
-    <message>
-      <source>camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Cámara %1: ningún modelo de cámara se ajusta a las imágenes de calibración.</translation>
-    </message>
-    <message>
       <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: no se detectó el tablero; la imagen se aparta.</translation>
@@ -9382,6 +9312,116 @@
       <source>sherd %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>fragmento %1 de %2</translation>
+    </message>
+    <message>
+      <source>camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: %2</translation>
+    </message>
+    <message>
+      <source>%1 and %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 y %2</translation>
+    </message>
+    <message>
+      <source>Camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1: %2</translation>
+    </message>
+    <message>
+      <source>The focal length is not determined: %1 px with a standard deviation of %2 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la distancia focal no está determinada: %1 px con una desviación típica de %2 px; tome más imágenes, más de cerca y con el tablero inclinado de 20 a 45 grados en distintas direcciones.</translation>
+    </message>
+    <message>
+      <source>No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ninguna imagen muestra el tablero inclinado más de 15 grados; inclínelo más, para distinguir la distancia focal de la distancia.</translation>
+    </message>
+    <message>
+      <source>The corners scatter by %1 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>las esquinas se dispersan %1 px, más que los 0,3 px de imágenes nítidas de un tablero plano; revise el enfoque, la luz y que el tablero sea plano.</translation>
+    </message>
+    <message>
+      <source>The worst picture is %1 with %2 px; retake it or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la peor imagen es %1 con %2 px; repítala u omítala.</translation>
+    </message>
+    <message>
+      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>solo %1 imágenes de calibración muestran el tablero, se necesitan al menos 3; tome más imágenes de él.</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1, posición %2: %3.</translation>
+    </message>
+    <message>
+      <source>%1 poses are given for %2 photographs; give one pose for each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se dan %1 poses para %2 fotos; dé una para cada una.</translation>
+    </message>
+    <message>
+      <source>its front no longer has a back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>su anverso ya no tiene reverso</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about ten times the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Compruebe la unidad: %1 es unas diez veces el valor calculado.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about a tenth of the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Compruebe la unidad: %1 es aproximadamente una décima parte del valor calculado.</translation>
+    </message>
+    <message>
+      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Compruebe el valor: %1 se aparta al menos tres veces del valor calculado.</translation>
+    </message>
+    <message>
+      <source>Check the values: %1 (%2) is below %3 (%4).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Compruebe los valores: %1 (%2) es menor que %3 (%4).</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Delete it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El valor calculado es %1. ¿Eliminarlo?</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Replace it with the measured value?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El valor calculado es %1. ¿Sustituirlo por el valor medido?</translation>
+    </message>
+    <message>
+      <source>the length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la longitud</translation>
+    </message>
+    <message>
+      <source>the width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la anchura</translation>
+    </message>
+    <message>
+      <source>the minimum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>el grosor mínimo</translation>
+    </message>
+    <message>
+      <source>the maximum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>el grosor máximo</translation>
+    </message>
+    <message>
+      <source>the thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>el grosor</translation>
     </message>
 </context>
 <context>

@@ -5374,11 +5374,6 @@
       <translation>Les photos ne montrent aucun objet commun ; vérifiez les appareils, ou donnez des masques.</translation>
     </message>
     <message>
-      <source>Each photograph needs one pose.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Chaque photo a besoin d’une pose.</translation>
-    </message>
-    <message>
       <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une enveloppe demande au moins 3 photos ; photographiez l’objet depuis plus de directions.</translation>
@@ -6432,11 +6427,6 @@
       <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation n’est pas une face arrière de ce lot.</translation>
-    </message>
-    <message>
-      <source>its front no longer has a back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sa face avant n’a plus de face arrière</translation>
     </message>
     <message>
       <source>A pair needs a front and a back.</source>
@@ -8654,66 +8644,6 @@
       <translation>Par rapport à l’appareil %1, l’appareil %2 s’est déplacé de %3 mm et a tourné de %4 degrés depuis la calibration du banc.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : la distance focale n’est pas déterminée : %2 px avec un écart-type de %3 px ; prenez plus d’images, de plus près et avec la mire inclinée de 20 à 45 degrés dans différentes directions.</translation>
-    </message>
-    <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : aucune image ne montre la mire inclinée de plus de 15 degrés ; inclinez-la davantage, pour distinguer la distance focale de l’éloignement.</translation>
-    </message>
-    <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : les coins se dispersent de %2 px, plus que les 0,3 px d’images nettes d’une mire plane ; vérifiez la mise au point, la lumière et la planéité de la mire.</translation>
-    </message>
-    <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : la pire image est %2 avec %3 px ; reprenez-la ou laissez-la de côté.</translation>
-    </message>
-    <message>
-      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : seules %2 images de calibration montrent la mire, il en faut au moins 3 ; prenez-en davantage.</translation>
-    </message>
-    <message>
-      <source>Camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : aucun modèle d’appareil ne convient aux images de calibration.</translation>
-    </message>
-    <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : la distance focale n’est pas déterminée : %2 px avec un écart-type de %3 px ; prenez plus d’images, de plus près et avec la mire inclinée de 20 à 45 degrés dans différentes directions.</translation>
-    </message>
-    <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : aucune image ne montre la mire inclinée de plus de 15 degrés ; inclinez-la davantage, pour distinguer la distance focale de l’éloignement.</translation>
-    </message>
-    <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : les coins se dispersent de %2 px, plus que les 0,3 px d’images nettes d’une mire plane ; vérifiez la mise au point, la lumière et la planéité de la mire.</translation>
-    </message>
-    <message>
-      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : la pire image est %2 avec %3 px ; reprenez-la ou laissez-la de côté.</translation>
-    </message>
-    <message>
-      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : seules %2 images de calibration montrent la mire, il en faut au moins 3 ; prenez-en davantage.</translation>
-    </message>
-    <message>
-      <source>camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Appareil %1 : aucun modèle d’appareil ne convient aux images de calibration.</translation>
-    </message>
-    <message>
       <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : la mire n’a pas été détectée ; l’image est mise de côté.</translation>
@@ -9382,6 +9312,116 @@
       <source>sherd %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>tesson %1 de %2</translation>
+    </message>
+    <message>
+      <source>camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : %2</translation>
+    </message>
+    <message>
+      <source>%1 and %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 et %2</translation>
+    </message>
+    <message>
+      <source>Camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1 : %2</translation>
+    </message>
+    <message>
+      <source>The focal length is not determined: %1 px with a standard deviation of %2 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la distance focale n’est pas déterminée : %1 px avec un écart-type de %2 px ; prenez plus d’images, de plus près et avec la mire inclinée de 20 à 45 degrés dans différentes directions.</translation>
+    </message>
+    <message>
+      <source>No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>aucune image ne montre la mire inclinée de plus de 15 degrés ; inclinez-la davantage, pour distinguer la distance focale de l’éloignement.</translation>
+    </message>
+    <message>
+      <source>The corners scatter by %1 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>les coins se dispersent de %1 px, plus que les 0,3 px d’images nettes d’une mire plane ; vérifiez la mise au point, la lumière et la planéité de la mire.</translation>
+    </message>
+    <message>
+      <source>The worst picture is %1 with %2 px; retake it or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la pire image est %1 avec %2 px ; reprenez-la ou laissez-la de côté.</translation>
+    </message>
+    <message>
+      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>seules %1 images de calibration montrent la mire, il en faut au moins 3 ; prenez-en davantage.</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1, position %2 : %3.</translation>
+    </message>
+    <message>
+      <source>%1 poses are given for %2 photographs; give one pose for each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 poses sont données pour %2 photos ; donnez-en une pour chacune.</translation>
+    </message>
+    <message>
+      <source>its front no longer has a back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sa face avant n’a plus de face arrière</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about ten times the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vérifiez l'unité : %1 est environ dix fois la valeur calculée.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about a tenth of the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vérifiez l'unité : %1 est environ un dixième de la valeur calculée.</translation>
+    </message>
+    <message>
+      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vérifiez la valeur : %1 s'écarte d'au moins trois fois de la valeur calculée.</translation>
+    </message>
+    <message>
+      <source>Check the values: %1 (%2) is below %3 (%4).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vérifiez les valeurs : %1 (%2) est inférieure à %3 (%4).</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Delete it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La valeur calculée est %1. La supprimer ?</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Replace it with the measured value?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La valeur calculée est %1. La remplacer par la valeur mesurée ?</translation>
+    </message>
+    <message>
+      <source>the length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la longueur</translation>
+    </message>
+    <message>
+      <source>the width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>la largeur</translation>
+    </message>
+    <message>
+      <source>the minimum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>l'épaisseur minimale</translation>
+    </message>
+    <message>
+      <source>the maximum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>l'épaisseur maximale</translation>
+    </message>
+    <message>
+      <source>the thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>l'épaisseur</translation>
     </message>
 </context>
 <context>

@@ -5374,11 +5374,6 @@
       <translation>Չգտնվեց մարմին, որի շուրջ լուսանկարները համընկնում են. ստուգեք տեսախցիկները կամ տվեք դիմակներ։</translation>
     </message>
     <message>
-      <source>Each photograph needs one pose.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Յուրաքանչյուր լուսանկար պետք է ունենա մեկ դիրք։</translation>
-    </message>
-    <message>
       <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թաղանթին պետք է առնվազն 3 լուսանկար. լուսանկարեք առարկան ավելի շատ կողմերից։</translation>
@@ -6432,11 +6427,6 @@
       <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանն այս խմբաքանակի հետևի երես չէ։</translation>
-    </message>
-    <message>
-      <source>its front no longer has a back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>դրա առջևի երեսն այլևս հետևի երես չունի</translation>
     </message>
     <message>
       <source>A pair needs a front and a back.</source>
@@ -8654,66 +8644,6 @@
       <translation>%1 տեսախցիկի համեմատ %2 տեսախցիկը սարքակազմի տրամաչափումից հետո տեղաշարժվել է %3 մմ և պտտվել %4 աստիճանով։</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. ֆոկուսային հեռավորությունը որոշված չէ՝ %2 px, ստանդարտ շեղումը՝ %3 px. արեք ավելի շատ պատկերներ՝ ավելի մոտիկից և տախտակը տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
-    </message>
-    <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. ոչ մի պատկերում տախտակը 15 աստիճանից ավելի թեքված չէ. ավելի շատ թեքեք, որ ֆոկուսային հեռավորությունն ու հեռավորությունը տարբերվեն։</translation>
-    </message>
-    <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. անկյունները ցրվում են %2 px, ավելի քան հարթ տախտակի հստակ պատկերների 0,3 px-ը. ստուգեք ֆոկուսը, լույսը և տախտակի հարթությունը։</translation>
-    </message>
-    <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. վատագույն պատկերը %2-ն է՝ %3 px. նորից արեք կամ հանեք այն։</translation>
-    </message>
-    <message>
-      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս տրամաչափման միայն %2 պատկեր, պետք է առնվազն 3. արեք դրա ավելի շատ պատկերներ։</translation>
-    </message>
-    <message>
-      <source>Camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. ոչ մի տեսախցիկ չի բացատրում տրամաչափման պատկերները։</translation>
-    </message>
-    <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. ֆոկուսային հեռավորությունը որոշված չէ՝ %2 px, ստանդարտ շեղումը՝ %3 px. արեք ավելի շատ պատկերներ՝ ավելի մոտիկից և տախտակը տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
-    </message>
-    <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. ոչ մի պատկերում տախտակը 15 աստիճանից ավելի թեքված չէ. ավելի շատ թեքեք, որ ֆոկուսային հեռավորությունն ու հեռավորությունը տարբերվեն։</translation>
-    </message>
-    <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. անկյունները ցրվում են %2 px, ավելի քան հարթ տախտակի հստակ պատկերների 0,3 px-ը. ստուգեք ֆոկուսը, լույսը և տախտակի հարթությունը։</translation>
-    </message>
-    <message>
-      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. վատագույն պատկերը %2-ն է՝ %3 px. նորից արեք կամ հանեք այն։</translation>
-    </message>
-    <message>
-      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. տախտակը ցույց են տալիս տրամաչափման միայն %2 պատկեր, պետք է առնվազն 3. արեք դրա ավելի շատ պատկերներ։</translation>
-    </message>
-    <message>
-      <source>camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկ %1. ոչ մի տեսախցիկ չի բացատրում տրամաչափման պատկերները։</translation>
-    </message>
-    <message>
       <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. դրա վրա տախտակը չի երևում. մի կողմ է դրվում։</translation>
@@ -9382,6 +9312,116 @@
       <source>sherd %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2, բեկոր %1</translation>
+    </message>
+    <message>
+      <source>camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. %2</translation>
+    </message>
+    <message>
+      <source>%1 and %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 և %2</translation>
+    </message>
+    <message>
+      <source>Camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1. %2</translation>
+    </message>
+    <message>
+      <source>The focal length is not determined: %1 px with a standard deviation of %2 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ֆոկուսային հեռավորությունը որոշված չէ՝ %1 px, ստանդարտ շեղումը՝ %2 px. արեք ավելի շատ պատկերներ՝ ավելի մոտիկից և տախտակը տարբեր ուղղություններով 20-ից 45 աստիճան թեքված։</translation>
+    </message>
+    <message>
+      <source>No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ոչ մի պատկերում տախտակը 15 աստիճանից ավելի թեքված չէ. ավելի շատ թեքեք, որ ֆոկուսային հեռավորությունն ու հեռավորությունը տարբերվեն։</translation>
+    </message>
+    <message>
+      <source>The corners scatter by %1 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>անկյունները ցրվում են %1 px, ավելի քան հարթ տախտակի հստակ պատկերների 0,3 px-ը. ստուգեք ֆոկուսը, լույսը և տախտակի հարթությունը։</translation>
+    </message>
+    <message>
+      <source>The worst picture is %1 with %2 px; retake it or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վատագույն պատկերը %1-ն է՝ %2 px. նորից արեք կամ հանեք այն։</translation>
+    </message>
+    <message>
+      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տախտակը ցույց են տալիս տրամաչափման միայն %1 պատկեր, պետք է առնվազն 3. արեք դրա ավելի շատ պատկերներ։</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1, դիրք %2. %3։</translation>
+    </message>
+    <message>
+      <source>%1 poses are given for %2 photographs; give one pose for each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2 լուսանկարի համար տրված է %1 դիրք. տվեք մեկական դիրք յուրաքանչյուրի համար։</translation>
+    </message>
+    <message>
+      <source>its front no longer has a back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դրա առջևի երեսն այլևս հետևի երես չունի</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about ten times the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստուգեք միավորը․ %1-ը հաշվարկված արժեքից մոտ տասն անգամ մեծ է։</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about a tenth of the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստուգեք միավորը․ %1-ը հաշվարկված արժեքի մոտ մեկ տասներորդն է։</translation>
+    </message>
+    <message>
+      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստուգեք արժեքը․ %1-ը հաշվարկված արժեքից առնվազն երեք անգամ տարբերվում է։</translation>
+    </message>
+    <message>
+      <source>Check the values: %1 (%2) is below %3 (%4).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստուգեք արժեքները․ %1 (%2) փոքր է, քան %3 (%4)։</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Delete it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվարկված արժեքը %1 է։ Ջնջե՞լ այն։</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Replace it with the measured value?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշվարկված արժեքը %1 է։ Փոխարինե՞լ չափված արժեքով։</translation>
+    </message>
+    <message>
+      <source>the length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>երկարությունը</translation>
+    </message>
+    <message>
+      <source>the width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>լայնությունը</translation>
+    </message>
+    <message>
+      <source>the minimum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նվազագույն հաստությունը</translation>
+    </message>
+    <message>
+      <source>the maximum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>առավելագույն հաստությունը</translation>
+    </message>
+    <message>
+      <source>the thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հաստությունը</translation>
     </message>
 </context>
 <context>

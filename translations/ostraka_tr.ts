@@ -5327,11 +5327,6 @@
       <translation>Fotoğrafların uyuştuğu bir cisim bulunamadı; kameraları denetleyin ya da maske verin.</translation>
     </message>
     <message>
-      <source>Each photograph needs one pose.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Her fotoğrafa bir duruş gerekir.</translation>
-    </message>
-    <message>
       <source>A visual hull needs at least 3 photographs; photograph the object from more directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir dış zarf için en az 3 fotoğraf gerekir; parçayı daha çok yönden çekin.</translation>
@@ -6385,11 +6380,6 @@
       <source>The scan is not a back of this batch.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tarama bu partinin bir arka yüzü değil.</translation>
-    </message>
-    <message>
-      <source>its front no longer has a back</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ön yüzünün artık arka yüzü yok</translation>
     </message>
     <message>
       <source>A pair needs a front and a back.</source>
@@ -8607,66 +8597,6 @@
       <translation>Kamera %1 ile karşılaştırıldığında kamera %2, düzenek kalibre edildiğindan beri %3 mm kaymış ve %4 derece dönmüş.</translation>
     </message>
     <message>
-      <source>Camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: odak uzaklığı belirlenmedi: %2 px, standart sapma %3 px; daha çok resim çekin, daha yakından ve kalibrasyon levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
-    </message>
-    <message>
-      <source>Camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: hiçbir resimde kalibrasyon levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
-    </message>
-    <message>
-      <source>Camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: köşeler %2 px dağılıyor, düz bir kalibrasyon levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve kalibrasyon levhasının düzlüğünü denetleyin.</translation>
-    </message>
-    <message>
-      <source>Camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: en kötü resim %2, %3 px ile; yeniden çekin ya da çıkarın.</translation>
-    </message>
-    <message>
-      <source>Camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: kalibrasyon levhası yalnız %2 kalibrasyon resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
-    </message>
-    <message>
-      <source>Camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: hiçbir kamera modeli kalibrasyon resimlerine uymuyor.</translation>
-    </message>
-    <message>
-      <source>camera %1: The focal length is not determined: %2 px with a standard deviation of %3 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: odak uzaklığı belirlenmedi: %2 px, standart sapma %3 px; daha çok resim çekin, daha yakından ve kalibrasyon levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
-    </message>
-    <message>
-      <source>camera %1: No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: hiçbir resimde kalibrasyon levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
-    </message>
-    <message>
-      <source>camera %1: The corners scatter by %2 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board&apos;s flatness.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: köşeler %2 px dağılıyor, düz bir kalibrasyon levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve kalibrasyon levhasının düzlüğünü denetleyin.</translation>
-    </message>
-    <message>
-      <source>camera %1: The worst picture is %2 with %3 px; retake it or leave it out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: en kötü resim %2, %3 px ile; yeniden çekin ya da çıkarın.</translation>
-    </message>
-    <message>
-      <source>camera %1: Only %2 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: kalibrasyon levhası yalnız %2 kalibrasyon resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
-    </message>
-    <message>
-      <source>camera %1: No camera model fits the calibration pictures.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera %1: hiçbir kamera modeli kalibrasyon resimlerine uymuyor.</translation>
-    </message>
-    <message>
       <source>%1: the board was not detected; the picture is set aside.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: içinde kalibrasyon levhası görünmüyor; kenara ayrılır.</translation>
@@ -9335,6 +9265,116 @@
       <source>sherd %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2, parça %1</translation>
+    </message>
+    <message>
+      <source>camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: %2</translation>
+    </message>
+    <message>
+      <source>%1 and %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ve %2</translation>
+    </message>
+    <message>
+      <source>Camera %1: %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1: %2</translation>
+    </message>
+    <message>
+      <source>The focal length is not determined: %1 px with a standard deviation of %2 px; take more pictures, closer and with the board tilted by 20 to 45 degrees in different directions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>odak uzaklığı belirlenmedi: %1 px, standart sapma %2 px; daha çok resim çekin, daha yakından ve kalibrasyon levhası değişik yönlere 20 ile 45 derece eğikken.</translation>
+    </message>
+    <message>
+      <source>No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal length from distance.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>hiçbir resimde kalibrasyon levhası 15 dereceden fazla eğik değil; odak uzaklığı ile uzaklık ayırt edilsin diye onu daha çok eğin.</translation>
+    </message>
+    <message>
+      <source>The corners scatter by %1 px, more than the 0.3 px of sharp pictures of a flat board; check focus, lighting and the board's flatness.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>köşeler %1 px dağılıyor, düz bir kalibrasyon levhasının keskin resimlerindeki 0,3 px’ten çok; odağı, ışığı ve kalibrasyon levhasının düzlüğünü denetleyin.</translation>
+    </message>
+    <message>
+      <source>The worst picture is %1 with %2 px; retake it or leave it out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en kötü resim %1, %2 px ile; yeniden çekin ya da çıkarın.</translation>
+    </message>
+    <message>
+      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kalibrasyon levhası yalnız %1 kalibrasyon resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1, konum %2: %3.</translation>
+    </message>
+    <message>
+      <source>%1 poses are given for %2 photographs; give one pose for each.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2 fotoğraf için %1 duruş verilmiş; her biri için bir duruş verin.</translation>
+    </message>
+    <message>
+      <source>its front no longer has a back</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ön yüzünün artık arka yüzü yok</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about ten times the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Birimi denetleyin: %1, hesaplanan değerin yaklaşık on katı.</translation>
+    </message>
+    <message>
+      <source>Check the unit: %1 is about a tenth of the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Birimi denetleyin: %1, hesaplanan değerin yaklaşık onda biri.</translation>
+    </message>
+    <message>
+      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Değeri denetleyin: %1, hesaplanan değerden en az üç kat farklı.</translation>
+    </message>
+    <message>
+      <source>Check the values: %1 (%2) is below %3 (%4).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Değerleri denetleyin: %1 (%2), şundan küçük: %3 (%4).</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Delete it?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hesaplanan değer %1. Silinsin mi?</translation>
+    </message>
+    <message>
+      <source>The computed value is %1. Replace it with the measured value?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hesaplanan değer %1. Ölçülen değerle değiştirilsin mi?</translation>
+    </message>
+    <message>
+      <source>the length</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>uzunluk</translation>
+    </message>
+    <message>
+      <source>the width</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>genişlik</translation>
+    </message>
+    <message>
+      <source>the minimum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en küçük kalınlık</translation>
+    </message>
+    <message>
+      <source>the maximum thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>en büyük kalınlık</translation>
+    </message>
+    <message>
+      <source>the thickness</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kalınlık</translation>
     </message>
 </context>
 <context>

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 
+#include "base/message.h"
+
 namespace ostraka::api {
 
 Result<void> checkCloud(const PointCloud& cloud, const std::string& name) {
   const auto finite = [](const Eigen::Vector3f& v) { return v.allFinite(); };
   const std::size_t count = cloud.size();
   if (cloud.normals.size() != count)
-    return Error::unusable("The scan has no normals; export it with nx, ny and nz.", name);
+    return Error::unusable(message("The scan has no normals; export it with nx, ny and nz."), name);
   if ((!cloud.colors.empty() && cloud.colors.size() != count) ||
       (!cloud.quality.empty() && cloud.quality.size() != count))
     return Error::unusable("The colours or the qualities are not as many as the points.", name);

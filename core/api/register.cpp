@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "api/checked.h"
+#include "base/message.h"
 #include "decisions/pair_sides.h"
 #include "decisions/scan_folder.h"
 #include "scan/fracture.h"
@@ -18,8 +19,8 @@ Result<decisions::ScanFolder> asScans(std::span<const PointCloud> clouds, const 
   for (std::size_t i = 0; i < clouds.size(); ++i) {
     const std::string id = side + " " + std::to_string(i);
     if (clouds[i].size() < kFewestPoints)
-      return Error{ErrorCode::NotEnough, "The scan has fewer than 100 points; rescan this side.",
-                   id};
+      return Error{ErrorCode::NotEnough,
+                   message("The scan has fewer than 100 points; rescan this side."), id};
     if (const Result<void> good = checkCloud(clouds[i], id); !good) return good.error();
     folder.scans.push_back({id, clouds[i], {}, scan::estimateUp(clouds[i])});
     folder.files.push_back(std::filesystem::path(side) / std::to_string(i));

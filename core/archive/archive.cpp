@@ -7,9 +7,10 @@
 
 #include "archive/bag_reader.h"
 #include "archive/bagit.h"
+#include "base/message.h"
 #include "catalogue/settings.h"
-#include "files/cannot_write.h"
 #include "files/checksum.h"
+#include "files/files.h"
 #include "files/new_folder.h"
 #include "files/output_place.h"
 #include "store/database.h"
@@ -196,20 +197,22 @@ Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder,
   if (const Result<void> good = checkOutputPlace(folder); !good) return good.error();
   std::error_code code;
   if (fs::exists(folder, code) && (!fs::is_directory(folder, code) || !fs::is_empty(folder, code)))
-    return Error::unusable("Restoring a project needs a new or empty folder; choose another name.",
-                           folder.string());
+    return Error::unusable(
+        message("Restoring a project needs a new or empty folder; choose another name."),
+        folder.string());
   const Result<BagReader> bag = BagReader::open(archive, progress, stop);
   if (!bag) return bag.error();
   if (!bag->find("data/catalogue.sqlite"))
-    return Error::unusable("Not an archive of a whole project; import it as an export instead.",
-                           archive.string());
+    return Error::unusable(
+        message("Not an archive of a whole project; import it as an export instead."),
+        archive.string());
   for (const BagFile& file : bag->files())
     // SQLite would act on a journal that lies beside the catalogue.
     if (file.path.starts_with("data/catalogue.sqlite-"))
-      return Error::unusable(
-          "The archive contains a journal of its catalogue, which an Ostraka archive never does; "
-          "nothing was written.",
-          file.path);
+      return Error::unusable(message("The archive contains a journal of its catalogue, which an "
+                                     "Ostraka archive never does; "
+                                     "nothing was written."),
+                             file.path);
   std::vector<fs::path> made;  // the innermost first
   for (fs::path parent = folderNamed(folder).parent_path(); !fs::exists(parent, code);
        parent = parent.parent_path())

@@ -36,7 +36,7 @@ Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOpt
                                 Progress& progress, std::stop_token stop);
 
 struct Restored {
-  std::vector<std::string> damage;  ///< with which it was archived, a sentence a file
+  std::vector<Message> damage;  ///< with which it was archived, a sentence a file
 };
 /// Into a new folder, after all hashes agreed; each file is hashed again as it is copied, and the
 /// catalogue is checked before the folder gets its name. Errors as BagReader::open, and

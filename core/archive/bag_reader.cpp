@@ -6,6 +6,7 @@
 
 #include "archive/distinct_paths.h"
 #include "base/limits.h"
+#include "base/message.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "store/values.h"
@@ -41,10 +42,11 @@ Result<Hashes> parseManifest(const std::string& text, const std::string& where) 
     const std::string hash = line.substr(0, line.find_first_of(" \t"));
     const std::size_t name = line.find_first_not_of(" \t*", hash.size());
     if (!isSha256(hash) || name == std::string::npos)
-      return Error::unusable("The manifest has a line that cannot be read: " + line.substr(0, 80),
-                             where);
+      return Error::unusable(
+          message("The manifest has a line that cannot be read: %1", line.substr(0, 80)), where);
     if (!hashes.emplace(line.substr(name), hash).second)
-      return Error::unusable("The manifest names a file twice: " + line.substr(name), where);
+      return Error::unusable(message("The manifest names a file twice: %1", line.substr(name)),
+                             where);
   }
   return hashes;
 }
@@ -54,9 +56,10 @@ Result<std::string> bytesOf(OpenFile& file, std::size_t max_bytes, const std::st
   std::string bytes;
   const Result<Checksum> sum = checksumOf(file, stop, [&](std::string_view piece) -> Result<void> {
     if (bytes.size() + piece.size() > max_bytes)
-      return Error::unusable("The file is larger than the limit of " + std::to_string(max_bytes) +
-                                 " bytes; check that it is the right one.",
-                             file.name());
+      return Error::unusable(
+          message("The file is larger than the limit of %1 bytes; check that it is the right one.",
+                  max_bytes),
+          file.name());
     bytes += piece;
     return {};
   });
@@ -66,7 +69,8 @@ Result<std::string> bytesOf(OpenFile& file, std::size_t max_bytes, const std::st
 }
 
 Error changedSince(const std::string& where) {
-  return Error::unusable("This file has changed since the export; nothing was read.", where);
+  return Error::unusable(message("This file has changed since the export; nothing was read."),
+                         where);
 }
 
 }  // namespace
@@ -80,21 +84,25 @@ Result<Hashes> BagReader::tagFiles() const {
   std::string hash;
   const Result<std::string> declaration = read("bagit.txt", hash);
   if (!declaration || !declaration->starts_with("BagIt-Version: "))
-    return Error::unusable("Not an Ostraka export: this folder has no bagit.txt.",
+    return Error::unusable(message("Not an Ostraka export: this folder has no bagit.txt."),
                            folder_.path().string());
   const Result<std::string> tags = read(kTags, hash);
   if (!tags)
-    return Error::unusable("The manifest is missing; not an Ostraka export.", where(kTags));
+    return Error::unusable(message("The manifest is missing; not an Ostraka export."),
+                           where(kTags));
   const Result<Hashes> hashes = parseManifest(*tags, where(kTags));
   if (!hashes) return hashes.error();
   if (!hashes->contains(kPayload))
-    return Error::unusable("The manifest is missing; not an Ostraka export.", where(kPayload));
+    return Error::unusable(message("The manifest is missing; not an Ostraka export."),
+                           where(kPayload));
   Hashes texts;
   for (const auto& [name, wanted] : *hashes) {
     if (!kTagFiles.contains(name))
-      return Error::unusable("The manifest names a file outside the folder: " + name, where(kTags));
+      return Error::unusable(message("The manifest names a file outside the folder: %1", name),
+                             where(kTags));
     Result<std::string> text = read(name, hash);
-    if (!text) return Error::unusable("This file is missing; nothing was read.", where(name));
+    if (!text)
+      return Error::unusable(message("This file is missing; nothing was read."), where(name));
     if (hash != wanted) return changedSince(where(name));
     texts[name] = std::move(*text);
   }
@@ -109,8 +117,9 @@ Result<Hashes> BagReader::listed(const std::string& manifest) const {
   for (const auto& [name, hash] : *hashes) {
     const Result<ContainedPath> path = parsed(name);
     if (!path || path->parts().size() < 2 || path->parts().front() != "data")
-      return Error::unusable("The manifest names a file outside the folder: " + name.substr(0, 255),
-                             where(kPayload));
+      return Error::unusable(
+          message("The manifest names a file outside the folder: %1", name.substr(0, 255)),
+          where(kPayload));
     if (Result<void> apart = distinct.add(name); !apart) return apart.error();
   }
   return hashes;
@@ -123,15 +132,16 @@ Result<void> BagReader::checkNames(const Hashes& hashes) const {
   std::set<std::string> there;
   for (const OpenFolder::Entry& entry : *found) {
     if (!hashes.contains(entry.path))
-      return Error::unusable("This file is not in the manifest; nothing was read.",
+      return Error::unusable(message("This file is not in the manifest; nothing was read."),
                              where(entry.path));
     if (!entry.is_regular)
-      return Error::unusable("This is a link, not a file; nothing was read.", where(entry.path));
+      return Error::unusable(message("This is a link, not a file; nothing was read."),
+                             where(entry.path));
     there.insert(entry.path);
   }
   for (const auto& [name, hash] : hashes)
     if (!there.contains(name))
-      return Error::unusable("This file is missing; nothing was read.", where(name));
+      return Error::unusable(message("This file is missing; nothing was read."), where(name));
   return {};
 }
 

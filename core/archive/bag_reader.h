@@ -30,7 +30,7 @@ class BagReader {
   Result<void> copy(const BagFile& file, const OpenFolder& to, const ContainedPath& as,
                     const std::stop_token& stop) const;
   /// What damage.txt says, a line each; empty for a bag that was sealed whole.
-  const std::vector<std::string>& damage() const { return damage_; }
+  const std::vector<Message>& damage() const { return damage_; }
 
  private:
   explicit BagReader(OpenFolder folder) : folder_(std::move(folder)) {}
@@ -40,7 +40,7 @@ class BagReader {
   std::string where(const std::string& path) const { return (folder_.path() / path).string(); }
   OpenFolder folder_;
   std::vector<BagFile> files_;  ///< in the order of their paths
-  std::vector<std::string> damage_;
+  std::vector<Message> damage_;
 };
 
 }  // namespace ostraka::archive

@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "files/cannot_write.h"
+#include "base/message.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "store/values.h"
@@ -43,7 +43,8 @@ fs::path folderNamed(const fs::path& folder) {
 Result<BagWriter> BagWriter::begin(const fs::path& target) {
   std::error_code code;
   if (fs::exists(target, code))
-    return Error::unusable("A folder with this name already exists; choose another name.", target);
+    return Error::unusable(message("A folder with this name already exists; choose another name."),
+                           target);
   Result<NewFolder> folder = NewFolder::begin(target);
   if (!folder) return folder.error();
   if (const Result<void> made = makeFolder(folder->path() / "data"); !made) return made.error();
@@ -54,7 +55,7 @@ Result<void> BagWriter::take(const std::string& path) {
   const Result<std::string> good = store::checkedPath(path);
   if (!good) return good.error();
   if (path.find('%') != std::string::npos)
-    return Error::unusable("A name in an export must not contain '%'.", path);
+    return Error::unusable(message("A name in an export must not contain '%'."), path);
   return distinct_.add(path);
 }
 
@@ -124,7 +125,8 @@ Result<void> BagWriter::finish(const std::map<std::string, std::string>& info,
   std::error_code code;
   if (fs::exists(target_, code))
     return Error::unusable(
-        "A folder with this name was created in the meantime; choose another name.", target_);
+        message("A folder with this name was created in the meantime; choose another name."),
+        target_);
   return folder_.finish();
 }
 

@@ -1,5 +1,6 @@
 #include "archive/distinct_paths.h"
 
+#include "base/message.h"
 #include "store/names.h"
 
 namespace ostraka::archive {
@@ -10,7 +11,7 @@ Result<void> DistinctPaths::add(const std::string& path) {
     const auto [known, is_new] = spellings_.try_emplace(store::uniqueKey(name), name);
     const bool is_whole = to == std::string::npos;
     if (known->second != name || (is_whole && !is_new))
-      return Error::unusable("Two files of the export would have the same name.", path);
+      return Error::unusable(message("Two files of the export would have the same name."), path);
     if (is_whole) return {};
   }
 }

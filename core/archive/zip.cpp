@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/message.h"
+
 namespace ostraka::archive {
 namespace {
 
@@ -59,7 +61,7 @@ Result<std::string> zipped(const std::vector<ZipEntry>& entries) {
   std::size_t total = 0;
   for (const ZipEntry& entry : entries) total += entry.bytes.size() + 2 * entry.name.size() + 128;
   if (total > kMostBytes || entries.size() > std::numeric_limits<std::uint16_t>::max())
-    return Error::unusable("This is too large for one ZIP file; select fewer sherds.");
+    return Error::unusable(message("This is too large for one ZIP file; select fewer sherds."));
   std::string out, central;
   out.reserve(total);
   for (const ZipEntry& entry : entries) {

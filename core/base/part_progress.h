@@ -17,7 +17,7 @@ class PartProgress final : public Progress {
   void report(std::int64_t done, std::int64_t total) override {
     outer_.report(part_ * total + done, parts_ * total);
   }
-  void note(NoteLevel level, std::string_view text) override { outer_.note(level, text); }
+  void note(NoteLevel level, const Message& text) override { outer_.note(level, text); }
 
  private:
   Progress& outer_;

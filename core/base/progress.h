@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/message.h"
+
 namespace ostraka {
 
 enum class NoteLevel { Info, Warning };
@@ -15,14 +17,14 @@ class Progress {
   virtual void begin(std::string_view /*stage*/, double /*share*/) {}
   virtual void report(std::int64_t done, std::int64_t total) = 0;
   /// One line for the log: stage, ids, figure with unit. A warning asks a person to act.
-  virtual void note(NoteLevel level, std::string_view text) = 0;
+  virtual void note(NoteLevel level, const Message& text) = 0;
 };
 
 /// Says nothing; for tests and inner calls.
 class QuietProgress final : public Progress {
  public:
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 };
 
 }  // namespace ostraka

@@ -4,6 +4,10 @@
 #include <utility>
 #include <variant>
 
+#include "base/message.h"
+
+#include "base/message.h"
+
 namespace ostraka {
 
 /// Why something expected went wrong. Callers branch on the code; people read the sentence.
@@ -20,15 +24,15 @@ enum class ErrorCode {
 /// One sentence for a person: what happened and what to do; `where` names the file or device.
 struct Error {
   ErrorCode code = ErrorCode::Failed;
-  std::string what;
+  Message what;
   std::string where;
 
-  static Error cancelled() { return {ErrorCode::Cancelled, "Cancelled.", {}}; }
-  static Error unusable(std::string what, std::string where = {}) {
+  static Error cancelled() { return {ErrorCode::Cancelled, message("Cancelled."), {}}; }
+  static Error unusable(Message what, std::string where = {}) {
     return {ErrorCode::UnusableInput, std::move(what), std::move(where)};
   }
   /// "where: what", or just what.
-  std::string sentence() const { return where.empty() ? what : where + ": " + what; }
+  Message sentence() const { return where.empty() ? what : about(where, what); }
 };
 
 /// A value or an Error. The names are those of C++23's std::expected, to become it later.

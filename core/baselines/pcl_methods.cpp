@@ -25,6 +25,8 @@ static int rand();
 #include <functional>
 #include <mutex>
 
+#include "base/message.h"
+
 namespace ostraka::baselines {
 namespace {
 
@@ -211,21 +213,25 @@ namespace ostraka::baselines {
 Result<void> enoughPoints(const PointCloud& front, const PointCloud& back) {
   for (const PointCloud* side : {&front, &back}) {
     if (side->size() < kFewestPoints)
-      return Error{ErrorCode::NotEnough,
-                   "Too few fracture points for the chosen registration method; use the default "
-                   "method.",
-                   {}};
+      return Error{
+          ErrorCode::NotEnough,
+          message("Too few fracture points for the chosen registration method; use the default "
+                  "method."),
+          {}};
     if (!side->hasNormals())
-      return Error{ErrorCode::NotEnough, "The scan has no normals; export it with normals.", {}};
+      return Error{
+          ErrorCode::NotEnough, message("The scan has no normals; export it with normals."), {}};
   }
   return {};
 }
 
 Error notConverged() {
-  return {ErrorCode::Failed,
+  return {
+      ErrorCode::Failed,
+      message(
           "The chosen registration method did not converge; use the default method, or align the "
-          "back by hand.",
-          {}};
+          "back by hand."),
+      {}};
 }
 
 Result<Isometry3d> trimmedIcp(const PointCloud& front, const PointCloud& back,

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "batch/image_header.h"
 #include "batch/photographs.h"
@@ -89,7 +90,8 @@ class Reader {
   Result<Batch> read() {
     std::error_code ignored;
     if (!fs::is_directory(batch_.folder, ignored))
-      return Error::unusable("There is no such folder; choose a batch folder.", batch_.folder);
+      return Error::unusable(message("There is no such folder; choose a batch folder."),
+                             batch_.folder);
     const Result<Layout> layout = findLayout();
     if (!layout) return layout.error();
     batch_.way = wayOf(*layout);
@@ -105,8 +107,8 @@ class Reader {
   }
 
  private:
-  void warn(const fs::path& file, const std::string& what) {
-    progress_.note(NoteLevel::Warning, file.string() + ": " + what);
+  void warn(const fs::path& file, const Message& what) {
+    progress_.note(NoteLevel::Warning, about(file, what));
   }
 
   static bool isRigName(const Layout& layout, const fs::path& file) {
@@ -133,9 +135,9 @@ class Reader {
       FreeSide free{side, photographsIn(folder), folder, batch_.folder / layout.masks[s]};
       std::erase_if(free.files, [&](const fs::path& file) {
         if (!isRigName(layout, file)) return false;
-        warn(file,
-             "This file name follows the naming of rig photographs, but most others do not; this "
-             "photograph is left out.");
+        warn(file, message("This file name follows the naming of rig photographs, but most others "
+                           "do not; this "
+                           "photograph is left out."));
         return true;
       });
       Result<std::vector<Shot>> shots = freeCameraShots(free, options_, progress_);
@@ -166,16 +168,18 @@ class Reader {
         return layout;
       if (there[0] || there[1]) {
         const int s = there[0] ? 1 : 0;
-        return Error::unusable(std::string("The ") + name(s ? Side::Back : Side::Front) +
-                                   " side is missing; put its photographs into the folder '" +
-                                   layout.folder[s] + "'.",
+        return Error::unusable(message(s ? translatable<1>("The back side is missing; put its "
+                                                           "photographs into the folder '%1'.")
+                                         : translatable<1>("The front side is missing; put its "
+                                                           "photographs into the folder '%1'."),
+                                       layout.folder[s]),
                                batch_.folder / layout.folder[s]);
       }
     }
-    return Error::unusable(
-        "Not a batch folder: it has neither the folders 'front' and 'back' nor 'top_images' and "
-        "'bottom_images'; choose a batch folder.",
-        batch_.folder);
+    return Error::unusable(message("Not a batch folder: it has neither the folders 'front' and "
+                                   "'back' nor 'top_images' and "
+                                   "'bottom_images'; choose a batch folder."),
+                           batch_.folder);
   }
 
   void collectShots(const Layout& layout, Side side) {
@@ -187,19 +191,20 @@ class Reader {
       shot.file = file;
       if (!camNumbers(file, layout.between, layout.first_camera, shot.camera, shot.stop) ||
           shot.camera < layout.first_camera) {
-        warn(file, std::string("The file name does not match the form ") + layout.pattern +
-                       "; this photograph is left out.");
+        warn(file, message("The file name does not match the form %1; this photograph is left out.",
+                           layout.pattern));
         continue;
       }
       shot.camera -= layout.first_camera;
       if (!named_.insert({side, shot.camera, shot.stop}).second) {
-        warn(file, "Another photograph has the same camera and position; this one is left out.");
+        warn(file,
+             message("Another photograph has the same camera and position; this one is left out."));
         continue;
       }
       const Result<ImageSize> size = readImageSize(file);
       if (!size) {
         progress_.note(NoteLevel::Warning,
-                       size.error().sentence() + " This photograph is left out.");
+                       inOne(size.error().sentence(), message("This photograph is left out.")));
         continue;
       }
       shot.width = size->width;
@@ -253,10 +258,14 @@ class Reader {
     std::string names;
     for (std::size_t i = 0; i < std::min(absent.size(), kNamed); ++i)
       names += (i == 0 ? "" : ", ") + absent[i];
-    if (absent.size() > kNamed) names += " and " + std::to_string(absent.size() - kNamed) + " more";
     warn(batch_.folder / layout.folder[side == Side::Front ? 0 : 1],
-         "Photographs are missing: " + names +
-             ". Surfaces that only they show are filled in; retake them if that matters.");
+         absent.size() > kNamed
+             ? message("Photographs are missing: %1 and %2 more. Surfaces that only they show are "
+                       "filled in; retake them if that matters.",
+                       names, absent.size() - kNamed)
+             : message("Photographs are missing: %1. Surfaces that only they show are filled in; "
+                       "retake them if that matters.",
+                       names));
   }
 
   // The size that most photographs of a camera have; the smaller one where two are as frequent, so
@@ -274,18 +283,16 @@ class Reader {
     return usual;
   }
 
-  static std::string words(ImageSize size) {
-    return std::to_string(size.width) + " x " + std::to_string(size.height);
-  }
-
   void keepOneSizePerCamera() {
     const std::map<int, ImageSize> usual = usualSizes();
     std::erase_if(batch_.shots, [&](const Shot& shot) {
       const ImageSize size{shot.width, shot.height}, expected = usual.at(shot.camera);
       if (size == expected) return false;
-      warn(shot.file, "The image has " + words(size) +
-                          " pixels, but the others from its camera have " + words(expected) +
-                          "; this photograph is left out.");
+      warn(
+          shot.file,
+          message("The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this "
+                  "photograph is left out.",
+                  size.width, size.height, expected.width, expected.height));
       return true;
     });
   }
@@ -295,10 +302,12 @@ class Reader {
                                      [&](const Shot& shot) { return shot.side == side; });
     if (views >= options_.min_views_per_side) return {};
     return Error{ErrorCode::NotEnough,
-                 std::string("The ") + name(side) + " side has " + std::to_string(views) +
-                     " usable photographs; at least " +
-                     std::to_string(options_.min_views_per_side) +
-                     " are needed. Add photographs named " + layout.pattern + ".",
+                 message(side == Side::Front
+                             ? translatable<3>("The front side has %1 usable photographs; at least "
+                                               "%2 are needed. Add photographs named %3.")
+                             : translatable<3>("The back side has %1 usable photographs; at least "
+                                               "%2 are needed. Add photographs named %3."),
+                         views, options_.min_views_per_side, layout.pattern),
                  (batch_.folder / layout.folder[side == Side::Front ? 0 : 1]).string()};
   }
 
@@ -310,20 +319,24 @@ class Reader {
       int number = 0;
       const bool empty = emptyPlateCamera(file, 0, shot.camera);
       if (!empty && !camNumbers(file, "_cal", 0, shot.camera, number)) {
-        warn(file,
-             "The file name is neither cam<C>_cal<NN>.jpg nor empty_cam<C>.jpg; this picture is "
-             "left out.");
+        warn(
+            file,
+            message(
+                "The file name is neither cam<C>_cal<NN>.jpg nor empty_cam<C>.jpg; this picture is "
+                "left out."));
         continue;
       }
       const auto expected = usual.find(shot.camera);
       if (expected == usual.end()) continue;  // of a camera that took no photograph
       const Result<ImageSize> size = readImageSize(file);
       if (!size)
-        progress_.note(NoteLevel::Warning, size.error().sentence() + " This picture is left out.");
+        progress_.note(NoteLevel::Warning,
+                       inOne(size.error().sentence(), message("This picture is left out.")));
       else if (*size != expected->second)
-        warn(file, "The image has " + words(*size) +
-                       " pixels, but the photographs from its camera have " +
-                       words(expected->second) + "; this picture is left out.");
+        warn(file,
+             message("The image has %1 x %2 pixels, but the photographs from its camera have "
+                     "%3 x %4; this picture is left out.",
+                     size->width, size->height, expected->second.width, expected->second.height));
       else
         (empty ? batch_.empty_plates : batch_.calibration).push_back(std::move(shot));
     }

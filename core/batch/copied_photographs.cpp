@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "batch/photographs.h"
 #include "files/files.h"
 
 namespace ostraka::batch {
@@ -63,11 +64,7 @@ Result<void> enoughOf(const Batch& batch, Side side, const ReadBatchOptions& opt
   const auto left = std::count_if(batch.shots.begin(), batch.shots.end(),
                                   [side](const Shot& shot) { return shot.side == side; });
   if (left >= options.min_views_per_side) return {};
-  return Error{ErrorCode::NotEnough,
-               std::string("The ") + name(side) + " side has " + std::to_string(left) +
-                   " usable photographs; at least " + std::to_string(options.min_views_per_side) +
-                   " are needed. Take more from all directions.",
-               batch.folder.string()};
+  return tooFewOf(side, left, options.min_views_per_side, batch.folder);
 }
 
 void countAnew(std::vector<Shot>& shots) {
@@ -91,9 +88,11 @@ Result<void> leaveOutCopies(Batch& batch, const ReadBatchOptions& options, Progr
         });
     for (const std::size_t copy : copies) {
       if (copy == kept) continue;
-      progress.note(NoteLevel::Warning,
-                    batch.shots[copy].file.string() + ": This photograph is identical to " +
-                        batch.shots[kept].file.filename().string() + "; it is left out.");
+      progress.note(
+          NoteLevel::Warning,
+          about(batch.shots[copy].file, message("This photograph is identical to %1; it is left "
+                                                "out.",
+                                                batch.shots[kept].file.filename())));
       left_out.insert(copy);
       sides.insert(batch.shots[copy].side);
     }

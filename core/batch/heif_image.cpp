@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/limits.h"
+#include "base/message.h"
 
 namespace ostraka::batch {
 namespace {
@@ -75,7 +76,7 @@ Opened opened(std::string_view bytes) {
 }
 
 Error damagedHeif(const std::string& where) {
-  return Error::unusable("The HEIC image is damaged; copy it again.", where);
+  return Error::unusable(message("The HEIC image is damaged; copy it again."), where);
 }
 
 }  // namespace
@@ -88,7 +89,8 @@ bool isHeif(std::string_view bytes) {
 
 Result<ImageSize> heifSize(std::string_view bytes, const std::string& where) {
   if (!reachesItsEnd(bytes))
-    return Error::unusable("The image file is truncated; copy it from the camera again.", where);
+    return Error::unusable(message("The image file is truncated; copy it from the camera again."),
+                           where);
   const Opened file = opened(bytes);
   if (!file.handle) return damagedHeif(where);
   return checkedSize(heif_image_handle_get_ispe_width(file.handle.get()),

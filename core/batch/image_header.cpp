@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "batch/heif_image.h"
 #include "batch/raw_image.h"
 #include "files/files.h"
@@ -35,7 +36,8 @@ class Bytes {
 };
 
 Error cutOff(const std::string& where) {
-  return Error::unusable("The image file is truncated; copy it from the camera again.", where);
+  return Error::unusable(message("The image file is truncated; copy it from the camera again."),
+                         where);
 }
 
 bool isStartOfFrame(std::uint32_t marker) {
@@ -66,7 +68,8 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
     const auto lead = bytes.at(offset, 1, true);
     const auto marker = bytes.at(offset + 1, 1, true);
     if (!lead || !marker) return cutOff(where);
-    if (*lead != 0xFF) return Error::unusable("The JPEG image is damaged; copy it again.", where);
+    if (*lead != 0xFF)
+      return Error::unusable(message("The JPEG image is damaged; copy it again."), where);
     if (*marker == 0xFF) {  // filler
       ++offset;
       continue;
@@ -78,7 +81,8 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
     }
     const auto length = bytes.at(offset + 2, 2, true);
     if (!length) return cutOff(where);
-    if (*length < 2) return Error::unusable("The JPEG image is damaged; copy it again.", where);
+    if (*length < 2)
+      return Error::unusable(message("The JPEG image is damaged; copy it again."), where);
     if (isStartOfFrame(*marker) && !size) {
       const auto height = bytes.at(offset + 5, 2, true);
       const auto width = bytes.at(offset + 7, 2, true);
@@ -90,10 +94,10 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
     offset += 2 + *length;
     if (*marker != 0xDA) continue;
     if (++scans > limits::kJpegScans.most)
-      return Error::unusable("The JPEG image is damaged; copy it again.", where);
+      return Error::unusable(message("The JPEG image is damaged; copy it again."), where);
     offset = afterScan(bytes, offset);
   }
-  if (!size) return Error::unusable("The JPEG file contains no image.", where);
+  if (!size) return Error::unusable(message("The JPEG file contains no image."), where);
   return *size;
 }
 
@@ -102,7 +106,8 @@ Result<ImageSize> pngSize(const Bytes& bytes, const std::string& where) {
   const auto first = bytes.at(12, 4, true), width = bytes.at(16, 4, true);
   const auto height = bytes.at(20, 4, true);
   if (!first || !width || !height) return cutOff(where);
-  if (*first != kHeader) return Error::unusable("The PNG image is damaged; copy it again.", where);
+  if (*first != kHeader)
+    return Error::unusable(message("The PNG image is damaged; copy it again."), where);
   const Result<ImageSize> size = checkedSize(*width, *height, where);
   if (!size) return size.error();
   std::size_t offset = 8;
@@ -158,7 +163,8 @@ Result<ImageSize> tiffSize(const Bytes& bytes, bool big, const std::string& wher
     if (*tag == 279 || *tag == 325) lengths = entry;
   }
   const auto w = number(bytes, width, 0, big), h = number(bytes, height, 0, big);
-  if (!w || !h) return Error::unusable("The TIFF file does not state the image's size.", where);
+  if (!w || !h)
+    return Error::unusable(message("The TIFF file does not state the image's size."), where);
   const Result<ImageSize> size = checkedSize(*w, *h, where);
   if (size && !reachesItsEnd(bytes, starts, lengths, big)) return cutOff(where);
   return size;
@@ -169,23 +175,24 @@ Result<ImageSize> tiffSize(const Bytes& bytes, bool big, const std::string& wher
 Result<ImageSize> checkedSize(std::int64_t width, std::int64_t height, const std::string& where) {
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide ||
       width * height > kMaxPixels)
-    return Error::unusable("The image header states a size of " + std::to_string(width) + " x " +
-                               std::to_string(height) + " pixels, which cannot be used.",
-                           where);
+    return Error::unusable(
+        message("The image header states a size of %1 x %2 pixels, which cannot be used.", width,
+                height),
+        where);
   return ImageSize{static_cast<int>(width), static_cast<int>(height)};
 }
 
 Result<ImageSize> imageSize(std::string_view text, const std::string& where) {
   const Bytes bytes(text);
   if (text.empty())
-    return Error::unusable("The file is empty; copy it from the camera again.", where);
+    return Error::unusable(message("The file is empty; copy it from the camera again."), where);
   if (hasRawEnding(where)) return rawSize(text, where);
   if (isHeif(text)) return heifSize(text, where);
   if (text.starts_with("\xFF\xD8\xFF")) return jpegSize(bytes, where);
   if (text.starts_with("\x89PNG\r\n\x1A\n")) return pngSize(bytes, where);
   if (text.starts_with(std::string_view("II*\0", 4))) return tiffSize(bytes, false, where);
   if (text.starts_with(std::string_view("MM\0*", 4))) return tiffSize(bytes, true, where);
-  return Error::unusable("Not a JPEG, PNG, TIFF, HEIC or RAW image.", where);
+  return Error::unusable(message("Not a JPEG, PNG, TIFF, HEIC or RAW image."), where);
 }
 
 Result<ImageSize> readImageSize(const std::filesystem::path& file) {

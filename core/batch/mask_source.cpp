@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/message.h"
+
 namespace ostraka::batch {
 
 Result<MaskSource> maskSource(const std::string& masks, const Batch& batch) {
@@ -13,8 +15,8 @@ Result<MaskSource> maskSource(const std::string& masks, const Batch& batch) {
     return MaskSource::Given;
   if (batch.way == Way::FreeCamera) return MaskSource::Views;
   return Error::unusable(
-      "Masks cannot be made without plate.json; put masks next to the photographs, or "
-      "choose a network (--masks MODEL.onnx).",
+      message("Masks cannot be made without plate.json; put masks next to the photographs, or "
+              "choose a network (--masks MODEL.onnx)."),
       batch.folder.string());
 }
 

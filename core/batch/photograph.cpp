@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "base/text.h"
 #include "batch/heif_image.h"
 #include "batch/image_header.h"
@@ -23,7 +24,7 @@ Result<cv::Mat> decoded(std::string_view bytes, const std::string& where, int fl
       isHeif(bytes) ? decodeHeif(bytes, where) : Result<cv::Mat>(decodedByOpenCv(bytes, flags));
   if (!image) return image.error();
   if (image->empty() || image->cols != size->width || image->rows != size->height)
-    return Error::unusable("The image cannot be decoded; copy it again.", where);
+    return Error::unusable(message("The image cannot be decoded; copy it again."), where);
   return *image;
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <set>
+#include <span>
 #include <system_error>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "batch/exif.h"
 #include "batch/image_header.h"
@@ -37,18 +39,24 @@ double pixels(int width, int height) {
   return static_cast<double>(width) * height;
 }
 
-// "IMG_1.jpg, IMG_2.jpg and 10 more".
-std::string someOf(const std::vector<std::string>& names) {
+// names: of one photograph or more.
+Message leftOutAsSmall(const std::vector<std::string>& names, double least_megapixels) {
   constexpr std::size_t kNamed = 3;
-  std::string some;
-  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i)
-    some += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > kNamed) some += " and " + std::to_string(names.size() - kNamed) + " more";
-  return some;
+  const std::size_t named = std::min(names.size(), kNamed);
+  const std::string some = joined(std::span(names).first(named), ", ");
+  if (names.size() > named)
+    return message(
+        "Photographs of less than %1 megapixels are left out (%2 and %3 more); copy the originals "
+        "from the camera instead of thumbnails.",
+        decimal(least_megapixels, 2), some, names.size() - named);
+  return message(
+      "Photographs of less than %1 megapixels are left out (%2); copy the originals from the "
+      "camera instead of thumbnails.",
+      decimal(least_megapixels, 2), some);
 }
 
-void warn(Progress& progress, const fs::path& where, const std::string& what) {
-  progress.note(NoteLevel::Warning, where.string() + ": " + what);
+void warn(Progress& progress, const fs::path& where, const Message& what) {
+  progress.note(NoteLevel::Warning, about(where, what));
 }
 
 std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options,
@@ -59,7 +67,8 @@ std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options
   for (const fs::path& file : side.files) {
     const Result<ImageSize> size = readImageSize(file);
     if (!size) {
-      progress.note(NoteLevel::Warning, size.error().sentence() + " This photograph is left out.");
+      progress.note(NoteLevel::Warning,
+                    inOne(size.error().sentence(), message("This photograph is left out.")));
       continue;
     }
     if (pixels(size->width, size->height) < 1e6 * options.least_free_megapixels) {
@@ -68,7 +77,7 @@ std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options
     }
     // Results carry the stem, and a camera may write a picture in two formats.
     if (!stems.insert(stemOf(file)).second) {
-      warn(progress, file, "Another photograph has the same name; this one is left out.");
+      warn(progress, file, message("Another photograph has the same name; this one is left out."));
       continue;
     }
     Shot shot;
@@ -79,10 +88,7 @@ std::vector<Shot> readable(const FreeSide& side, const ReadBatchOptions& options
     shots.push_back(std::move(shot));
   }
   if (!small.empty())
-    warn(progress, side.folder,
-         "Photographs of less than " + fixed(options.least_free_megapixels, 2) +
-             " megapixels are left out (" + someOf(small) +
-             "); copy the originals from the camera instead of thumbnails.");
+    warn(progress, side.folder, leftOutAsSmall(small, options.least_free_megapixels));
   return shots;
 }
 
@@ -149,11 +155,12 @@ Result<void> areTwoFolders(const fs::path& front, const std::optional<fs::path>&
   for (const fs::path& folder : {front, back.value_or(front)})
     if (!isFolder(folder))
       return Error::unusable(
-          "There is no such folder; choose one with the photographs of one side.", folder);
+          message("There is no such folder; choose one with the photographs of one side."), folder);
   std::error_code ignored;
   if (back && fs::equivalent(front, *back, ignored))
     return Error::unusable(
-        "The same folder is given for the front and the back; choose the folder of each side.",
+        message(
+            "The same folder is given for the front and the back; choose the folder of each side."),
         front);
   return {};
 }
@@ -202,24 +209,20 @@ Result<std::vector<Shot>> freeCameraShots(const FreeSide& side, const ReadBatchO
                                           Progress& progress) {
   if (side.files.empty())
     return Error::unusable(
-        "This folder contains no photographs; put the photographs of one side into it.",
+        message("This folder contains no photographs; put the photographs of one side into it."),
         side.folder);
   std::vector<Shot> shots = readable(side, options, progress);
   const auto most = static_cast<std::size_t>(options.max_free_views);
   if (shots.size() > most) {
     warn(progress, side.folder,
-         std::to_string(most) + " of the " + std::to_string(shots.size()) +
-             " photographs are used: the most detailed ones, spread over the series. More would "
-             "take longer and add little.");
+         message("%1 of the %2 photographs are used: the most detailed ones, spread over the "
+                 "series. More would take longer and add little.",
+                 most, shots.size()));
     shots = thinned(std::move(shots), most);
   }
   if (static_cast<int>(shots.size()) < options.min_views_per_side)
-    return Error{ErrorCode::NotEnough,
-                 std::string("The ") + name(side.side) + " side has " +
-                     std::to_string(shots.size()) + " usable photographs; at least " +
-                     std::to_string(options.min_views_per_side) +
-                     " are needed. Take more from all directions.",
-                 side.folder.string()};
+    return tooFewOf(side.side, static_cast<std::ptrdiff_t>(shots.size()),
+                    options.min_views_per_side, side.folder);
   const GivenMasks masks(side.mask_folder);
   for (std::size_t i = 0; i < shots.size(); ++i) {
     shots[i].camera = static_cast<int>(i);
@@ -259,10 +262,10 @@ Result<Batch> readPhotographs(const fs::path& front, const std::optional<fs::pat
   if (!back && (isBatchFolder(folder[0]) || !isFolder(folder[0])))
     return readBatch(front, with_sheet, progress);
   if (!back && photographsIn(folder[0]).empty())
-    return Error::unusable(
-        "This folder contains neither photographs nor the folders 'front' and 'back' of a batch; "
-        "choose a folder with photographs.",
-        folder[0]);
+    return Error::unusable(message("This folder contains neither photographs nor the folders "
+                                   "'front' and 'back' of a batch; "
+                                   "choose a folder with photographs."),
+                           folder[0]);
   if (const Result<void> two = areTwoFolders(front, back); !two) return two.error();
   const bool common = back && folder[0].parent_path() == folder[1].parent_path();
   std::vector<FreeSide> sides{plainSide(Side::Front, folder[0], !back)};
@@ -274,6 +277,17 @@ Result<Batch> readPhotographs(const fs::path& front, const std::optional<fs::pat
   if (common || !back) plates.push_back(folder[0].parent_path() / "plate.json");
   return freeCameraBatch(sides, common ? folder[0].parent_path() : folder[0], plates, with_sheet,
                          progress);
+}
+
+Error tooFewOf(Side side, std::ptrdiff_t photographs, int least, const fs::path& folder) {
+  return {ErrorCode::NotEnough,
+          message(side == Side::Front
+                      ? translatable<2>("The front side has %1 usable photographs; at least %2 are "
+                                        "needed. Take more from all directions.")
+                      : translatable<2>("The back side has %1 usable photographs; at least %2 are "
+                                        "needed. Take more from all directions."),
+                  photographs, least),
+          folder.string()};
 }
 
 GivenMasks::GivenMasks(const fs::path& folder) {
@@ -290,10 +304,11 @@ void GivenMasks::attachTo(Shot& shot, Progress& progress) const {
   if (found == by_stem_.end() || found->first != stem) return;
   const Result<ImageSize> size = readImageSize(found->second);
   if (!size)
-    progress.note(NoteLevel::Warning, size.error().sentence() + " This mask is not used.");
+    progress.note(NoteLevel::Warning,
+                  inOne(size.error().sentence(), message("This mask is not used.")));
   else if (*size != ImageSize{shot.width, shot.height})
     warn(progress, found->second,
-         "The mask and its photograph differ in size; the mask is not used.");
+         message("The mask and its photograph differ in size; the mask is not used."));
   else
     shot.mask_file = found->second;
 }

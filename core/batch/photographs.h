@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -58,6 +59,10 @@ Result<Batch> readPhotographs(const std::filesystem::path& front,
                               const std::optional<std::filesystem::path>& back,
                               const std::optional<std::filesystem::path>& sheet,
                               const ReadBatchOptions& options, Progress& progress);
+
+/// NotEnough. folder: where more are to be put.
+Error tooFewOf(Side side, std::ptrdiff_t photographs, int least,
+               const std::filesystem::path& folder);
 
 /// The mask that came with a photograph, by its stem: sets Shot::mask_file when it has its size.
 class GivenMasks {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "batch/batch.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
@@ -42,16 +43,18 @@ int leftTurns(const Marker& marker) {
 }
 
 // Empty, or what is wrong with the marker's corners.
-std::string wrongCorners(const Marker& marker) {
-  const std::string name = "Marker " + std::to_string(marker.id);
-  if (isLine(marker)) return name + " of the plate has no valid corners.";
+Message wrongCorners(const Marker& marker) {
+  if (isLine(marker)) return message("Marker %1 of the plate has no valid corners.", marker.id);
   const int turns = leftTurns(marker);
   if (turns == 4)
-    return name +
-           " of the plate is mirrored: its corners run counter-clockwise as seen from above; "
-           "create the plate file again.";
+    return message(
+        "Marker %1 of the plate is mirrored: its corners run counter-clockwise as seen from above; "
+        "create the plate file again.",
+        marker.id);
   if (turns > 0)
-    return name + " of the plate is not convex; list its corners in order along its edge.";
+    return message(
+        "Marker %1 of the plate is not convex; list its corners in order along its edge.",
+        marker.id);
   return {};
 }
 
@@ -86,22 +89,21 @@ Marker markerFromJson(const nlohmann::json& value) {
 }
 
 Result<void> checkMarkers(const std::vector<Marker>& markers, const std::filesystem::path& file) {
-  if (markers.empty()) return Error::unusable("The plate file lists no markers.", file);
+  if (markers.empty()) return Error::unusable(message("The plate file lists no markers."), file);
   std::set<int> ids;
   for (const Marker& marker : markers) {
-    if (std::string wrong = wrongCorners(marker); !wrong.empty())
+    if (Message wrong = wrongCorners(marker); !wrong.empty())
       return Error::unusable(std::move(wrong), file);
     if (!ids.insert(marker.id).second)
-      return Error::unusable("Marker " + std::to_string(marker.id) + " occurs twice on the plate.",
-                             file);
+      return Error::unusable(message("Marker %1 occurs twice on the plate.", marker.id), file);
   }
   for (std::size_t i = 0; i < markers.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (overlap(markers[i], markers[k]))
-        return Error::unusable("The markers " + std::to_string(markers[k].id) + " and " +
-                                   std::to_string(markers[i].id) +
-                                   " of the plate overlap; create the plate file again.",
-                               file);
+        return Error::unusable(
+            message("The markers %1 and %2 of the plate overlap; create the plate file again.",
+                    markers[k].id, markers[i].id),
+            file);
   return {};
 }
 
@@ -151,11 +153,12 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
   Plate plate;
   try {
     if (json->value("unit", "mm") != "mm")
-      return Error::unusable("The plate's unit must be mm; create the plate file again.", file);
+      return Error::unusable(message("The plate's unit must be mm; create the plate file again."),
+                             file);
     plate.dictionary = json->at("dictionary").get<std::string>();
     for (const nlohmann::json& value : json->at("markers")) {
       if (plate.markers.size() >= limits::kPlateMarkers.most)
-        return Error::unusable("The plate file lists more than 1024 markers.", file);
+        return Error::unusable(message("The plate file lists more than 1024 markers."), file);
       plate.markers.push_back(markerFromJson(value));
     }
     plate.diameter_mm =
@@ -163,11 +166,12 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
     if (json->contains("sheet")) plate.sheet = sheetFromJson(json->at("sheet"));
     plate.round = plate.diameter_mm > 0 && !plate.sheet;
   } catch (const nlohmann::json::exception& refused) {
-    return unusableJson(refused,
-                        "The plate file needs 'dictionary' and 'markers', each with an id and four "
-                        "corners of three numbers; 'diameter', if given, is a number in mm, "
-                        "'sheet' the paper's width and height.",
-                        file);
+    return unusableJson(
+        refused,
+        message("The plate file needs 'dictionary' and 'markers', each with an id and four "
+                "corners of three numbers; 'diameter', if given, is a number in mm, "
+                "'sheet' the paper's width and height."),
+        file);
   }
   if (Result<void> good = checkMarkers(plate.markers, file); !good) return good.error();
   if (plate.diameter_mm == 0) plate.diameter_mm = markedDiameter(plate);
@@ -201,15 +205,16 @@ Result<Board> readBoard(const std::filesystem::path& file) {
     board.square_mm = lengthFromJson(*json, "square_mm", "square_length");
     board.marker_mm = lengthFromJson(*json, "marker_mm", "marker_length");
   } catch (const nlohmann::json::exception& refused) {
-    return unusableJson(refused,
-                        "The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and "
-                        "'marker_mm'.",
-                        file);
+    return unusableJson(
+        refused,
+        message("The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and "
+                "'marker_mm'."),
+        file);
   }
   if (!(board.marker_mm < board.square_mm))
-    return Error::unusable(
-        "The board's markers must be smaller than its squares; correct 'marker_mm' or 'square_mm'.",
-        file);
+    return Error::unusable(message("The board's markers must be smaller than its squares; correct "
+                                   "'marker_mm' or 'square_mm'."),
+                           file);
   return board;
 }
 

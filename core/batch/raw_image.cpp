@@ -7,16 +7,17 @@
 #include <memory>
 #include <opencv2/imgproc.hpp>
 
+#include "base/message.h"
 #include "base/text.h"
 
 namespace ostraka::batch {
 namespace {
 
 Error damagedRaw(const std::string& where) {
-  return Error::unusable(
-      "The RAW image is damaged, or its camera is not supported; copy it again, or export it as "
-      "TIFF.",
-      where);
+  return Error::unusable(message("The RAW image is damaged, or its camera is not supported; copy "
+                                 "it again, or export it as "
+                                 "TIFF."),
+                         where);
 }
 
 // The file with the sensor's values unpacked. The bytes must outlive it.
@@ -39,7 +40,8 @@ Result<std::unique_ptr<LibRaw>> unpacked(std::string_view bytes, const std::stri
     return good.error();
   const int status = raw->unpack();
   if (status == LIBRAW_IO_ERROR || raw->error_count() > 0)
-    return Error::unusable("The image file is truncated; copy it from the camera again.", where);
+    return Error::unusable(message("The image file is truncated; copy it from the camera again."),
+                           where);
   if (status != LIBRAW_SUCCESS) return damagedRaw(where);
   return raw;
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
 
@@ -53,7 +54,7 @@ Result<std::vector<ShotMarkers>> findBatchMarkers(const batch::Batch& batch, int
 Result<std::vector<TargetView>> findBatchBoards(const batch::Batch& batch, int threads,
                                                 Progress& progress, std::stop_token stop) {
   std::vector<TargetView> views(batch.calibration.size());
-  std::vector<std::string> unreadable(views.size());
+  std::vector<Message> unreadable(views.size());
   std::vector<std::optional<Error>> failed(views.size());
   const bool done = inBlocks(views.size(), threads, progress, stop, [&](std::size_t i) {
     const Result<cv::Mat> photograph = batch::readPhotograph(batch.calibration[i].file);
@@ -73,10 +74,11 @@ Result<std::vector<TargetView>> findBatchBoards(const batch::Batch& batch, int t
     if (error) return Error{error->code, error->what, (batch.folder / "board.json").string()};
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (!unreadable[i].empty())
-      progress.note(NoteLevel::Warning, unreadable[i] + " This picture is left out.");
+      progress.note(NoteLevel::Warning, inOne(unreadable[i], message("This picture is left out.")));
     else if (views[i].points.empty())
-      progress.note(NoteLevel::Warning,
-                    views[i].file + ": The board was not detected; this picture is left out.");
+      progress.note(
+          NoteLevel::Warning,
+          message("%1: The board was not detected; this picture is left out.", views[i].file));
   }
   return views;
 }

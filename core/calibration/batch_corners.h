@@ -14,7 +14,7 @@ namespace ostraka::calibration {
 /// What was found in one photograph; unreadable holds the sentence when it cannot be decoded.
 struct ShotMarkers {
   std::vector<rig::SeenMarker> markers;
-  std::string unreadable;
+  Message unreadable;
 };
 
 /// Markers of every shot, one entry per batch.shots. Errors: UnusableInput (dictionary), Cancelled.

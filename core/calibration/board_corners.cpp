@@ -3,6 +3,7 @@
 #include <opencv2/aruco/charuco.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/message.h"
 #include "batch/photograph.h"
 #include "calibration/intrinsics.h"
 #include "rig/marker_dictionary.h"
@@ -56,8 +57,8 @@ Result<TargetView> findBoard(const cv::Mat& photograph, const batch::Board& boar
   const Result<cv::Ptr<cv::aruco::Dictionary>> dictionary = rig::markerDictionary(board.dictionary);
   if (!dictionary) return dictionary.error();
   if (board.squares_x * board.squares_y / 2 > (*dictionary)->bytesList.rows)
-    return Error::unusable("The dictionary " + board.dictionary +
-                           " has too few markers for the board.");
+    return Error::unusable(
+        message("The dictionary %1 has too few markers for the board.", board.dictionary));
   const auto charuco = cv::aruco::CharucoBoard::create(
       board.squares_x, board.squares_y, static_cast<float>(board.square_mm),
       static_cast<float>(board.marker_mm), *dictionary);

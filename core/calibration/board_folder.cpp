@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
 #include "files/json.h"
@@ -44,8 +45,8 @@ Result<Target> readTarget(const fs::path& file) {
     grid.first_id = wholeOr(*json, "first_id", 0, 0, 1'000'000);
   } catch (const nlohmann::json::exception& refused) {
     return unusableJson(refused,
-                        "A grid of markers needs 'dictionary', 'markers_x', 'markers_y', "
-                        "'marker_length' and 'marker_separation'.",
+                        message("A grid of markers needs 'dictionary', 'markers_x', 'markers_y', "
+                                "'marker_length' and 'marker_separation'."),
                         file.string());
   }
   return Target{grid, {}};
@@ -69,7 +70,7 @@ int cameraOf(const fs::path& file) {
 struct Found {
   cv::Size size;
   TargetView view;
-  std::string unreadable;
+  Message unreadable;
 };
 
 }  // namespace
@@ -79,9 +80,9 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
   std::error_code absent;
   if (!fs::exists(folder / "board.json", absent))
     return Error::unusable(
-        "Nothing to calibrate from: photograph the plate at each position into 'front' "
-        "(cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and "
-        "board.json next to them.",
+        message("Nothing to calibrate from: photograph the plate at each position into 'front' "
+                "(cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and "
+                "board.json next to them."),
         folder.string());
   const Result<Target> target = readTarget(folder / "board.json");
   if (!target) return target.error();
@@ -92,8 +93,8 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
     return file.filename().string().starts_with("empty_cam");
   });
   if (files.empty())
-    return Error::unusable("No pictures of the board found; put them here or into 'calib'.",
-                           folder.string());
+    return Error::unusable(
+        message("No pictures of the board found; put them here or into 'calib'."), folder.string());
   std::vector<Found> found(files.size());
   constexpr std::size_t kBlock = 8;  // between two looks at the stop
   for (std::size_t first = 0; first < files.size(); first += kBlock) {
@@ -120,7 +121,7 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
     BoardPictures& camera = cameras[cameraOf(files[i])];
     const std::string name = files[i].filename().string();
     if (!found[i].unreadable.empty()) {
-      camera.set_aside.push_back(found[i].unreadable + " It is set aside.");
+      camera.set_aside.push_back(inOne(found[i].unreadable, message("It is set aside.")));
       continue;
     }
     if (camera.width == 0) {
@@ -129,7 +130,7 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
     }
     if (found[i].size != cv::Size(camera.width, camera.height))
       camera.set_aside.push_back(
-          name + ": its size differs from that of the first picture; it is set aside.");
+          message("%1: its size differs from that of the first picture; it is set aside.", name));
     else
       camera.views.push_back(std::move(found[i].view));
   }

@@ -13,8 +13,8 @@ namespace ostraka::calibration {
 /// Pictures of one camera of a board, in the order of their names.
 struct BoardPictures {
   int width = 0, height = 0;
-  std::vector<TargetView> views;       ///< one per picture; without points where no board is seen
-  std::vector<std::string> set_aside;  ///< pictures that cannot be read, or of another size
+  std::vector<TargetView> views;   ///< one per picture; without points where no board is seen
+  std::vector<Message> set_aside;  ///< pictures that cannot be read, or of another size
 };
 
 /// All pictures of a folder (or of its sub-folder calib) with their board: board.json, a ChArUco

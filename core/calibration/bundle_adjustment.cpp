@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "base/message.h"
 #include "calibration/covariance.h"
 
 namespace ostraka::calibration {
@@ -223,10 +224,11 @@ class Adjustment {
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem_, &summary);
     if (!summary.IsSolutionUsable() || !std::isfinite(summary.final_cost))
-      return Error{ErrorCode::Failed,
-                   "The bundle adjustment of the rig did not converge; check that plate.json and "
-                   "board.json describe what was photographed.",
-                   {}};
+      return Error{
+          ErrorCode::Failed,
+          message("The bundle adjustment of the rig did not converge; check that plate.json and "
+                  "board.json describe what was photographed."),
+          {}};
     store();
     if (options_.cameras == Cameras::Free) storeCovariance();
     return state_;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "base/part_progress.h"
 #include "base/text.h"
 #include "calibration/batch_corners.h"
@@ -20,6 +21,12 @@ namespace {
 
 constexpr int kMinViewsPerSide = 3;
 constexpr std::size_t kTellTale = 4;  // markers found: as many do not all err by chance
+constexpr Template<1> kTooFewOfFront = translatable<1>(
+    "Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the "
+    "plate's markers are lit and in the picture.");
+constexpr Template<1> kTooFewOfBack = translatable<1>(
+    "Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the "
+    "plate's markers are lit and in the picture.");
 
 int indexOf(const std::vector<int>& sorted, int value) {
   return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
@@ -43,8 +50,8 @@ class Poser : MarkerPoser {
   }
 
  private:
-  std::string cameraName(std::size_t index) const {
-    return "camera " + batch::cameraLetter(camera_numbers_[index]);
+  std::string letterOf(std::size_t index) const {
+    return batch::cameraLetter(camera_numbers_[index]);
   }
 
   void numberEverything() {
@@ -74,10 +81,10 @@ class Poser : MarkerPoser {
       const rig::RigCamera* camera = known_->find(shot.camera);
       if (camera == nullptr || camera->intrinsics.width != shot.width ||
           camera->intrinsics.height != shot.height) {
-        warn("The known rig has no camera " + batch::cameraLetter(shot.camera) +
-             " with pictures of " + std::to_string(shot.width) + " x " +
-             std::to_string(shot.height) +
-             " pixels; the rig is calibrated from this batch instead.");
+        warn(
+            message("The known rig has no camera %1 with pictures of %2 x %3 pixels; the rig is "
+                    "calibrated from this batch instead.",
+                    batch::cameraLetter(shot.camera), shot.width, shot.height));
         return false;
       }
       RigState::Camera& own = state_.cameras[cameraOf(i)];
@@ -123,15 +130,16 @@ class Poser : MarkerPoser {
     const auto [width, height] = sizeOf(camera);
     const Result<IntrinsicsReport> report = calibrateIntrinsics(views, width, height);
     if (!report) {
-      warn(cameraName(camera) + ": " + report.error().what +
-           " Its lens is estimated from the plate's markers instead.");
+      warn(inOne(message("camera %1: %2", letterOf(camera), report.error().what),
+                 message("Its lens is estimated from the plate's markers instead.")));
       return false;
     }
     out_.cameras[camera].lens = *report;
     for (const TargetView& view : views)
       out_.cameras[camera].board_pixels.insert(out_.cameras[camera].board_pixels.end(),
                                                view.pixels.begin(), view.pixels.end());
-    for (const std::string& advice : report->advice) warn(cameraName(camera) + ": " + advice);
+    for (const Message& advice : report->advice)
+      warn(message("camera %1: %2", letterOf(camera), advice));
     if (!report->focal_determined) return false;
     state_.cameras[camera].intrinsics = report->intrinsics;
     intrinsics_rms_[camera] = report->rms_px;
@@ -143,7 +151,7 @@ class Poser : MarkerPoser {
         board_corners_.push_back(
             {static_cast<int>(camera), view, views[v].points[k], views[v].pixels[k], sd});
     }
-    inform("rig: " + cameraName(camera) + " " + fixed(report->rms_px, 3) + " px over " +
+    inform("rig: camera " + letterOf(camera) + " " + fixed(report->rms_px, 3) + " px over " +
            std::to_string(views.size()) + " pictures of the board, focal length " +
            fixed(report->intrinsics.fx, 1) + " +- " + fixed(report->sd[0], 1) + " px");
     return true;
@@ -159,14 +167,15 @@ class Poser : MarkerPoser {
     const Result<IntrinsicsReport> report = intrinsicsFromPlate(views, width, height);
     if (!report)
       return Error{ErrorCode::NotEnough,
-                   "The lens of " + cameraName(camera) +
-                       " is unknown: no usable pictures of the board and no plate markers were "
-                       "found; add pictures of the board to 'calib'.",
+                   message("The lens of camera %1 is unknown: no usable pictures of the board and "
+                           "no plate markers were found; add pictures of the board to 'calib'.",
+                           letterOf(camera)),
                    batch_.folder.string()};
     state_.cameras[camera].intrinsics = report->intrinsics;
-    warn("The lens of " + cameraName(camera) +
-         " was estimated from the plate's markers alone; add 12 pictures of the board to 'calib' "
-         "for accurate measurements.");
+    warn(
+        message("The lens of camera %1 was estimated from the plate's markers alone; add 12 "
+                "pictures of the board to 'calib' for accurate measurements.",
+                letterOf(camera)));
     return {};
   }
 
@@ -189,10 +198,10 @@ class Poser : MarkerPoser {
       int seen = 0;
       for (const auto& markers : markers_) seen += markers.empty() ? 0 : 1;
       return Error{ErrorCode::NotEnough,
-                   "The plate's markers were found in " + std::to_string(seen) + " of " +
-                       std::to_string(markers_.size()) +
-                       " photographs, too few for a pose of each side; check that plate.json "
-                       "belongs to this plate and that the markers are lit and in the picture.",
+                   message("The plate's markers were found in %1 of %2 photographs, too few for a "
+                           "pose of each side; check that plate.json belongs to this plate and "
+                           "that the markers are lit and in the picture.",
+                           seen, markers_.size()),
                    batch_.folder.string()};
     }
     start_ = std::move(*start);
@@ -202,8 +211,10 @@ class Poser : MarkerPoser {
           {start_.camera_posed[cameraOf(i)] ? cameraOf(i) : -1, sideOf(i), stopOf(i)});
     for (std::size_t c = 0; c < camera_numbers_.size(); ++c)
       if (!start_.camera_posed[c])
-        warn("No photograph of " + cameraName(c) +
-             " shows two markers of the plate; all its photographs are left out.");
+        warn(
+            message("No photograph of camera %1 shows two markers of the plate; all its "
+                    "photographs are left out.",
+                    letterOf(c)));
     return {};
   }
 
@@ -251,9 +262,10 @@ class Poser : MarkerPoser {
       out_.cameras[c].known_residual_px = typical;
       if (typical <= options_.max_known_rig_residual_px) continue;
       fits = false;
-      warn("The known rig no longer fits: " + cameraName(c) + " misses the markers by " +
-           fixed(typical, 2) +
-           " px. The camera poses are re-estimated for this batch; recalibrate the rig.");
+      warn(
+          message("The known rig no longer fits: camera %1 misses the markers by %2 px. The camera "
+                  "poses are re-estimated for this batch; recalibrate the rig.",
+                  letterOf(c), decimal(typical, 2)));
     }
     return fits;
   }
@@ -299,15 +311,18 @@ class Poser : MarkerPoser {
       const std::string file = shot.file.string();
       const std::vector<double> errors = errorsOf(i);
       if (errors.empty() && markers_[i].size() >= kTellTale) {
-        warn(file + ": none of its " + std::to_string(markers_[i].size()) +
-             " markers is where this camera sees them at this position. It has another "
-             "photograph's name or was taken while the plate was turning; it is left out.");
+        warn(inOne(message("%1: none of its %2 markers is where this camera sees them at this "
+                           "position.",
+                           file, markers_[i].size()),
+                   message("It has another photograph's name or was taken while the plate was "
+                           "turning; it is left out.")));
         continue;
       }
       if (errors.empty())
-        warn(file +
-             ": no marker is visible; check that the photograph shows this position. If not, "
-             "retake it.");
+        warn(
+            message("%1: no marker is visible; check that the photograph shows this position. If "
+                    "not, retake it.",
+                    file));
       addImage({file, shot.side, shot.camera, shot.stop, state_.cameras[cameraOf(i)].intrinsics,
                 state_.cameraFromPlate(cameraOf(i), sideOf(i), stopOf(i))},
                errors);
@@ -317,10 +332,7 @@ class Poser : MarkerPoser {
       const auto views = std::ranges::count(out_.images, side, &rig::PosedImage::side);
       if (views < kMinViewsPerSide)
         return Error{ErrorCode::NotEnough,
-                     std::string("Only ") + std::to_string(views) + " photographs of the " +
-                         batch::name(side) +
-                         " side have a pose; at least 3 are needed. Check that the plate's markers "
-                         "are lit and in the picture.",
+                     message(side == batch::Side::Front ? kTooFewOfFront : kTooFewOfBack, views),
                      batch_.folder.string()};
     }
     for (std::size_t c = 0; c < out_.cameras.size(); ++c)

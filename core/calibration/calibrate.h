@@ -52,7 +52,7 @@ struct BatchPoses {
   double reprojection_rms_px = 0;         ///< of the marker corners that were used
   std::vector<double> rms_per_image_px;   ///< per image; 0 where no marker was seen
   std::vector<int> markers_per_image;     ///< per image; 0: the pose comes through the rig
-  std::vector<std::string> warnings;      ///< what was also noted as a warning
+  std::vector<Message> warnings;          ///< what was also noted as a warning
   std::vector<CameraFindings> cameras;    ///< one per camera of the batch, by number
   std::vector<HeldOutDistance> held_out;  ///< empty when fewer than eight markers were seen
   /// By index of Plate::markers: the corners as the photographs have them, plate frame, mm, where

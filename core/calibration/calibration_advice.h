@@ -2,12 +2,13 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "calibration/calibration_report.h"
 
 namespace ostraka::calibration {
 
 /// What the pictures of the board leave open: regions of the picture, tilts, their number.
-void adviseOnBoard(const CameraCalibration& camera, std::vector<std::string>& missing);
+void adviseOnBoard(const CameraCalibration& camera, std::vector<Message>& missing);
 
 /// What the plate's photographs leave open (stops, markers, scale), and the verdict on all.
 void adviseOnPlate(const BatchPoses& poses, CalibrationReport& report);

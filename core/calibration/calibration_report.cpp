@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/message.h"
 #include "calibration/board_folder.h"
 #include "calibration/calibration_advice.h"
 #include "calibration/held_out.h"
@@ -43,8 +44,8 @@ CameraCalibration ofLens(int camera, const IntrinsicsReport& lens,
   return out;
 }
 
-std::string prefixed(int camera, const std::string& sentence) {
-  return "Camera " + batch::cameraLetter(camera) + ": " + sentence;
+Message prefixed(int camera, const Message& sentence) {
+  return message("Camera %1: %2", batch::cameraLetter(camera), sentence);
 }
 
 // Pictures of a board alone: lenses, no places.
@@ -69,18 +70,18 @@ Result<CalibrationReport> calibrateLenses(const fs::path& folder, const Calibrat
     report.set_aside.insert(report.set_aside.end(), lens->set_aside.begin(), lens->set_aside.end());
     report.cameras.push_back(ofLens(number, *lens, pixels));
     determined = determined && lens->focal_determined;
-    for (const std::string& advice : lens->advice)
-      report.missing.push_back(prefixed(number, advice));
+    for (const Message& advice : lens->advice) report.missing.push_back(prefixed(number, advice));
     adviseOnBoard(report.cameras.back(), report.missing);
   }
   report.verdict_in_words =
-      determined ? "The lens is known but the camera poses are not, so no rig can be saved."
-                 : "Not usable: the focal length is not determined.";
+      determined
+          ? message("The lens is known but the camera poses are not, so no rig can be saved.")
+          : message("Not usable: the focal length is not determined.");
   if (determined)
-    report.missing.push_back(
+    report.missing.push_back(message(
         "Photograph the plate with its markers too: put one picture per camera and position into "
         "'front' (cam0_pos00.jpg and so on) next to plate.json, and the board's pictures into "
-        "'calib'.");
+        "'calib'."));
   return report;
 }
 
@@ -101,9 +102,9 @@ Result<std::vector<MeasuredLength>> measure(const BatchPoses& poses, const batch
     const auto a = corners(length.first), b = corners(length.second);
     if (!a || !b)
       return Error::unusable(
-          "Marker " + std::to_string(a ? length.second : length.first) +
-          " of the known length is visible in fewer than two photographs; choose two "
-          "markers of the plate that the photographs show.");
+          message("Marker %1 of the known length is visible in fewer than two photographs; choose "
+                  "two markers of the plate that the photographs show.",
+                  a ? length.second : length.first));
     measured.push_back({length, outerEdges(*a, *b)});
   }
   return measured;
@@ -131,7 +132,7 @@ Result<CalibrationReport> calibrateBatch(const batch::Batch& batch,
     camera.height = found.height;
     camera.plate_residual_px = found.median_residual_px;
     if (found.lens)
-      for (const std::string& advice : found.lens->advice)
+      for (const Message& advice : found.lens->advice)
         report.missing.push_back(prefixed(found.camera, advice));
     if (const rig::RigCamera* rig = poses->rig.find(found.camera); rig != nullptr) {
       camera.focal_px = rig->intrinsics.fx;
@@ -151,7 +152,7 @@ Result<void> CalibrationOptions::check() const {
   for (const MarkerLength& length : lengths)
     if (!(length.mm > 0) || length.first == length.second)
       return Error::unusable(
-          "A known length needs two different markers and a value greater than 0 mm.");
+          message("A known length needs two different markers and a value greater than 0 mm."));
   return {};
 }
 
@@ -161,7 +162,7 @@ Result<CalibrationReport> calibrateFolder(const fs::path& folder, const Calibrat
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
     return Error::unusable(
-        "Folder not found; choose one with photographs of the plate or of the board.",
+        message("Folder not found; choose one with photographs of the plate or of the board."),
         folder.string());
   if (!fs::is_directory(folder / "front", ignored) && !fs::is_directory(folder / "back", ignored) &&
       !fs::is_directory(folder / "top_images", ignored))

@@ -53,9 +53,9 @@ struct CalibrationReport {
   std::vector<HeldOutDistance> held_out;
   std::vector<MeasuredLength> lengths;
   Verdict verdict = Verdict::NotUsable;
-  std::string verdict_in_words;
-  std::vector<std::string> missing;    ///< what to shoot or do, whole sentences
-  std::vector<std::string> set_aside;  ///< pictures that could not be used, each with its reason
+  Message verdict_in_words;
+  std::vector<Message> missing;    ///< what to shoot or do, whole sentences
+  std::vector<Message> set_aside;  ///< pictures that could not be used, each with its reason
 };
 
 /// Calibrates from photographs. folder: a batch, the front of one (front/, calib/, plate.json,
@@ -71,6 +71,6 @@ Result<CalibrationReport> calibrateFolder(const std::filesystem::path& folder,
 bool scaleIsRight(const CalibrationReport& report);
 
 /// The report for a person, line by line; for the terminal and the window.
-std::vector<std::string> inWords(const CalibrationReport& report);
+std::vector<Message> inWords(const CalibrationReport& report);
 
 }  // namespace ostraka::calibration

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "base/text.h"
 #include "calibration/held_out.h"
 #include "calibration/lenses.h"
@@ -150,13 +151,16 @@ class FreePoser : MarkerPoser {
       std::string names;
       for (std::size_t k = 0; k < kNamedAlone; ++k)
         names += (k > 0 ? ", " : "") + batch_.shots[shots[k]].file.filename().string();
-      return warn("Photographs that show too few of the sheet's markers for a pose are left out (" +
-                  names + " and " + std::to_string(shots.size() - kNamedAlone) +
-                  " more); check that they show this sheet.");
+      return warn(
+          message("Photographs that show too few of the sheet's markers for a pose are left out "
+                  "(%1 and %2 more); check that they show this sheet.",
+                  names, shots.size() - kNamedAlone));
     }
     for (const std::size_t shot : shots)
-      warn(batch_.shots[shot].file.string() + ": " + std::to_string(markers_[shot].size()) +
-           " of the sheet's markers can be read, too few for a pose; the photograph is left out.");
+      warn(
+          message("%1: %2 of the sheet's markers can be read, too few for a pose; the photograph "
+                  "is left out.",
+                  batch_.shots[shot].file.string(), markers_[shot].size()));
   }
 
   Result<void> enoughViews() const {
@@ -168,13 +172,13 @@ class FreePoser : MarkerPoser {
         posed += places_[i].camera >= 0 ? 1 : 0;
       }
       if (shots == 0 || posed >= kFewestViews) continue;
-      return Error{ErrorCode::NotEnough,
-                   "The sheet's markers can be read in " + std::to_string(posed) + " of " +
-                       std::to_string(shots) + " photographs of the " + batch::name(side) +
-                       " side; at least 3 are needed. Check that plate.json describes this sheet, "
-                       "that the photographs are not mirrored, and that most of the markers are "
-                       "in the picture.",
-                   (batch_.plate_file.empty() ? batch_.folder : batch_.plate_file).string()};
+      return Error{
+          ErrorCode::NotEnough,
+          message("The sheet's markers can be read in %1 of %2 photographs of the %3 side; at "
+                  "least 3 are needed. Check that plate.json describes this sheet, that the "
+                  "photographs are not mirrored, and that most of the markers are in the picture.",
+                  posed, shots, batch::name(side)),
+          (batch_.plate_file.empty() ? batch_.folder : batch_.plate_file).string()};
     }
     return {};
   }
@@ -238,9 +242,10 @@ class FreePoser : MarkerPoser {
       of_lens.insert(of_lens.end(), errors.begin(), errors.end());
       const double read = static_cast<double>(markers_[i].size());
       if (static_cast<double>(errors.size()) < (1 - kMostDropped) * read) {
-        warn(shot.file.string() +
-             ": most of the sheet's markers are not where the other photographs place them; the "
-             "photograph is left out.");
+        warn(
+            message("%1: most of the sheet's markers are not where the other photographs place "
+                    "them; the photograph is left out.",
+                    shot.file.string()));
         places_[i].camera = -1;
         continue;
       }

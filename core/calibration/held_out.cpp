@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text.h"
+#include "base/message.h"
 
 namespace ostraka::calibration {
 namespace {
@@ -14,6 +14,10 @@ std::size_t markerOf(const PlateCorner& corner) {
 
 Eigen::Vector3d middle(const std::array<Eigen::Vector3d, 4>& corners) {
   return (corners[0] + corners[1] + corners[2] + corners[3]) / 4;
+}
+
+Message withSign(double value, int digits) {
+  return Message(std::signbit(value) ? "%1" : "+%1", {decimal(value, digits)});
 }
 
 }  // namespace
@@ -91,19 +95,19 @@ std::vector<HeldOutDistance> heldOutDistances(const batch::Plate& plate,
   return distances;
 }
 
-std::string sentence(const HeldOutDistance& d) {
-  return formatted(
-      "markers %d and %d, held out of the fit, are %.2f mm apart instead of %.2f (%+.2f "
-      "mm, %+.3f %%)",
-      d.first, d.second, d.measured_mm, d.expected_mm, d.measured_mm - d.expected_mm,
-      100 * d.error());
+Message said(Template<6> words, const HeldOutDistance& d) {
+  return message(words, d.first, d.second, decimal(d.measured_mm, 2), decimal(d.expected_mm, 2),
+                 withSign(d.measured_mm - d.expected_mm, 2), withSign(100 * d.error(), 3));
 }
 
-std::optional<std::string> scaleDoubt(const HeldOutDistance& d) {
+std::optional<Message> scaleDoubt(const HeldOutDistance& d) {
   if (std::abs(d.error()) <= kMostScaleError) return std::nullopt;
-  return "The scale is wrong: " + sentence(d) +
-         "; check that plate.json belongs to this plate, that the plate is printed and glued "
-         "without distortion, and that a known rig was calibrated with it.";
+  return said(
+      translatable<6>(
+          "The scale is wrong: markers %1 and %2, held out of the fit, are %3 mm apart instead of "
+          "%4 (%5 mm, %6 %); check that plate.json belongs to this plate, that the plate is "
+          "printed and glued without distortion, and that a known rig was calibrated with it."),
+      d);
 }
 
 Move moveAgainst(const RigState& known, const RigState& now, std::size_t index,
@@ -120,11 +124,12 @@ Move moveAgainst(const RigState& known, const RigState& now, std::size_t index,
           Eigen::AngleAxisd(change.linear()).angle()};
 }
 
-std::string sentence(const Move& move, int camera, int reference) {
-  return "Relative to camera " + batch::cameraLetter(reference) + ", camera " +
-         batch::cameraLetter(camera) + " has moved by " + fixed(move.moved_mm, 1) +
-         " mm and turned by " + fixed(move.turned_rad * 180 / M_PI, 2) +
-         " degrees since the rig was calibrated.";
+Message sentence(const Move& move, int camera, int reference) {
+  return message(
+      "Relative to camera %1, camera %2 has moved by %3 mm and turned by %4 degrees since the rig "
+      "was calibrated.",
+      batch::cameraLetter(reference), batch::cameraLetter(camera), decimal(move.moved_mm, 1),
+      decimal(move.turned_rad * 180 / M_PI, 2));
 }
 
 }  // namespace ostraka::calibration

@@ -30,10 +30,11 @@ std::vector<HeldOutDistance> heldOutDistances(const batch::Plate& plate,
                                               const RigState& state,
                                               const std::vector<PlateCorner>& corners);
 
-/// "markers 0 and 12, held out of the fit, lie ... mm apart".
-std::string sentence(const HeldOutDistance& distance);
+/// words: of its markers (%1, %2), of its length as measured and expected in mm (%3, %4), and of
+/// the error in mm and percent (%5, %6).
+Message said(Template<6> words, const HeldOutDistance& distance);
 /// The sentence when it is off by more than kMostScaleError, with what to do.
-std::optional<std::string> scaleDoubt(const HeldOutDistance& distance);
+std::optional<Message> scaleDoubt(const HeldOutDistance& distance);
 
 /// How far camera `index` of `now` stands from where `known` has it, seen from camera `reference`:
 /// the turntable's frame is free in height and turn, so only cameras among each other compare.
@@ -42,6 +43,6 @@ struct Move {
 };
 Move moveAgainst(const RigState& known, const RigState& now, std::size_t index,
                  std::size_t reference);
-std::string sentence(const Move& move, int camera, int reference);
+Message sentence(const Move& move, int camera, int reference);
 
 }  // namespace ostraka::calibration

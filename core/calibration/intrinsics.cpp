@@ -5,7 +5,7 @@
 #include <opencv2/calib3d.hpp>
 
 #include "base/median.h"
-#include "base/text.h"
+#include "base/message.h"
 #include "rig/rounded.h"
 
 namespace ostraka::calibration {
@@ -21,10 +21,6 @@ struct Solution {
   std::vector<cv::Mat> rotations, translations;
   double rms_px = 0;
 };
-
-std::string inPixels(double value) {
-  return fixed(value, 2) + " px";
-}
 
 void round(cv::Mat& values, double step) {
   values.forEach<double>([step](double& value, const int*) { value = rig::rounded(value, step); });
@@ -60,10 +56,10 @@ Result<Solution> solve(std::span<const TargetView* const> views, cv::Size size, 
         ignored, s.rms_per_view, flags | cv::CALIB_USE_INTRINSIC_GUESS | cv::CALIB_FIX_ASPECT_RATIO,
         cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 100, 1e-10));
   } catch (const cv::Exception&) {
-    return Error{ErrorCode::Failed, "No camera model fits the calibration pictures.", {}};
+    return Error{ErrorCode::Failed, message("No camera model fits the calibration pictures."), {}};
   }
   if (!std::isfinite(s.rms_px) || !cv::checkRange(s.matrix) || !cv::checkRange(s.distortion))
-    return Error{ErrorCode::Failed, "No camera model fits the calibration pictures.", {}};
+    return Error{ErrorCode::Failed, message("No camera model fits the calibration pictures."), {}};
   round(s);
   return s;
 }
@@ -125,24 +121,26 @@ void judge(IntrinsicsReport& report) {
   // deviation, which holds near the solution only, can look small by chance.
   report.focal_determined = sd < 0.01 * focal && largestTilt(report) > kMinTiltRad;
   if (!report.focal_determined) {
-    report.advice.push_back(
-        formatted("The focal length is not determined: %.0f px with a standard deviation of %.0f "
-                  "px; take more pictures, closer and with the board tilted by 20 to 45 degrees in "
-                  "different directions.",
-                  focal, sd));
+    report.advice.push_back(message(
+        "The focal length is not determined: %1 px with a standard deviation of %2 px; take "
+        "more pictures, closer and with the board tilted by 20 to 45 degrees in different "
+        "directions.",
+        decimal(focal, 0), decimal(sd, 0)));
   } else if (largestTilt(report) < 0.25) {
     report.advice.push_back(
-        "No picture shows the board tilted by more than 15 degrees; tilt it more to separate focal "
-        "length from distance.");
+        message("No picture shows the board tilted by more than 15 degrees; tilt it more to "
+                "separate focal length from distance."));
   }
   if (report.rms_px > 0.3)
-    report.advice.push_back("The corners scatter by " + inPixels(report.rms_px) +
-                            ", more than the 0.3 px of sharp pictures of a flat board; check "
-                            "focus, lighting and the board's flatness.");
+    report.advice.push_back(
+        message("The corners scatter by %1 px, more than the 0.3 px of sharp pictures of a flat "
+                "board; check focus, lighting and the board's flatness.",
+                decimal(report.rms_px, 2)));
   const double worst = report.rms_per_view_px[report.worst_view];
   if (worst > kGoodViewPx && worst > 1.5 * medianOf(std::vector(report.rms_per_view_px)))
-    report.advice.push_back("The worst picture is " + report.files[report.worst_view] + " with " +
-                            inPixels(worst) + "; retake it or leave it out.");
+    report.advice.push_back(
+        message("The worst picture is %1 with %2 px; retake it or leave it out.",
+                report.files[report.worst_view], decimal(worst, 2)));
 }
 
 }  // namespace
@@ -150,18 +148,19 @@ void judge(IntrinsicsReport& report) {
 Result<IntrinsicsReport> calibrateIntrinsics(std::span<const TargetView> views, int width,
                                              int height) {
   std::vector<const TargetView*> usable;
-  std::vector<std::string> set_aside;
+  std::vector<Message> set_aside;
   for (const TargetView& view : views) {
     if (view.points.size() >= kMinCorners)
       usable.push_back(&view);
     else
-      set_aside.push_back(view.file + ": the board was not detected; the picture is set aside.");
+      set_aside.push_back(
+          message("%1: the board was not detected; the picture is set aside.", view.file));
   }
   if (usable.size() < kMinViews)
     return Error{ErrorCode::NotEnough,
-                 "Only " + std::to_string(usable.size()) +
-                     " calibration pictures show the board; at least 3 are needed. Take more "
-                     "pictures of it.",
+                 message("Only %1 calibration pictures show the board; at least 3 are needed. Take "
+                         "more pictures of it.",
+                         usable.size()),
                  {}};
   const cv::Size size(width, height);
   Result<Solution> full = solve(usable, size, 0);
@@ -182,8 +181,9 @@ Result<IntrinsicsReport> intrinsicsFromPlate(std::span<const TargetView> views, 
   for (const TargetView& view : views)
     if (view.points.size() >= kMinCorners) usable.push_back(&view);
   if (usable.empty())
-    return Error{
-        ErrorCode::NotEnough, "No photograph of this camera shows the plate's markers.", {}};
+    return Error{ErrorCode::NotEnough,
+                 message("No photograph of this camera shows the plate's markers."),
+                 {}};
   const cv::Size size(width, height);
   constexpr int kFlags = cv::CALIB_FIX_PRINCIPAL_POINT | cv::CALIB_ZERO_TANGENT_DIST |
                          cv::CALIB_FIX_K2 | cv::CALIB_FIX_K3;

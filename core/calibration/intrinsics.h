@@ -43,9 +43,9 @@ struct IntrinsicsReport {
   std::vector<double> rms_per_view_px;                ///< one per file
   std::vector<Eigen::Isometry3d> camera_from_target;  ///< one per file
   std::size_t worst_view = 0;                         ///< index into files
-  std::vector<std::string> set_aside;  ///< pictures that could not be used, each with its reason
-  std::vector<std::string> advice;     ///< what is wanting, in words, with what to do; may be empty
-  bool focal_determined = false;       ///< sd of the focal length below 1 %
+  std::vector<Message> set_aside;  ///< pictures that could not be used, each with its reason
+  std::vector<Message> advice;     ///< what is wanting, in words, with what to do; may be empty
+  bool focal_determined = false;   ///< sd of the focal length below 1 %
 };
 
 /// Plane target calibration (Zhang 2000, OpenCV): square pixels, five distortion terms less those

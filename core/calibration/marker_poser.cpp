@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "base/text.h"
 #include "calibration/batch_corners.h"
 #include "calibration/held_out.h"
@@ -17,22 +18,24 @@ double rms(double sum_of_squares, double count) {
 
 }  // namespace
 
-void MarkerPoser::warn(const std::string& text) {
+void MarkerPoser::warn(const Message& text) {
   out_.warnings.push_back(text);
   progress_.note(NoteLevel::Warning, text);
 }
 
 Result<void> MarkerPoser::readMarkers(Progress& progress) {
   if (!batch_.plate)
-    return Error{ErrorCode::NotEnough,
-                 "plate.json is missing, so the plate's markers cannot be used; copy the file "
-                 "that 'ostraka plate' wrote with the plate into this folder.",
-                 batch_.folder.string()};
+    return Error{
+        ErrorCode::NotEnough,
+        message("plate.json is missing, so the plate's markers cannot be used; copy the file "
+                "that 'ostraka plate' wrote with the plate into this folder."),
+        batch_.folder.string()};
   const Result<std::vector<ShotMarkers>> shots =
       findBatchMarkers(batch_, options_.threads, progress, stop_);
   if (!shots) return shots.error();
   for (const ShotMarkers& shot : *shots) {
-    if (!shot.unreadable.empty()) warn(shot.unreadable + " This photograph is left out.");
+    if (!shot.unreadable.empty())
+      warn(inOne(shot.unreadable, message("This photograph is left out.")));
     markers_.push_back(rig::placed(shot.markers, *batch_.plate));
     readable_.push_back(shot.unreadable.empty());
   }
@@ -127,10 +130,13 @@ Result<void> MarkerPoser::fitWithout(const std::vector<std::size_t>& markers,
   if (!state) return state.error();
   for (const HeldOutDistance& d : heldOutDistances(*batch_.plate, markers, *state, theirs)) {
     out_.held_out.push_back(d);
-    if (const std::optional<std::string> doubt = scaleDoubt(d))
+    if (const std::optional<Message> doubt = scaleDoubt(d))
       warn(*doubt);
     else
-      inform("rig: " + sentence(d));
+      inform(
+          said("rig: markers %1 and %2, held out of the fit, are %3 mm apart instead of %4 (%5 mm, "
+               "%6 %)",
+               d));
   }
   return {};
 }

@@ -29,8 +29,8 @@ class MarkerPoser {
               std::stop_token stop)
       : batch_(batch), options_(options), progress_(progress), stop_(std::move(stop)) {}
 
-  void warn(const std::string& text);
-  void inform(const std::string& text) { progress_.note(NoteLevel::Info, text); }
+  void warn(const Message& text);
+  void inform(const Message& text) { progress_.note(NoteLevel::Info, text); }
   int sideOf(std::size_t shot) const {
     return batch_.shots[shot].side == batch::Side::Front ? 0 : 1;
   }

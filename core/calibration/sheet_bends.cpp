@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "batch/batch.h"
 #include "files/json.h"
 
@@ -25,7 +26,9 @@ Result<std::array<rig::SheetBend, 2>> readBends(const std::filesystem::path& fil
         rig::sheetBendFrom(told ? sheets->at(batch::name(side)) : nlohmann::json());
     if (!bend)
       return Error::unusable(
-          "The file does not describe how the sheets bend; delete it to measure them again.", file);
+          message(
+              "The file does not describe how the sheets bend; delete it to measure them again."),
+          file);
     bends[static_cast<std::size_t>(side)] = *bend;
   }
   return bends;

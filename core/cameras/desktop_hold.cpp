@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/message.h"
 #include "colmap/colmap_program.h"
 
 namespace ostraka::cameras {
@@ -27,8 +28,9 @@ Result<void> releaseFromDesktop(
   for (const devices::FoundDevice& device : find_again())
     if (const auto holders = desktopHolders({device}); !holders.empty())
       return Error{ErrorCode::Failed,
-                   "The desktop does not release the camera: it is still in use by " +
-                       holders.front() + "; close its file window and try again.",
+                   message("The desktop does not release the camera: it is still in use by %1; "
+                           "close its file window and try again.",
+                           holders.front()),
                    device.model};
   return {};
 }
@@ -37,7 +39,8 @@ RunProgram programRunner(std::stop_token stop) {
   return [stop](const std::string& program,
                 const std::vector<std::string>& arguments) -> Result<void> {
     const auto found = colmap::findProgram(program);
-    if (!found) return Error{ErrorCode::Missing, "This program is not installed.", program};
+    if (!found)
+      return Error{ErrorCode::Missing, message("This program is not installed."), program};
     return colmap::runProgram(*found, arguments, "/dev/null", stop);
   };
 }

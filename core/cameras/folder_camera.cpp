@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "batch/image_header.h"
 #include "batch/photograph.h"
@@ -41,11 +42,11 @@ class FolderCamera final : public devices::Camera {
     return std::vector<devices::CameraSetting>{};
   }
   Result<devices::CameraSetting> set(const std::string& name, const std::string&) override {
-    return Error::unusable("A watched folder has no setting " + name + "; set it on the camera.",
-                           where());
+    return Error::unusable(
+        message("A watched folder has no setting %1; set it on the camera.", name), where());
   }
   Result<std::string> preview(std::stop_token) override {
-    return Error{ErrorCode::Missing, "A watched folder has no live view.", where()};
+    return Error{ErrorCode::Missing, message("A watched folder has no live view."), where()};
   }
   bool triggersItself() const override { return false; }
   Result<void> trigger() override { return {}; }
@@ -78,9 +79,9 @@ class FolderCamera final : public devices::Camera {
       }
       if (clock_->now_s() >= deadline_s)
         return Error{ErrorCode::Missing,
-                     "No new photograph arrived within " +
-                         std::to_string(static_cast<int>(timeout_s)) +
-                         " seconds; check that the camera's software writes into this folder.",
+                     message("No new photograph arrived within %1 seconds; check that the camera's "
+                             "software writes into this folder.",
+                             static_cast<int>(timeout_s)),
                      where()};
       if (!clock_->sleep(options_.poll_s, stop)) return Error::cancelled();
     }
@@ -107,7 +108,7 @@ class FolderCamera final : public devices::Camera {
     }
     if (failed)
       return Error{ErrorCode::Missing,
-                   "The watched folder cannot be read (" + failed.message() + ").", where()};
+                   message("The watched folder cannot be read (%1).", failed.message()), where()};
     return files;
   }
 
@@ -123,9 +124,9 @@ class FolderCamera final : public devices::Camera {
     for (const auto& [file, state] : fresh) {
       if (!batch::hasPhotographEnding(file)) continue;
       if (!photograph.empty())
-        return Error::unusable("Two photographs arrived for one shot, " + photograph + " and " +
-                                   file.filename().string() +
-                                   "; use one folder per camera and one photograph per position.",
+        return Error::unusable(message("Two photographs arrived for one shot, %1 and %2; use one "
+                                       "folder per camera and one photograph per position.",
+                                       photograph, file.filename().string()),
                                where());
       photograph = file.filename().string();
     }

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "cameras/gphoto_library.h"
 
@@ -58,7 +59,8 @@ class GphotoCamera final : public devices::Camera {
   Result<void> open() {
     const std::lock_guard lock(gphotoLock());
     if (serial_.starts_with("ptpip:")) return openAt({"PTP/IP Camera", serial_});
-    Result<void> best = Error{ErrorCode::Missing, "The camera is not plugged in.", serial_};
+    Result<void> best =
+        Error{ErrorCode::Missing, message("The camera is not plugged in."), serial_};
     std::string others;
     for (const GphotoPort& seen : detectGphoto(context_.get())) {
       const Result<void> opened = openAt(seen);
@@ -74,10 +76,11 @@ class GphotoCamera final : public devices::Camera {
       }
       letGo();
     }
-    if (!others.empty() && best.error().what == "The camera is not plugged in.")
-      return Error{ErrorCode::Missing,
-                   "The camera with this serial number is not plugged in; found: " + others + ".",
-                   serial_};
+    if (!others.empty() && best.error().what == message("The camera is not plugged in."))
+      return Error{
+          ErrorCode::Missing,
+          message("The camera with this serial number is not plugged in; found: %1.", others),
+          serial_};
     return best;
   }
 
@@ -102,17 +105,18 @@ class GphotoCamera final : public devices::Camera {
     const auto& choices = before->choices;
     if (before->read_only ||
         (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end()))
-      return Error::unusable("The camera does not offer " + value + " for " + name +
-                                 "; it is set to " + before->value + ".",
+      return Error::unusable(message("The camera does not offer %1 for %2; it is set to %3.", value,
+                                     name, before->value),
                              serial_);
     const std::string key = keyOf(name);
     if (Result<void> r = write(key, value); !r) return r.error();
     changed_.insert({key, before->value});  // the first value is what is restored
     const Result<devices::CameraSetting> after = read(name);
     if (after && after->value != value)
-      return Error::unusable("The camera keeps " + name + " at " + after->value + " instead of " +
-                                 value + "; check its mode dial.",
-                             serial_);
+      return Error::unusable(
+          message("The camera keeps %1 at %2 instead of %3; check its mode dial.", name,
+                  after->value, value),
+          serial_);
     return after;
   }
 
@@ -130,7 +134,7 @@ class GphotoCamera final : public devices::Camera {
     }
     if (stop.stop_requested()) return Error::cancelled();
     if (code == GP_ERROR_NOT_SUPPORTED)
-      return Error{ErrorCode::Missing, "This camera has no live view.", serial_};
+      return Error{ErrorCode::Missing, message("This camera has no live view."), serial_};
     return gphotoTrouble(code, serial_);
   }
 
@@ -146,7 +150,8 @@ class GphotoCamera final : public devices::Camera {
         quiet_s = clock_->now_s();
       }
       if (clock_->now_s() > deadline_s)
-        return Error{ErrorCode::Missing, "The camera does not stop sending photographs.", serial_};
+        return Error{ErrorCode::Missing, message("The camera does not stop sending photographs."),
+                     serial_};
     }
     return {};
   }
@@ -180,9 +185,10 @@ class GphotoCamera final : public devices::Camera {
       deadline_s = clock_->now_s() + kMoreFiles_s;
     }
     if (files.empty())
-      return Error{ErrorCode::Missing,
-                   "The camera sent no photograph; check that it is focused and set to manual.",
-                   serial_};
+      return Error{
+          ErrorCode::Missing,
+          message("The camera sent no photograph; check that it is focused and set to manual."),
+          serial_};
     return files;
   }
 
@@ -218,7 +224,9 @@ class GphotoCamera final : public devices::Camera {
     std::optional<OnCamera> file;
   };
 
-  Error notOpen() const { return {ErrorCode::Missing, "The camera is not plugged in.", serial_}; }
+  Error notOpen() const {
+    return {ErrorCode::Missing, message("The camera is not plugged in."), serial_};
+  }
 
   // Under the library's lock.
   void letGo() {
@@ -301,7 +309,7 @@ class GphotoCamera final : public devices::Camera {
     if (camera_ == nullptr) return notOpen();
     const std::string key = keyOf(name);
     const Widget found = key.empty() ? nullptr : widget(key);
-    if (!found) return Error::unusable("The camera has no setting " + name + ".", serial_);
+    if (!found) return Error::unusable(message("The camera has no setting %1.", name), serial_);
     devices::CameraSetting setting{name, valueOf(found.get()), {}, false};
     int read_only = 0;
     gp_widget_get_readonly(found.get(), &read_only);
@@ -319,7 +327,7 @@ class GphotoCamera final : public devices::Camera {
 
   Result<void> write(const std::string& key, const std::string& value) {
     const Widget found = widget(key);
-    if (!found) return Error::unusable("The camera has no setting " + key + ".", serial_);
+    if (!found) return Error::unusable(message("The camera has no setting %1.", key), serial_);
     gp_widget_set_value(found.get(), value.c_str());
     const double deadline_s = clock_->now_s() + kBusy_s;
     while (true) {

@@ -11,7 +11,7 @@ namespace ostraka::cameras {
 /// A system camera that libgphoto2 sees.
 struct FoundCamera {
   devices::CameraId id;  ///< the serial number is empty when it could not be asked
-  std::string trouble;   ///< why not, and what to do; empty: all is well
+  Message trouble;       ///< why not, and what to do; empty: all is well
 };
 Result<std::vector<FoundCamera>> listGphotoCameras();
 

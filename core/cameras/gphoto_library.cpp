@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "base/message.h"
 #include "cameras/gphoto_camera.h"
 
 namespace ostraka::cameras {
@@ -45,31 +46,37 @@ Error gphotoTrouble(int code, const std::string& where) {
     case GP_ERROR_IO_USB_CLAIM:
     case GP_ERROR_IO_LOCK:
       return {ErrorCode::Missing,
-              "Another program uses the camera, often the desktop's file manager; 'ostraka "
-              "devices' names it.",
+              message("Another program uses the camera, often the desktop's file manager; 'ostraka "
+                      "devices' names it."),
               where};
     case GP_ERROR_IO_USB_FIND:
     case GP_ERROR_MODEL_NOT_FOUND:
     case GP_ERROR_UNKNOWN_PORT:
-      return {ErrorCode::Missing, "The camera is not plugged in or not switched on.", where};
-    case GP_ERROR_TIMEOUT:
-      return {ErrorCode::Missing,
-              "The camera does not answer and may be asleep. Turn off its automatic power-off.",
+      return {ErrorCode::Missing, message("The camera is not plugged in or not switched on."),
               where};
+    case GP_ERROR_TIMEOUT:
+      return {
+          ErrorCode::Missing,
+          message(
+              "The camera does not answer and may be asleep. Turn off its automatic power-off."),
+          where};
     case GP_ERROR_CAMERA_BUSY:
-      return {ErrorCode::Missing, "The camera stays busy; switch it off and on.", where};
+      return {ErrorCode::Missing, message("The camera stays busy; switch it off and on."), where};
     case GP_ERROR_IO:
     case GP_ERROR:
     case GP_ERROR_IO_READ:
     case GP_ERROR_IO_WRITE:
-      return {ErrorCode::Missing, "The connection to the camera failed; check its cable.", where};
-    case GP_ERROR_IO_INIT:
-      return {ErrorCode::Missing,
-              "The camera cannot be opened; check this user's permissions with 'ostraka devices'.",
+      return {ErrorCode::Missing, message("The connection to the camera failed; check its cable."),
               where};
+    case GP_ERROR_IO_INIT:
+      return {
+          ErrorCode::Missing,
+          message(
+              "The camera cannot be opened; check this user's permissions with 'ostraka devices'."),
+          where};
     default:
-      return {ErrorCode::Failed,
-              "The camera reports: " + std::string(gp_result_as_string(code)) + ".", where};
+      return {ErrorCode::Failed, message("The camera reports: %1.", gp_result_as_string(code)),
+              where};
   }
 }
 

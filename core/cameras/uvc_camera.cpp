@@ -8,6 +8,7 @@
 #include <opencv2/videoio.hpp>
 #include <optional>
 
+#include "base/message.h"
 #include "base/text.h"
 
 namespace ostraka::cameras {
@@ -44,9 +45,9 @@ class UvcCamera final : public devices::Camera {
     const bool device = options_.source.starts_with("/dev/");
     try {
       if (!(device ? video_.open(options_.source, cv::CAP_V4L2) : video_.open(options_.source)))
-        return gone(
+        return gone(message(
             "The video camera cannot be opened; check that it is plugged in and that no other "
-            "program uses it.");
+            "program uses it."));
       if (device) {
         video_.set(cv::CAP_PROP_BUFFERSIZE, 1);
         if (options_.width > 0) {
@@ -57,7 +58,7 @@ class UvcCamera final : public devices::Camera {
         }
       }
     } catch (const cv::Exception&) {
-      return gone("The video camera cannot be opened.");
+      return gone(message("The video camera cannot be opened."));
     }
     return {};
   }
@@ -78,11 +79,10 @@ class UvcCamera final : public devices::Camera {
     char* end = nullptr;
     const double wanted = std::strtod(value.c_str(), &end);
     if (found == properties().end() || value.empty() || *end != '\0')
-      return Error::unusable(
-          "A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as "
-          "numbers; not " +
-              name + " " + value + ".",
-          options_.source);
+      return Error::unusable(message("A video camera has exposure (0.1 ms), focus, white_balance "
+                                     "(K) and gain, as numbers; not %1 %2.",
+                                     name, value),
+                             options_.source);
     const Property& property = found->second;
     remember(property.value);
     if (property.automatic >= 0) {
@@ -93,7 +93,7 @@ class UvcCamera final : public devices::Camera {
     const double kept = video_.get(property.value);
     if (std::abs(kept - wanted) > 0.01 * std::abs(wanted) + 0.5)
       return Error::unusable(
-          "The camera keeps " + name + " at " + written(kept) + " instead of " + value + ".",
+          message("The camera keeps %1 at %2 instead of %3.", name, written(kept), value),
           options_.source);
     return devices::CameraSetting{name, written(kept), {}, false};
   }
@@ -110,14 +110,14 @@ class UvcCamera final : public devices::Camera {
 
   Result<void> getReady(std::stop_token) override {
     frame_.reset();
-    return video_.isOpened() ? Result<void>() : Result<void>(gone("It is not open."));
+    return video_.isOpened() ? Result<void>() : Result<void>(gone(message("It is not open.")));
   }
 
   Result<void> trigger() override {
     frame_.reset();
     for (int k = 0; k < options_.most_stale; ++k) {
       const double before_s = clock_->now_s();
-      if (!video_.grab()) return gone("The video camera no longer delivers pictures.");
+      if (!video_.grab()) return gone(message("The video camera no longer delivers pictures."));
       if (clock_->now_s() - before_s > kFresh_s) break;
     }
     const Result<cv::Mat> frame = read();
@@ -127,14 +127,15 @@ class UvcCamera final : public devices::Camera {
   }
 
   Result<std::vector<devices::CameraFile>> fetch(double, std::stop_token) override {
-    if (!frame_) return gone("The video camera took no picture.");
+    if (!frame_) return gone(message("The video camera took no picture."));
     const cv::Mat frame = *frame_;
     frame_.reset();
     if (options_.width > 0 && frame.cols != options_.width)
-      return Error::unusable("The video camera delivers pictures of " + std::to_string(frame.cols) +
-                                 "x" + std::to_string(frame.rows) +
-                                 " pixels instead of the configured size.",
-                             options_.source);
+      return Error::unusable(
+          message(
+              "The video camera delivers pictures of %1x%2 pixels instead of the configured size.",
+              frame.cols, frame.rows),
+          options_.source);
     return std::vector<devices::CameraFile>{{"frame.jpg", encoded(frame, 95)}};
   }
 
@@ -160,16 +161,16 @@ class UvcCamera final : public devices::Camera {
   UvcCamera& operator=(const UvcCamera&) = delete;
 
  private:
-  Error gone(const std::string& what) const { return {ErrorCode::Missing, what, options_.source}; }
+  Error gone(const Message& what) const { return {ErrorCode::Missing, what, options_.source}; }
   void remember(int property) { before_.insert({property, video_.get(property)}); }
 
   Result<cv::Mat> read() {
     cv::Mat frame;
     try {
       if (!video_.read(frame) || frame.empty())
-        return gone("The video camera no longer delivers pictures.");
+        return gone(message("The video camera no longer delivers pictures."));
     } catch (const cv::Exception&) {
-      return gone("The video camera no longer delivers pictures.");
+      return gone(message("The video camera no longer delivers pictures."));
     }
     return frame.clone();
   }
@@ -190,7 +191,7 @@ class UvcCamera final : public devices::Camera {
 
 Result<std::unique_ptr<devices::Camera>> openUvcCamera(const UvcOptions& options,
                                                        std::shared_ptr<devices::Clock> clock) {
-  if (options.source.empty()) return Error::unusable("The video camera must be named.");
+  if (options.source.empty()) return Error::unusable(message("The video camera must be named."));
   auto camera = std::make_unique<UvcCamera>(options, std::move(clock));
   if (const Result<void> opened = camera->open(); !opened) return opened.error();
   return std::unique_ptr<devices::Camera>(std::move(camera));

@@ -10,6 +10,7 @@
 #include <map>
 #include <set>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "files/files.h"
 #include "rig/plate_print.h"
@@ -22,12 +23,14 @@ namespace fs = std::filesystem;
 constexpr const char* kArriving = ".arriving";
 
 Error cannotWrite(const fs::path& path, int reason) {
-  std::string what = "This cannot be written (" + std::string(std::strerror(reason)) +
-                     "); choose another folder for the batch or check its permissions.";
-  if (reason == ENOSPC) what = "The disk is full; free some space, then continue shooting.";
+  Message what = message(
+      "This cannot be written (%1); choose another folder for the batch or check its permissions.",
+      std::strerror(reason));
+  if (reason == ENOSPC)
+    what = message("The disk is full; free some space, then continue shooting.");
   if (reason == EEXIST)
-    what =
-        "A file with this name already exists and is not overwritten; choose another batch name.";
+    what = message(
+        "A file with this name already exists and is not overwritten; choose another batch name.");
   return {ErrorCode::CannotWrite, what, path.string()};
 }
 
@@ -91,7 +94,8 @@ Result<void> isThisPlate(const fs::path& file, const batch::Plate& plate) {
            (there->markers[i].corners[0] - plate.markers[i].corners[0]).norm() < 1e-3;
   if (same) return {};
   return Error::unusable(
-      "This batch started on another plate; continue with that plate or start a new batch.",
+      message(
+          "This batch started on another plate; continue with that plate or start a new batch."),
       file.string());
 }
 
@@ -163,10 +167,9 @@ Result<BatchStore> BatchStore::open(const fs::path& batch, batch::Side side, int
     m.cameras = cameras;
   }
   if (m.stops != stops || m.cameras != cameras)
-    return Error::unusable("This batch started with " + std::to_string(m.cameras) +
-                               " cameras and " + std::to_string(m.stops) + " positions, not with " +
-                               std::to_string(cameras) + " and " + std::to_string(stops) +
-                               "; choose another folder.",
+    return Error::unusable(message("This batch started with %1 cameras and %2 positions, not with "
+                                   "%3 and %4; choose another folder.",
+                                   m.cameras, m.stops, cameras, stops),
                            batch.string());
   if (const Result<void> kept = keepPlate(batch, plate); !kept) return kept.error();
   if (const Result<void> tidied = store.tidyUp(side); !tidied) return tidied.error();
@@ -209,8 +212,8 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
       const Result<std::string> bytes = readFile(fileOf(entry));
       if (bytes && bytes->size() == entry.bytes && sha256(*bytes) == entry.sha256) continue;
       return Error::unusable(
-          "The photograph has changed since it was taken; restore the original or choose "
-          "another folder for the batch.",
+          message("The photograph has changed since it was taken; restore the original or choose "
+                  "another folder for the batch."),
           fileOf(entry).string());
     }
     // Between the manifest and the name when the program ended.
@@ -227,9 +230,9 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
     if (name.ends_with(kArriving)) {
       left_over.push_back(e.path());
     } else if (name.starts_with("cam") && !ours.contains(name)) {
-      return Error::unusable(
-          "This photograph does not belong to this batch; choose another folder for the batch.",
-          e.path().string());
+      return Error::unusable(message("This photograph does not belong to this batch; choose "
+                                     "another folder for the batch."),
+                             e.path().string());
     }
   }
   const std::string raw_of_side = std::string(".") + batch::name(side) + "_";
@@ -247,8 +250,9 @@ Result<Arriving> BatchStore::stage(const std::vector<devices::CameraFile>& files
       std::find_if(files.begin(), files.end(),
                    [](const devices::CameraFile& f) { return !photographExtension(f).empty(); });
   if (photograph == files.end())
-    return Error::unusable("Camera " + batch::cameraLetter(camera) +
-                           " delivers raw files only; set its image format to JPEG, or to both.");
+    return Error::unusable(
+        message("Camera %1 delivers raw files only; set its image format to JPEG, or to both.",
+                batch::cameraLetter(camera)));
   Arriving arriving;
   ManifestEntry& entry = arriving.entry;
   entry.side = side_;
@@ -331,21 +335,22 @@ bool BatchStore::holdsElsewhere(const ManifestEntry& entry) const {
                      });
 }
 
-std::vector<std::string> BatchStore::otherSettings(
+std::vector<Message> BatchStore::otherSettings(
     const ManifestEntry& entry, const std::map<std::string, std::string>& of_rig) const {
   const auto first =
       std::find_if(manifest_.entries.begin(), manifest_.entries.end(), [&](const ManifestEntry& e) {
         return e.used && e.camera == entry.camera && !e.settings.empty();
       });
-  std::vector<std::string> others;
+  std::vector<Message> others;
   for (const auto& [name, now] : entry.settings) {
     if (const auto rig = of_rig.find(name); rig != of_rig.end()) {
       if (rig->second != now)
-        others.push_back(name + " is " + now + ", but the rig specifies " + rig->second);
+        others.push_back(message("%1 is %2, but the rig specifies %3", name, now, rig->second));
     } else if (first != manifest_.entries.end()) {
       const auto then = first->settings.find(name);
       if (then != first->settings.end() && then->second != now)
-        others.push_back(name + " is " + now + ", but the first photograph used " + then->second);
+        others.push_back(
+            message("%1 is %2, but the first photograph used %3", name, now, then->second));
     }
   }
   return others;

@@ -43,8 +43,8 @@ class BatchStore {
   bool holdsElsewhere(const ManifestEntry& entry) const;
   /// "exposure is 1/60, the rig says 1/8": settings that are not the rig's; what the rig does not
   /// name is compared with the camera's first photograph that is in use. Empty: all are the same.
-  std::vector<std::string> otherSettings(const ManifestEntry& entry,
-                                         const std::map<std::string, std::string>& of_rig) const;
+  std::vector<Message> otherSettings(const ManifestEntry& entry,
+                                     const std::map<std::string, std::string>& of_rig) const;
   Manifest& manifest() { return manifest_; }
   const Manifest& manifest() const { return manifest_; }
   std::filesystem::path fileOf(const ManifestEntry& entry) const { return batch_ / entry.file; }

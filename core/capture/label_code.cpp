@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/message.h"
+
 namespace ostraka::capture {
 
 Result<std::vector<std::string>> codesIn(std::string_view picture) {
@@ -17,7 +19,7 @@ Result<std::vector<std::string>> codesIn(std::string_view picture) {
   } catch (const cv::Exception&) {
     grey.release();
   }
-  if (grey.empty()) return Error::unusable("The picture cannot be decoded.");
+  if (grey.empty()) return Error::unusable(message("The picture cannot be decoded."));
   ZXing::DecodeHints hints;
   hints.setFormats(ZXing::BarcodeFormat::QRCode);
   hints.setTryHarder(true);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "files/contained_path.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
@@ -103,7 +104,8 @@ Result<Manifest> readManifest(const std::filesystem::path& batch) {
   const Result<nlohmann::json> json = readJson(file);
   if (!json) return json.error();
   const Error unusable = Error::unusable(
-      "Not an Ostraka photograph list; choose another folder for the batch.", file.string());
+      message("Not an Ostraka photograph list; choose another folder for the batch."),
+      file.string());
   try {
     if (json->at("format") != kManifestFormat) return unusable;
     manifest.stops = wholeAt(*json, "stops", 0, limits::kRigStops.most);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "cameras/folder_camera.h"
 #include "cameras/gphoto_camera.h"
 #include "cameras/uvc_camera.h"
@@ -51,9 +52,11 @@ Result<std::unique_ptr<devices::Turntable>> openTurntable(
   const bool comxim = place.driver == "comxim1" || place.driver == "comxim2";
   const bool text = place.driver == "text";
   if (!comxim && !text && place.driver != "grbl")
-    return Error::unusable("The turntable driver " + place.driver +
-                               " is unknown; available: grbl, comxim1, comxim2, text, hand.",
-                           rig_file);
+    return Error::unusable(
+        message(
+            "The turntable driver %1 is unknown; available: grbl, comxim1, comxim2, text, hand.",
+            place.driver),
+        rig_file);
   turntables::TextTableOptions words{turntables::marlinDialect(), place.speed_deg_s,
                                      place.clockwise};
   if (text && !place.dialect.empty()) {
@@ -92,7 +95,7 @@ Result<std::unique_ptr<devices::Camera>> openCamera(const CameraPlace& place,
     return cameras::openUvcCamera(options, clock);
   }
   return Error::unusable(
-      "The camera driver " + place.driver + " is unknown; available: folder, gphoto2, uvc.",
+      message("The camera driver %1 is unknown; available: folder, gphoto2, uvc.", place.driver),
       rig_file);
 }
 
@@ -102,21 +105,22 @@ Result<DevicesFile> readDevices(const fs::path& rig_file) {
   const Result<nlohmann::json> json = readJson(rig_file);
   if (!json) return json.error();
   if (!json->is_object() || !json->contains("devices"))
-    return Error::unusable(
-        "The rig names no devices; 'ostraka devices' lists what is plugged in and how to enter it "
-        "in the rig.",
-        rig_file);
+    return Error::unusable(message("The rig names no devices; 'ostraka devices' lists what is "
+                                   "plugged in and how to enter it "
+                                   "in the rig."),
+                           rig_file);
   try {
     DevicesFile devices = devicesFromJson(json->at("devices"));
-    if (devices.cameras.empty()) return Error::unusable("The rig names no camera.", rig_file);
+    if (devices.cameras.empty())
+      return Error::unusable(message("The rig names no camera."), rig_file);
     if (!(devices.settle_s >= 0) || !(devices.turntable.speed_deg_s > 0))
-      return Error::unusable("settle_s and speed_deg_s must be positive.", rig_file);
+      return Error::unusable(message("settle_s and speed_deg_s must be positive."), rig_file);
     if (devices.plate.is_relative()) devices.plate = rig_file.parent_path() / devices.plate;
     return devices;
   } catch (const nlohmann::json::exception& refused) {
-    return unusableJson(refused,
-                        "The section 'devices' cannot be read; compare it with docs/devices.md.",
-                        rig_file);
+    return unusableJson(
+        refused, message("The section 'devices' cannot be read; compare it with docs/devices.md."),
+        rig_file);
   }
 }
 

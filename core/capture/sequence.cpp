@@ -1,14 +1,16 @@
 #include "capture/sequence.h"
 
+#include "base/message.h"
 #include "capture/manifest.h"
 #include "capture/series.h"
 
 namespace ostraka::capture {
 
 Result<void> SideOptions::check() const {
-  const auto bad = [](const char* what) { return Error::unusable(what); };
+  const auto bad = [](const Message& what) { return Error::unusable(what); };
   if (batch.empty()) return bad("The batch must name a folder.");
-  if (stops < 3 || stops > 99) return bad("The number of positions must be between 3 and 99.");
+  if (stops < 3 || stops > 99)
+    return bad(message("The number of positions must be between 3 and 99."));
   return {};
 }
 

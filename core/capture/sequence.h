@@ -55,7 +55,7 @@ struct CaptureEvent {
   int camera = -1;               ///< -1: none in particular
   std::filesystem::path file{};  ///< of ShotKept and ShotRefused
   ShotCheck check{};             ///< of ShotKept and ShotRefused
-  std::string trouble{};         ///< one sentence
+  Message trouble{};             ///< one sentence
   int take = 0;                  ///< from 1
 };
 
@@ -101,7 +101,7 @@ Result<std::vector<ShotName>> missingShots(const SideOptions& options, int camer
 
 /// Before clearing the plate: is every sherd of the front there on the back? One sentence a
 /// complaint; none: the plate may be cleared.
-std::vector<std::string> compareSides(const SideCheck& front, const SideCheck& back);
+std::vector<Message> compareSides(const SideCheck& front, const SideCheck& back);
 /// Nearly all pieces lie where they lay: nothing was turned over.
 bool sameSide(const SideCheck& front, const SideCheck& back);
 

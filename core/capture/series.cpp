@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "files/files.h"
 
@@ -18,11 +19,11 @@ std::string shotWords(int stop, int camera) {
   return "Camera " + batch::cameraLetter(camera) + ", position " + std::to_string(stop + 1);
 }
 
-std::string listed(const ShotCheck& check) {
-  std::string text;
-  for (const std::string& sentence : check.sentences())
-    text += (text.empty() ? "" : "; ") + sentence;
-  return text;
+Message listed(const ShotCheck& check) {
+  Message all;
+  for (const Message& sentence : check.sentences())
+    all = all.empty() ? sentence : Message("%1; %2", {all, sentence});
+  return all;
 }
 
 void Series::tell(CaptureEvent event) {
@@ -69,7 +70,7 @@ Result<SideSummary> Series::run() {
 Result<void> Series::prepare() {
   if (Result<void> r = options_.check(); !r) return r;
   if (devices_.cameras.empty() || !devices_.turntable)
-    return Error{ErrorCode::Missing, "The rig has no camera or no turntable.", {}};
+    return Error{ErrorCode::Missing, message("The rig has no camera or no turntable."), {}};
   const int cameras = static_cast<int>(devices_.cameras.size());
   Result<BatchStore> store =
       BatchStore::open(options_.batch, options_.side, options_.stops, cameras, devices_.plate);
@@ -86,10 +87,10 @@ Result<void> Series::prepare() {
   for (const ShotName& again : options_.retake) {
     if (again.stop < 0 || again.stop >= options_.stops || again.camera < 0 ||
         again.camera >= cameras)
-      return Error::unusable(
-          "There is no shot " + std::to_string(again.stop + 1) + batch::cameraLetter(again.camera) +
-          " to retake: this side has positions 1 to " + std::to_string(options_.stops) +
-          " and cameras A to " + batch::cameraLetter(cameras - 1) + ".");
+      return Error::unusable(message(
+          "There is no shot %1 to retake: this side has positions 1 to %2 and cameras A to %3.",
+          std::to_string(again.stop + 1) + batch::cameraLetter(again.camera), options_.stops,
+          batch::cameraLetter(cameras - 1)));
   }
   if (Result<void> r = store_->setAside(options_.retake, "retake requested"); !r) return r;
   for (int s = 0; s < options_.stops; ++s) {
@@ -114,9 +115,9 @@ Result<void> Series::sameCamera(int camera) const {
   for (const ManifestEntry& entry : store_->manifest().entries)
     if (entry.used && entry.camera == camera && !entry.camera_serial.empty() &&
         entry.camera_serial != id.serial)
-      return Error::unusable("Camera " + batch::cameraLetter(camera) + " of this batch was " +
-                                 entry.camera_serial + ", but the connected one is " + id.serial +
-                                 "; continue with the original cameras or choose another folder.",
+      return Error::unusable(message("Camera %1 of this batch was %2, but the connected one is %3; "
+                                     "continue with the original cameras or choose another folder.",
+                                     batch::cameraLetter(camera), entry.camera_serial, id.serial),
                              options_.batch.string());
   return {};
 }
@@ -154,7 +155,8 @@ Result<void> Series::findPosition() {
   if (!seen)
     return Error{
         ErrorCode::NotEnough,
-        "The turntable's position is unknown: turn its zero mark to the front and set zero.",
+        message(
+            "The turntable's position is unknown: turn its zero mark to the front and set zero."),
         table.name()};
   if (Result<void> r = table.zeroHere(stop_); !r) return r;
   zero_unknown_ = true;
@@ -221,7 +223,7 @@ Result<void> Series::turnOnce(const Task& task, double beyond_deg, std::span<con
 
 Result<void> Series::recoverTable(const Error& trouble) {
   tell({.kind = CaptureEventKind::Trouble, .trouble = trouble.sentence()});
-  progress_.note(NoteLevel::Warning, "capture: " + trouble.sentence());
+  progress_.note(NoteLevel::Warning, about("capture", trouble.sentence()));
   if (trouble.code == ErrorCode::Missing)
     if (Result<void> r = devices_.turntable->reopen(stop_); !r)
       return r.error().code == ErrorCode::Missing ? Result<void>() : r;  // tried again by the turn
@@ -240,7 +242,9 @@ Result<void> Series::takeVerdicts() {
     entry->sharpness = shot.check.sharpness;
     entry->markers_seen = shot.check.markers_seen;
     entry->sherds = shot.check.sherds;
-    entry->problems = shot.check.sentences();
+    entry->problems.clear();
+    for (const Message& problem : shot.check.sentences())
+      entry->problems.push_back(problem.english());
     if (!shot.refused) continue;
     if (Result<void> r = refuse(shot); !r) return r;
     again[shot.stop].push_back(shot.camera);
@@ -254,15 +258,16 @@ Result<void> Series::takeVerdicts() {
 }
 
 Result<void> Series::refuse(const Shot& shot) {
-  const std::string why = listed(shot.check);
-  if (Result<void> r = store_->setAside({{shot.stop, shot.camera}}, why); !r) return r;
+  const Message why = listed(shot.check);
+  if (Result<void> r = store_->setAside({{shot.stop, shot.camera}}, why.english()); !r) return r;
   progress_.note(NoteLevel::Info,
-                 "capture: " + shotWords(shot.stop, shot.camera) + " is retaken: " + why);
+                 Message("capture: %1 is retaken: %2", {shotWords(shot.stop, shot.camera), why}));
   if (tries_[{shot.stop, shot.camera}] < options_.tries_per_shot) return {};
-  return Error{ErrorCode::Failed,
-               shotWords(shot.stop, shot.camera) + " failed " +
-                   std::to_string(options_.tries_per_shot) + " times: " + why + ".",
-               {}};
+  return Error{
+      ErrorCode::Failed,
+      message("Camera %1, position %2 failed %3 times: %4.", batch::cameraLetter(shot.camera),
+              shot.stop + 1, options_.tries_per_shot, why),
+      {}};
 }
 
 // When all cameras see the plate turned by the same angle too far, it is the table that is wrong;
@@ -314,7 +319,7 @@ Result<SideSummary> Series::summary() {
       done.lies_wrongly =
           done.lies_wrongly || std::any_of(entry->problems.begin(), entry->problems.end(),
                                            [](const std::string& problem) {
-                                             return problem == words(ShotProblem::CutOff);
+                                             return words(ShotProblem::CutOff) == problem;
                                            });
     }
   done.check = checkSide(files, devices_.plate, {}, stop_);

@@ -117,6 +117,6 @@ class Series {
 /// "Camera B, position 3".
 std::string shotWords(int stop, int camera);
 /// Sentences about the problems, one after the other.
-std::string listed(const ShotCheck& check);
+Message listed(const ShotCheck& check);
 
 }  // namespace ostraka::capture

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "batch/image_header.h"
 #include "capture/series.h"
@@ -85,10 +86,11 @@ Result<void> Series::takeProofs(std::vector<int> cameras, const Task& task) {
   for (int round = 0; !cameras.empty(); ++round) {
     if (stop_.stop_requested()) return Error::cancelled();
     if (round == options_.tries_per_shot)
-      return Error{ErrorCode::Failed,
-                   "Camera " + batch::cameraLetter(cameras[0]) +
-                       " delivers only earlier or broken photographs; switch it off and on.",
-                   devices_.cameras[static_cast<std::size_t>(cameras[0])]->id().serial};
+      return Error{
+          ErrorCode::Failed,
+          message("Camera %1 delivers only earlier or broken photographs; switch it off and on.",
+                  batch::cameraLetter(cameras[0])),
+          devices_.cameras[static_cast<std::size_t>(cameras[0])]->id().serial};
     if (round > 0)
       parallelFor(cameras.size(), static_cast<int>(cameras.size()),
                   [&](std::size_t i) { emptyCamera(cameras[i]); });
@@ -238,7 +240,8 @@ void Series::checkShot(Shot& shot, std::shared_ptr<const MappedInspection> mappe
       .check = shot.check,
       .take = entry->take};
   if (shot.refused)
-    event.trouble = shotWords(shot.stop, shot.camera) + ": " + listed(shot.check) + ".";
+    event.trouble = message("Camera %1, position %2: %3.", batch::cameraLetter(shot.camera),
+                            shot.stop + 1, listed(shot.check));
   tell(event);
 }
 
@@ -321,7 +324,7 @@ Result<void> Series::recoverCamera(int camera, int stop, const Error& trouble) {
         .camera = camera,
         .trouble = trouble.sentence()});
   progress_.note(NoteLevel::Warning,
-                 "capture: " + shotWords(stop, camera) + ": " + trouble.sentence());
+                 about("capture", about(shotWords(stop, camera), trouble.sentence())));
   devices::Camera& device = *devices_.cameras[static_cast<std::size_t>(camera)];
   Result<void> back = device.reopen(stop_);
   if (back) (void)setAsRigSays(camera);     // one that was switched off; the shot's check tells

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/message.h"
+
 namespace ostraka::capture {
 namespace {
 
@@ -19,31 +21,33 @@ double unwound(double angle, double near) {
 
 }  // namespace
 
-std::string words(ShotProblem problem) {
+Message words(ShotProblem problem) {
   switch (problem) {
     case ShotProblem::Unreadable:
-      return "the file is truncated or not a picture";
+      return message("the file is truncated or not a picture");
     case ShotProblem::WrongStop:
-      return "the markers show an angle other than this position's";
+      return message("the markers show an angle other than this position's");
     case ShotProblem::OtherSize:
-      return "the picture's size differs from that of the camera's other pictures";
+      return message("the picture's size differs from that of the camera's other pictures");
     case ShotProblem::Unplaced:
-      return "too few markers are visible to identify the position: check that nothing covers them "
-             "and that the picture is sharp";
+      return message(
+          "too few markers are visible to identify the position: check that nothing covers them "
+          "and that the picture is sharp");
     case ShotProblem::Repeated:
-      return "the camera delivered an earlier photograph again";
+      return message("the camera delivered an earlier photograph again");
     case ShotProblem::FewMarkers:
-      return "too few markers of the plate are visible: check that nothing covers them";
+      return message("too few markers of the plate are visible: check that nothing covers them");
     case ShotProblem::Blurred:
-      return "the picture is blurred: check that the turntable is still and the focus is unchanged";
+      return message(
+          "the picture is blurred: check that the turntable is still and the focus is unchanged");
     case ShotProblem::TooDark:
-      return "the sherds are too dark: add light or increase the exposure time";
+      return message("the sherds are too dark: add light or increase the exposure time");
     case ShotProblem::TooBright:
-      return "the sherds are overexposed: reduce the exposure time";
+      return message("the sherds are overexposed: reduce the exposure time");
     case ShotProblem::CutOff:
-      return "a sherd is cut off by the picture's edge: move it or the camera";
+      return message("a sherd is cut off by the picture's edge: move it or the camera");
     case ShotProblem::OtherSettings:
-      return "the camera's settings have changed: restore them";
+      return message("the camera's settings have changed: restore them");
   }
   return {};
 }
@@ -66,11 +70,11 @@ bool ShotCheck::again() const {
   return !keepable() || may_pass;
 }
 
-std::vector<std::string> ShotCheck::sentences() const {
-  std::vector<std::string> all;
+std::vector<Message> ShotCheck::sentences() const {
+  std::vector<Message> all;
   for (const ShotProblem p : problems)
     if (p != ShotProblem::OtherSettings || other_settings.empty()) all.push_back(words(p));
-  for (const std::string& setting : other_settings) all.push_back(setting + ": restore it");
+  for (const Message& setting : other_settings) all.push_back(message("%1: restore it", setting));
   return all;
 }
 

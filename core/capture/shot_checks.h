@@ -28,7 +28,7 @@ enum class ShotProblem {
   CutOff,        ///< a sherd touches the frame of the photograph
   OtherSettings  ///< exposure, focus or another setting is not the rig's, or the first shot's
 };
-std::string words(ShotProblem problem);
+Message words(ShotProblem problem);
 bool mustNotBeKept(ShotProblem problem);
 
 /// A sherd as seen in one picture.
@@ -98,11 +98,11 @@ struct ShotCheck {
   bool keepable() const;  ///< no problem that forbids it
   bool again() const;     ///< a problem that another photograph may not have
   /// What each problem is, in words.
-  std::vector<std::string> sentences() const;
+  std::vector<Message> sentences() const;
   /// Blurred, or markers hidden that this camera has seen before.
   bool may_pass = false;
   /// Of OtherSettings: "exposure is 1/60, the rig says 1/8".
-  std::vector<std::string> other_settings;
+  std::vector<Message> other_settings;
 };
 
 /// What one camera's photographs of a side have shown so far.
@@ -127,7 +127,7 @@ struct SideCheck {
   bool counted = false;                 ///< false: no photograph showed enough of the plate
   std::vector<Eigen::Vector3d> places;  ///< of the pieces: x, y on the plate, mm, and area, mm2
   std::vector<Eigen::Vector2d> touching_mm, doubtful_mm;  ///< where, on the plate
-  std::vector<std::string> sentences;  ///< what a person should know before going on
+  std::vector<Message> sentences;  ///< what a person should know before going on
 };
 
 /// Counts over all stops of the camera that looks down most steeply: shadows stay with the room,

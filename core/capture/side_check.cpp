@@ -197,8 +197,8 @@ bool sameSide(const SideCheck& front, const SideCheck& back) {
   return !front.places.empty() && 5 * same >= 4 * front.places.size();
 }
 
-std::vector<std::string> compareSides(const SideCheck& front, const SideCheck& back) {
-  std::vector<std::string> sentences;
+std::vector<Message> compareSides(const SideCheck& front, const SideCheck& back) {
+  std::vector<Message> sentences;
   if (sameSide(front, back))
     sentences.push_back("The back looks like the front: turn the sherds over and reshoot them.");
   if (!front.counted || !back.counted) {

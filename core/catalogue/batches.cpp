@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <set>
 
+#include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/history.h"
 #include "catalogue/stamped_rows.h"
+#include "files/json_message.h"
 #include "records/words.h"
 #include "store/database.h"
 #include "store/names.h"
@@ -98,7 +100,7 @@ std::string bagsText(const std::vector<store::BagRow>& bags) {
 
 void checkBatch(const records::BatchRecord& b) {
   if (b.counted < 0 || b.counted > 60)
-    store::refuse("A plate holds 1 to 60 sherds; 0 means not counted.", b.number);
+    store::refuse(message("A plate holds 1 to 60 sherds; 0 means not counted."), b.number);
 }
 
 // Of what a record may change.
@@ -112,10 +114,11 @@ constexpr const char* kBatches =
 
 records::BatchRecord readBatchRow(store::Database& database, store::Statement& row) {
   records::BatchRecord b;
-  std::string state;
+  std::string state, doubts;
   row >> b.row >> b.id >> b.number >> b.operator_ >> b.counted >> state >> b.started_ms >>
-      b.ended_ms >> b.reprojection_px >> b.scale_error_pct >> b.scale_doubts >> b.rig_sha256 >>
-      b.program >> b.settings_sha256 >> b.note;
+      b.ended_ms >> b.reprojection_px >> b.scale_error_pct >> doubts >> b.rig_sha256 >> b.program >>
+      b.settings_sha256 >> b.note;
+  b.scale_doubts = messagesFromText(doubts, b.number);
   b.state = records::fromWord<records::BatchState>(state);
   b.bags = bagsOf(database, b.row);
   return b;
@@ -144,13 +147,14 @@ Result<store::BatchRow> Batches::add(const records::BatchRecord& wanted,
     checkBatch(b);
     store::valueOrThrow(store::checkedBatchNumber(b.number));
     if (!b.id.empty() && !isUuid(b.id))
-      store::refuse("The uuid of a batch is not well formed.", b.id);
+      store::refuse(message("The uuid of a batch is not well formed."), b.id);
     store::Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?");
-    if (same.with(b.number).next()) store::refuse("The batch " + b.number + " already exists.");
+    if (same.with(b.number).next())
+      store::refuse(message("The batch %1 already exists.", b.number));
     const store::BatchRow row{addRow(catalogue_, provenance, "batch", b.id,
                                      std::string("number ") + kBatchColumns, b.number, b.operator_,
                                      b.counted, records::wordOf(b.state), b.started_ms, b.ended_ms,
-                                     b.reprojection_px, b.scale_error_pct, b.scale_doubts,
+                                     b.reprojection_px, b.scale_error_pct, textOf(b.scale_doubts),
                                      b.rig_sha256, b.program, b.settings_sha256, b.note)};
     setBags(*database_, row, b.bags);
     remember(catalogue_, provenance, "batch", row.value, "", "", b.number);
@@ -171,7 +175,7 @@ Result<void> Batches::save(const records::BatchRecord& b, const records::Provena
                              {"ended_ms", optionalText(b.ended_ms)},
                              {"reprojection_px", optionalText(b.reprojection_px)},
                              {"scale_error_pct", optionalText(b.scale_error_pct)},
-                             {"scale_doubts", b.scale_doubts},
+                             {"scale_doubts", textOf(b.scale_doubts)},
                              {"rig_sha256", b.rig_sha256},
                              {"program", b.program},
                              {"settings_sha256", b.settings_sha256},
@@ -184,7 +188,7 @@ Result<void> Batches::save(const records::BatchRecord& b, const records::Provena
     if (!changed) return;
     changeRow(catalogue_, provenance, "batch", b.row.value, kBatchColumns, b.operator_, b.counted,
               records::wordOf(b.state), b.started_ms, b.ended_ms, b.reprojection_px,
-              b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program, b.settings_sha256,
+              b.scale_error_pct, textOf(b.scale_doubts), b.rig_sha256, b.program, b.settings_sha256,
               b.note);
   });
 }
@@ -211,7 +215,7 @@ Result<std::vector<records::BatchRecord>> Batches::all() const {
 Result<records::BatchRecord> Batches::get(store::BatchRow row) const {
   return database_->asResult([&] {
     store::Statement rows = database_->sql(std::string(kBatches) + "WHERE row = ?");
-    if (!rows.with(row).next()) store::refuse("This batch is not in the catalogue.");
+    if (!rows.with(row).next()) store::refuse(message("This batch is not in the catalogue."));
     return readBatchRow(*database_, rows);
   });
 }
@@ -219,7 +223,8 @@ Result<records::BatchRecord> Batches::get(store::BatchRow row) const {
 Result<records::BatchRecord> Batches::byNumber(const std::string& number) const {
   return database_->asResult([&] {
     store::Statement rows = database_->sql(std::string(kBatches) + "WHERE number = ?");
-    if (!rows.with(number).next()) store::refuse("This batch is not in the catalogue.", number);
+    if (!rows.with(number).next())
+      store::refuse(message("This batch is not in the catalogue."), number);
     return readBatchRow(*database_, rows);
   });
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/message.h"
 #include "catalogue/history.h"
 #include "files/json_text.h"
 #include "records/numbering.h"
@@ -39,20 +40,21 @@ Catalogue& Catalogue::operator=(Catalogue&&) noexcept = default;
 Catalogue::~Catalogue() = default;
 
 Result<void> Catalogue::checkIntegrity() const {
-  const Result<std::string> found = database_->asResult([&]() -> std::string {
+  const Result<Message> found = database_->asResult([&]() -> Message {
     const std::string check = firstText(*database_, "PRAGMA integrity_check(1)");
     if (check != "ok") return check;
     const std::string foreign = firstText(*database_, "PRAGMA foreign_key_check");
-    if (!foreign.empty()) return "a row of " + foreign + " refers to a missing row";
-    if (firstText(*database_, "SELECT id FROM project").empty()) return "it contains no project";
+    if (!foreign.empty()) return message("a row of %1 refers to a missing row", foreign);
+    if (firstText(*database_, "SELECT id FROM project").empty())
+      return message("it contains no project");
     if (firstText(*database_,
                   "SELECT count(*) FROM sherd WHERE row NOT IN (SELECT sherd FROM sherd_measure) "
                   "OR (number <> '' AND row NOT IN (SELECT sherd FROM given_number))") != "0")
-      return "the sherd tables are inconsistent";
+      return message("the sherd tables are inconsistent");
     if (firstText(*database_,
                   "SELECT count(*) FROM sherd WHERE row NOT IN (SELECT id FROM "
                   "sherd_text_content)") != "0")
-      return "the search index is incomplete";
+      return message("the search index is incomplete");
     return {};
   });
   if (!found) return found.error();
@@ -83,7 +85,8 @@ Result<void> Catalogue::backup(const fs::path& file) const {
         read_back.database().asResult([&] { return historyRows(read_back.database()); });
     if (!found) return found.error();
     if (*found < *written)  // others may have written meanwhile, so more is all right
-      return Error{ErrorCode::CannotWrite, "The backup does not contain the saved data; try again.",
+      return Error{ErrorCode::CannotWrite,
+                   message("The backup does not contain the saved data; try again."),
                    file.string()};
   }
   return copy->become(file, store::PartialFile::Existing::Replaced);

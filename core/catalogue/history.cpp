@@ -36,6 +36,19 @@ std::string rowAsNamed(store::Database& database, const std::string& field, std:
   return value;
 }
 
+Message gone(std::string_view table) {
+  if (table == "batch") return message("This batch is no longer in the catalogue.");
+  if (table == "photograph") return message("This photograph is no longer in the catalogue.");
+  if (table == "scan") return message("This scan is no longer in the catalogue.");
+  if (table == "file") return message("This file is no longer in the catalogue.");
+  if (table == "person") return message("This person is no longer in the catalogue.");
+  if (table == "site") return message("This site is no longer in the catalogue.");
+  if (table == "trench") return message("This trench is no longer in the catalogue.");
+  if (table == "context") return message("This context is no longer in the catalogue.");
+  if (table == "bag") return message("This bag is no longer in the catalogue.");
+  return message("A sherd is no longer in the catalogue.");
+}
+
 }  // namespace
 
 void remember(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
@@ -64,8 +77,7 @@ bool rememberDifferences(const Catalogue& catalogue, const records::Provenance& 
   {
     store::Statement rows =
         catalogue.database().sql("SELECT " + columns + " FROM " + table + " WHERE row = ?");
-    if (!rows.with(row).next())
-      store::refuse("This " + std::string(table) + " is no longer in the catalogue.");
+    if (!rows.with(row).next()) store::refuse(gone(table));
     for (std::string& value : old_values) rows.readText(value);
   }
   bool any = false;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/history.h"
 #include "catalogue/search.h"
@@ -21,20 +22,42 @@ constexpr std::string_view kContextKinds[] = {"",          "layer",   "cut",    
                                               "structure", "surface", "unstratified"};
 
 // A code or number that people read: composed, without blanks at its ends, not empty.
-std::string needed(const std::string& text, const char* what) {
+struct NeededText {
+  Template<0> empty, too_long;
+};
+constexpr NeededText kPersonName{
+    translatable<0>("The name of a person must not be empty."),
+    translatable<0>("The name of a person must have at most 200 characters.")};
+constexpr NeededText kInitials{
+    translatable<0>("The person's initials must not be empty."),
+    translatable<0>("The person's initials must have at most 200 characters.")};
+constexpr NeededText kSiteCode{
+    translatable<0>("The code of a site must not be empty."),
+    translatable<0>("The code of a site must have at most 200 characters.")};
+constexpr NeededText kTrenchCode{
+    translatable<0>("The code of a trench must not be empty."),
+    translatable<0>("The code of a trench must have at most 200 characters.")};
+constexpr NeededText kContextNumber{
+    translatable<0>("The number of a context must not be empty."),
+    translatable<0>("The number of a context must have at most 200 characters.")};
+constexpr NeededText kBagNumber{
+    translatable<0>("The number of a bag must not be empty."),
+    translatable<0>("The number of a bag must have at most 200 characters.")};
+
+std::string needed(const std::string& text, const NeededText& words) {
   const Result<std::string> checked = store::checkedText(text);
   if (!checked) throw store::Refused(checked.error());
-  if (checked->empty()) store::refuse(std::string("The ") + what + " must not be empty.");
-  if (checked->size() > 200)
-    store::refuse(std::string("The ") + what + " must have at most 200 characters.", *checked);
+  if (checked->empty()) store::refuse(message(words.empty));
+  if (checked->size() > 200) store::refuse(message(words.too_long), *checked);
   return *checked;
 }
 
 // What two places are told apart by; a person's name may need such letters.
-std::string neededCode(const std::string& text, const char* what) {
-  std::string code = needed(text, what);
+std::string neededCode(const std::string& text, const NeededText& words) {
+  std::string code = needed(text, words);
   if (store::hasInvisible(code))
-    store::refuse("A number or code cannot contain invisible characters; type it again.", code);
+    store::refuse(message("A number or code cannot contain invisible characters; type it again."),
+                  code);
   return code;
 }
 
@@ -44,7 +67,7 @@ std::string checked(const Result<std::string>& value, const char* where) {
 }
 
 // The row that holds this key already, other than the one being saved.
-void refuseDouble(store::Statement rows, std::int64_t own, const std::string& what) {
+void refuseDouble(store::Statement rows, std::int64_t own, const Message& what) {
   std::int64_t row = 0;
   while (rows.next()) {
     rows >> row;
@@ -58,7 +81,7 @@ class Saving {
   Saving(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
          std::int64_t row, const std::string& id)
       : catalogue_(catalogue), provenance_(provenance), table_(table), row_(row), id_(id) {
-    if (!id.empty() && !isUuid(id)) store::refuse("The uuid is not well formed.", id);
+    if (!id.empty() && !isUuid(id)) store::refuse(message("The uuid is not well formed."), id);
   }
 
   template <class... Values>
@@ -124,12 +147,12 @@ Result<std::vector<records::PersonRecord>> People::all() const {
 Result<store::PersonRow> People::save(const records::PersonRecord& p,
                                       const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string name = needed(p.name, "name of a person");
-    const std::string initials = needed(p.initials, "person's initials");
+    const std::string name = needed(p.name, kPersonName);
+    const std::string initials = needed(p.initials, kInitials);
     const std::string key = store::uniqueKey(initials);
     store::Statement same = database_->sql("SELECT row FROM person WHERE initials_key = ?");
     refuseDouble(std::move(same.with(key)), p.row.value,
-                 "The initials " + initials + " already belong to another person.");
+                 message("The initials %1 already belong to another person.", initials));
     return store::PersonRow{Saving(catalogue_, provenance, "person", p.row.value, p.id)
                                 .done("name initials initials_key orcid", initials,
                                       {{"name", name}, {"initials", initials}, {"orcid", p.orcid}},
@@ -168,13 +191,13 @@ Result<std::vector<records::SiteRecord>> Places::sites() const {
 Result<store::SiteRow> Places::save(const records::SiteRecord& s,
                                     const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string code = neededCode(s.code, "code of a site"), key = store::uniqueKey(code);
+    const std::string code = neededCode(s.code, kSiteCode), key = store::uniqueKey(code);
     if (s.latitude_deg && !(*s.latitude_deg >= -90 && *s.latitude_deg <= 90))
-      store::refuse("The latitude must be between -90 and 90 degrees.", code);
+      store::refuse(message("The latitude must be between -90 and 90 degrees."), code);
     if (s.longitude_deg && !(*s.longitude_deg >= -180 && *s.longitude_deg <= 180))
-      store::refuse("The longitude must be between -180 and 180 degrees.", code);
+      store::refuse(message("The longitude must be between -180 and 180 degrees."), code);
     refuseDouble(std::move(database_->sql("SELECT row FROM site WHERE code_key = ?").with(key)),
-                 s.row.value, "The site " + code + " already exists.");
+                 s.row.value, message("The site %1 already exists.", code));
     const store::SiteRow row{
         Saving(catalogue_, provenance, "site", s.row.value, s.id)
             .done("code code_key name latitude_deg longitude_deg location_public gazetteer", code,
@@ -208,12 +231,13 @@ Result<std::vector<records::TrenchRecord>> Places::trenches() const {
 Result<store::TrenchRow> Places::save(const records::TrenchRecord& t,
                                       const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string code = neededCode(t.code, "code of a trench"), key = store::uniqueKey(code);
-    if (!t.site) store::refuse("A trench needs a site.", code);
-    if (t.parent && t.parent == t.row) store::refuse("A trench cannot contain itself.", code);
+    const std::string code = neededCode(t.code, kTrenchCode), key = store::uniqueKey(code);
+    if (!t.site) store::refuse(message("A trench needs a site."), code);
+    if (t.parent && t.parent == t.row)
+      store::refuse(message("A trench cannot contain itself."), code);
     refuseDouble(std::move(database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?")
                                .with(t.site, key)),
-                 t.row.value, "The trench " + code + " already exists in this site.");
+                 t.row.value, message("The trench %1 already exists in this site.", code));
     const store::TrenchRow row{Saving(catalogue_, provenance, "trench", t.row.value, t.id)
                                    .done("site code code_key name parent", code,
                                          {{"site", rowText(t.site.value)},
@@ -239,7 +263,8 @@ Result<std::vector<records::ContextRecord>> Places::contexts() const {
 Result<records::ContextRecord> Places::context(store::ContextRow row) const {
   return database_->asResult([&] {
     store::Statement rows = database_->sql(std::string(kContexts) + " WHERE context.row = ?");
-    if (!rows.with(row).next()) store::refuse("This context is no longer in the catalogue.");
+    if (!rows.with(row).next())
+      store::refuse(message("This context is no longer in the catalogue."));
     return readContext(rows);
   });
 }
@@ -262,26 +287,26 @@ Result<store::ContextRow> Places::contextByPlace(const std::string& site, const 
 Result<store::ContextRow> Places::save(const records::ContextRecord& c,
                                        const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string number = neededCode(c.number, "number of a context"),
-                      key = store::uniqueKey(number);
-    if (!c.site) store::refuse("A context needs a site.", number);
+    const std::string number = neededCode(c.number, kContextNumber), key = store::uniqueKey(number);
+    if (!c.site) store::refuse(message("A context needs a site."), number);
     if (std::find(std::begin(kContextKinds), std::end(kContextKinds), c.kind) ==
         std::end(kContextKinds))
       store::refuse(
-          "'" + c.kind +
-          "' is not a kind of context; use layer, cut, fill, structure, surface or unstratified.");
+          message("'%1' is not a kind of context; use layer, cut, fill, structure, surface or "
+                  "unstratified.",
+                  c.kind));
     const std::string day = checked(store::checkedDay(c.excavated_on), "excavated_on");
     const std::string edtf = checked(store::checkedEdtf(c.date_edtf), "date_edtf");
     if (c.trench) {
       store::Statement inside = database_->sql("SELECT 1 FROM trench WHERE row = ? AND site = ?");
       if (!inside.with(c.trench, c.site).next())
-        store::refuse("The trench and the context belong to different sites.", number);
+        store::refuse(message("The trench and the context belong to different sites."), number);
     }
     refuseDouble(std::move(database_
                                ->sql("SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) "
                                      "= ifnull(?, 0) AND number_key = ?")
                                .with(c.site, c.trench, key)),
-                 c.row.value, "The context " + number + " already exists in this place.");
+                 c.row.value, message("The context %1 already exists in this place.", number));
     const store::ContextRow row{Saving(catalogue_, provenance, "context", c.row.value, c.id)
                                     .done("site trench number number_key kind excavated_on period "
                                           "date_edtf closed note extra",
@@ -329,18 +354,17 @@ Result<std::vector<records::BagRecord>> Places::bags(store::ContextRow context) 
 Result<store::BagRow> Places::save(const records::BagRecord& b,
                                    const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string number = neededCode(b.number, "number of a bag"),
-                      key = store::uniqueKey(number);
-    if (!b.context) store::refuse("A bag needs a context.", number);
+    const std::string number = neededCode(b.number, kBagNumber), key = store::uniqueKey(number);
+    if (!b.context) store::refuse(message("A bag needs a context."), number);
     const std::string day = checked(store::checkedDay(b.collected_on), "collected_on");
     if (b.weight_g && !(*b.weight_g > 0))
-      store::refuse("The weight of a bag must be greater than 0 g.", number);
+      store::refuse(message("The weight of a bag must be greater than 0 g."), number);
     if (b.count_written && *b.count_written < 0)
-      store::refuse("A count cannot be less than 0.", number);
+      store::refuse(message("A count cannot be less than 0."), number);
     refuseDouble(
         std::move(database_->sql("SELECT row FROM bag WHERE context = ? AND number_key = ?")
                       .with(b.context, key)),
-        b.row.value, "The bag " + number + " already exists in this context.");
+        b.row.value, message("The bag %1 already exists in this context.", number));
     return store::BagRow{
         Saving(catalogue_, provenance, "bag", b.row.value, b.id)
             .done("context number number_key collected_on storage count_written weight_g", number,

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/history.h"
 #include "files/json_text.h"
@@ -45,7 +46,8 @@ Result<void> Settings::setProject(const records::ProjectRecord& p,
                                   const records::Provenance& provenance) {
   if (!isProjectCode(p.code))
     return Error::unusable(
-        "The project's code must be 2 to 8 capital letters or digits, for example ARM.", p.code);
+        message("The project's code must be 2 to 8 capital letters or digits, for example ARM."),
+        p.code);
   if (const Result<records::Numbering> scheme = records::Numbering::parse(p.numbering); !scheme)
     return scheme.error();
   return database_->inTransaction([&] {
@@ -137,9 +139,9 @@ Result<void> Settings::setVocabulary(const std::string& name,
     std::set<std::string> seen;
     for (const records::Term& term : terms) {
       if (store::trimmed(term.term).empty() || term.term.find(';') != std::string::npos)
-        store::refuse("A vocabulary term must contain letters and no ';'.", name);
+        store::refuse(message("A vocabulary term must contain letters and no ';'."), name);
       if (!seen.insert(term.term).second)
-        store::refuse("The term '" + term.term + "' appears twice in the vocabulary.", name);
+        store::refuse(message("The term '%1' appears twice in the vocabulary.", term.term), name);
       newer.push_back(term.term);
     }
     for (const std::string& term : older) {
@@ -151,8 +153,7 @@ Result<void> Settings::setVocabulary(const std::string& name,
       std::int64_t count = 0;
       if (used.next()) used >> count;
       if (count > 0)
-        store::refuse("Sherds with the term '" + term + "': " + std::to_string(count) +
-                          "; change those first.",
+        store::refuse(message("Sherds with the term '%1': %2; change those first.", term, count),
                       name);
     }
     database_->sql("DELETE FROM vocabulary WHERE name = ?").with(name).run();

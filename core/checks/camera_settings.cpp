@@ -43,22 +43,32 @@ std::string body(const Exif& e) {
 
 struct Setting {
   std::string (*value)(const Exif&);
-  const char* what;
-  const char* so;
+  Template<2> differs;  // the camera, the values
 };
 
-constexpr const char* kUneven =
-    "); set the camera to manual, because uneven photographs make masks and colours less reliable.";
 constexpr Setting kSettings[] = {
-    {body, ": its photographs come from different cameras (",
-     "); give each camera its own name, because photographs with the same camera name share one "
-     "lens calibration."},
-    {focalLength, ": its focal length varies between photographs (",
-     "); all share one lens calibration, so fix the zoom and reshoot."},
-    {aperture, ": its aperture varies between photographs (", kUneven},
-    {exposureTime, ": its exposure time varies between photographs (", kUneven},
-    {iso, ": its sensitivity varies between photographs (", kUneven},
-    {whiteBalance, ": its white balance varies between photographs (", kUneven}};
+    {body,
+     translatable<2>("Camera %1: its photographs come from different cameras (%2); give each "
+                     "camera its own name, because photographs with the same camera name share one "
+                     "lens calibration.")},
+    {focalLength,
+     translatable<2>("Camera %1: its focal length varies between photographs (%2); all share one "
+                     "lens calibration, so fix the zoom and reshoot.")},
+    {aperture,
+     translatable<2>("Camera %1: its aperture varies between photographs (%2); set the camera to "
+                     "manual, because uneven photographs make masks and colours less reliable.")},
+    {exposureTime,
+     translatable<2>("Camera %1: its exposure time varies between photographs (%2); set the camera "
+                     "to manual, because uneven photographs make masks and colours less "
+                     "reliable.")},
+    {iso,
+     translatable<2>("Camera %1: its sensitivity varies between photographs (%2); set the camera "
+                     "to manual, because uneven photographs make masks and colours less "
+                     "reliable.")},
+    {whiteBalance,
+     translatable<2>("Camera %1: its white balance varies between photographs (%2); set the camera "
+                     "to manual, because uneven photographs make masks and colours less "
+                     "reliable.")}};
 
 // The most frequent first.
 std::string listed(const std::map<std::string, int>& counts) {
@@ -73,9 +83,9 @@ std::string listed(const std::map<std::string, int>& counts) {
 
 }  // namespace
 
-std::vector<std::string> settingsWarnings(std::span<const batch::Shot> shots,
-                                          std::span<const Exif> exif) {
-  std::vector<std::string> warnings;
+std::vector<Message> settingsWarnings(std::span<const batch::Shot> shots,
+                                      std::span<const Exif> exif) {
+  std::vector<Message> warnings;
   std::map<int, std::vector<std::size_t>> of_camera;
   for (std::size_t i = 0; i < shots.size(); ++i) of_camera[shots[i].camera].push_back(i);
   for (const auto& [camera, photographs] : of_camera)
@@ -84,13 +94,12 @@ std::vector<std::string> settingsWarnings(std::span<const batch::Shot> shots,
       for (const std::size_t i : photographs)
         if (const std::string value = setting.value(exif[i]); !value.empty()) ++counts[value];
       if (counts.size() > 1)
-        warnings.push_back("Camera " + batch::cameraLetter(camera) + setting.what + listed(counts) +
-                           setting.so);
+        warnings.push_back(message(setting.differs, batch::cameraLetter(camera), listed(counts)));
     }
   return warnings;
 }
 
-std::vector<std::string> settingsWarnings(const batch::Batch& batch, int threads) {
+std::vector<Message> settingsWarnings(const batch::Batch& batch, int threads) {
   if (batch.way == batch::Way::FreeCamera) return {};
   std::vector<Exif> exif(batch.shots.size());
   parallelFor(exif.size(), threads,

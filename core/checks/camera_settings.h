@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "batch/batch.h"
 #include "batch/exif.h"
 
@@ -12,11 +13,11 @@ namespace ostraka::checks {
 /// wrote: the body (one lens is computed for all), focal length, aperture, exposure time, ISO,
 /// white balance. Whole sentences; photographs that say nothing of a setting differ from none.
 /// exif: one a shot.
-std::vector<std::string> settingsWarnings(std::span<const batch::Shot> shots,
-                                          std::span<const batch::Exif> exif);
+std::vector<Message> settingsWarnings(std::span<const batch::Shot> shots,
+                                      std::span<const batch::Exif> exif);
 
 /// The same, read from the batch's photographs. None of photographs by hand: each has a tone of its
 /// own, and those of one body, zoom and size share a lens by themselves.
-std::vector<std::string> settingsWarnings(const batch::Batch& batch, int threads);
+std::vector<Message> settingsWarnings(const batch::Batch& batch, int threads);
 
 }  // namespace ostraka::checks

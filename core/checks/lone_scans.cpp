@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/message.h"
 #include "scan/footprint.h"
 
 namespace ostraka::checks {
@@ -14,11 +15,11 @@ constexpr double kLess = 0.10, kMore = 0.05;
 
 }  // namespace
 
-std::vector<std::string> perhapsTouching(std::span<const scan::Scan* const> lone,
-                                         std::span<const scan::Scan* const> others) {
+std::vector<Message> perhapsTouching(std::span<const scan::Scan* const> lone,
+                                     std::span<const scan::Scan* const> others) {
   std::vector<double> areas;
   for (const scan::Scan* other : others) areas.push_back(scan::areaFromAbove_mm2(other->cloud));
-  std::vector<std::string> words;
+  std::vector<Message> words;
   for (const scan::Scan* scan : lone) {
     const double area = scan::areaFromAbove_mm2(scan->cloud);
     double least = 1;
@@ -32,9 +33,9 @@ std::vector<std::string> perhapsTouching(std::span<const scan::Scan* const> lone
       }
     if (best)
       words.push_back(
-          scan->id + " may be two sherds that touch, " + others[best->first]->id + " and " +
-          others[best->second]->id +
-          " of the other side: split it in the review, or move them apart and reshoot its side.");
+          message("%1 may be two sherds that touch, %2 and %3 of the other side: split it in the "
+                  "review, or move them apart and reshoot its side.",
+                  scan->id, others[best->first]->id, others[best->second]->id));
   }
   return words;
 }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "calibration/calibrate.h"
 #include "files/files.h"
 #include "files/json.h"
@@ -46,7 +47,8 @@ Result<std::vector<MovedCamera>> movedCameras(const fs::path& output) {
                        numberAt(camera, "turned_rad")});
     }
   } catch (const nlohmann::json::exception&) {
-    return Error::unusable("This file does not state how well the rig fits.", file.string());
+    return Error::unusable(message("This file does not state how well the rig fits."),
+                           file.string());
   }
   return moved;
 }
@@ -57,10 +59,10 @@ Result<fs::path> calibrateFrom(const fs::path& output, const fs::path& rig_file)
   const Result<rig::Rig> old = rig::readRig(rig_file);
   if (!old) return old.error();
   if (numbersOf(*fresh) != numbersOf(*old))
-    return Error::unusable(
-        "This calibration is for other cameras than those of the batch; calibrate the rig from its "
-        "own photographs.",
-        rig_file.string());
+    return Error::unusable(message("This calibration is for other cameras than those of the batch; "
+                                   "calibrate the rig from its "
+                                   "own photographs."),
+                           rig_file.string());
   const Result<std::string> bytes = readFile(rig_file);
   if (!bytes) return bytes.error();
   const fs::path kept = nameForTheOld(rig_file);

@@ -1,6 +1,7 @@
 #include "checks/no_scale.h"
 
 #include "base/median.h"
+#include "base/message.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
 
@@ -53,10 +54,11 @@ void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double f
     if (image.side == side) image.camera_from_plate.translation() *= factor;
 }
 
-std::string noScaleWarning() {
-  return "The result has no scale: without plate.json no length is known, and lengths in mm rest "
-         "on a guessed pixel size; photograph on a marker plate, lay the board of board.json "
-         "beside the sherds on both sides, or mark a known length on both in scale.json.";
+Message noScaleWarning() {
+  return message(
+      "The result has no scale: without plate.json no length is known, and lengths in mm rest "
+      "on a guessed pixel size; photograph on a marker plate, lay the board of board.json "
+      "beside the sherds on both sides, or mark a known length on both in scale.json.");
 }
 
 }  // namespace ostraka::checks

@@ -32,6 +32,6 @@ Result<std::optional<KnownScale>> knownScale(const batch::Batch& batch, batch::S
 void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double factor);
 
 /// The sentence that report and terminal must show for such a batch.
-std::string noScaleWarning();
+Message noScaleWarning();
 
 }  // namespace ostraka::checks

@@ -64,29 +64,46 @@ Result<Look> lookAt(const rig::PosedImage& image, const batch::Plate& plate,
   return look;
 }
 
-std::string blurWarning(const std::string& file, double edge_px, double sharpest_px,
-                        bool left_out) {
-  return file + formatted(
-                    ": The photograph is blurred: its edges are %.1f pixels wide, those of the "
-                    "camera's sharpest %.1f; %sretake it.",
-                    edge_px, sharpest_px, left_out ? "it is left out, " : "");
+Message blurWarning(const std::string& file, double edge_px, double sharpest_px, bool left_out) {
+  const Decimal edge = decimal(edge_px, 1), sharpest = decimal(sharpest_px, 1);
+  return left_out ? message(
+                        "%1: The photograph is blurred: its edges are %2 pixels wide, those of "
+                        "the camera's sharpest %3; it is left out, retake it.",
+                        file, edge, sharpest)
+                  : message(
+                        "%1: The photograph is blurred: its edges are %2 pixels wide, those of "
+                        "the camera's sharpest %3; retake it.",
+                        file, edge, sharpest);
 }
 
 // Nothing is left out: they are all there is.
-std::string allBlurredWarning(batch::Side side, double edge_px) {
-  return formatted(
-      "All photographs of the %s side are blurred: even in the sharpest, the markers' "
-      "edges are %.0f pixels wide, so its scans are coarse. Check focus and shutter "
-      "speed, and reshoot this side.",
-      batch::name(side), edge_px);
+Message allBlurredWarning(batch::Side side, double edge_px) {
+  const Decimal edge = decimal(edge_px, 0);
+  return side == batch::Side::Front
+             ? message(
+                   "All photographs of the front side are blurred: even in the sharpest, the "
+                   "markers' edges are %1 pixels wide, so its scans are coarse. Check focus "
+                   "and shutter speed, and reshoot this side.",
+                   edge)
+             : message(
+                   "All photographs of the back side are blurred: even in the sharpest, the "
+                   "markers' edges are %1 pixels wide, so its scans are coarse. Check focus "
+                   "and shutter speed, and reshoot this side.",
+                   edge);
 }
 
-std::string coverWarning(batch::Side side, const std::vector<int>& covered, std::size_t markers) {
+Message coverWarning(batch::Side side, const std::vector<int>& covered, std::size_t markers) {
   std::string ids;
   for (const int id : covered) ids += (ids.empty() ? "" : ", ") + std::to_string(id);
-  return std::to_string(covered.size()) + " of the plate's " + std::to_string(markers) +
-         " markers are visible in no photograph of the " + batch::name(side) + " side (" + ids +
-         "); camera poses rely on the others, so uncover these.";
+  return side == batch::Side::Front
+             ? message(
+                   "%1 of the plate's %2 markers are visible in no photograph of the front "
+                   "side (%3); camera poses rely on the others, so uncover these.",
+                   covered.size(), markers, ids)
+             : message(
+                   "%1 of the plate's %2 markers are visible in no photograph of the back "
+                   "side (%3); camera poses rely on the others, so uncover these.",
+                   covered.size(), markers, ids);
 }
 
 }  // namespace

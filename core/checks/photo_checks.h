@@ -25,8 +25,8 @@ struct PhotoCheckOptions {
 };
 
 struct PhotoFindings {
-  std::vector<std::string> warnings;  ///< sentences that name the files
-  std::vector<std::size_t> spoilt;    ///< by index of images, rising: better left out
+  std::vector<Message> warnings;    ///< sentences that name the files
+  std::vector<std::size_t> spoilt;  ///< by index of images, rising: better left out
 };
 
 /// What is wrong with the photographs: which are blurred (masks and stereo are worse with them than

@@ -8,29 +8,52 @@
 namespace ostraka::checks {
 namespace {
 
-std::string doubtOf(const checks::CheckedLength& length) {
-  const bool too_small = length.error() < 0;
-  return "The scale is wrong: " + sentence(length) + ", so all measurements would be " +
-         fixed(100 * std::abs(length.error()), 2) + " % too " + (too_small ? "small" : "large") +
-         "; measure the ruler on the plate and set its true size in plate.json with 'ostraka plate "
-         "--ruler-measured', or reprint the plate at 100 %; if the plate is correct, measure the "
-         "length and set its marks again.";
+Message doubtOf(const checks::CheckedLength& length) {
+  const Decimal off = decimal(100 * std::abs(length.error()), 2);
+  return length.error() < 0
+             ? message(
+                   "The scale is wrong: %1, so all measurements would be %2 % too small; measure "
+                   "the ruler on the plate and set its true size in plate.json with 'ostraka plate "
+                   "--ruler-measured', or reprint the plate at 100 %; if the plate is correct, "
+                   "measure the length and set its marks again.",
+                   sentence(length), off)
+             : message(
+                   "The scale is wrong: %1, so all measurements would be %2 % too large; measure "
+                   "the ruler on the plate and set its true size in plate.json with 'ostraka plate "
+                   "--ruler-measured', or reprint the plate at 100 %; if the plate is correct, "
+                   "measure the length and set its marks again.",
+                   sentence(length), off);
 }
 
-std::string unusable(const batch::KnownLength& known) {
-  return "The length of " + fixed(known.length_mm, 2) + " mm in scale.json could not be checked: " +
-         "mark each of its ends on at least two photographs of the " + batch::name(known.side) +
-         " side, taken from different directions.";
+Message unusable(const batch::KnownLength& known) {
+  const Decimal length = decimal(known.length_mm, 2);
+  return known.side == batch::Side::Front
+             ? message(
+                   "The length of %1 mm in scale.json could not be checked: mark each of its ends "
+                   "on at least two photographs of the front side, taken from different "
+                   "directions.",
+                   length)
+             : message(
+                   "The length of %1 mm in scale.json could not be checked: mark each of its ends "
+                   "on at least two photographs of the back side, taken from different directions.",
+                   length);
 }
 
 }  // namespace
 
-std::string sentence(const checks::CheckedLength& length) {
-  const std::string sign = length.error() < 0 ? "" : "+";
-  return "the length of " + fixed(length.true_mm, 2) + " mm marked on the " +
-         batch::name(length.side) + " side measures " + fixed(length.found_mm, 2) + " +- " +
-         fixed(length.sd_mm, 2) + " mm in the photographs (" + sign +
-         fixed(100 * length.error(), 2) + " %)";
+Message sentence(const checks::CheckedLength& length) {
+  const Decimal truth = decimal(length.true_mm, 2), found = decimal(length.found_mm, 2),
+                sd = decimal(length.sd_mm, 2);
+  const std::string off = (length.error() < 0 ? "" : "+") + fixed(100 * length.error(), 2);
+  return length.side == batch::Side::Front
+             ? message(
+                   "the length of %1 mm marked on the front side measures %2 +- %3 mm in the "
+                   "photographs (%4 %)",
+                   truth, found, sd, off)
+             : message(
+                   "the length of %1 mm marked on the back side measures %2 +- %3 mm in the "
+                   "photographs (%4 %)",
+                   truth, found, sd, off);
 }
 
 ScaleCheck checkScale(const calibration::BatchPoses& poses,
@@ -38,7 +61,7 @@ ScaleCheck checkScale(const calibration::BatchPoses& poses,
   ScaleCheck check;
   check.lengths = nlohmann::ordered_json::array();
   for (const calibration::HeldOutDistance& distance : poses.held_out)
-    if (const std::optional<std::string> doubt = calibration::scaleDoubt(distance))
+    if (const std::optional<Message> doubt = calibration::scaleDoubt(distance))
       check.doubts.push_back(*doubt);
   const std::vector<std::optional<checks::CheckedLength>> found =
       checks::checkLengths(poses.images, lengths);
@@ -54,7 +77,7 @@ ScaleCheck checkScale(const calibration::BatchPoses& poses,
                              {"error_pct", 100 * found[i]->error()},
                              {"contradicts", found[i]->contradicts()}});
     if (!found[i]->contradicts()) {
-      check.agreeing.push_back("scale: " + sentence(*found[i]));
+      check.agreeing.push_back(about("scale", sentence(*found[i])));
       continue;
     }
     check.doubts.push_back(doubtOf(*found[i]));

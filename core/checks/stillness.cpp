@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/parallel.h"
+#include "base/text.h"
 
 namespace ostraka::checks {
 namespace {
@@ -196,6 +197,29 @@ std::vector<MovedSherd> findMoved(std::span<const rig::PosedImage> images,
     }
   }
   return moved;
+}
+
+Message movedWarning(const MovedSherd& sherd, batch::Side side, const std::string& photograph) {
+  const Decimal by = decimal(sherd.by_mm, 0);
+  const bool front = side == batch::Side::Front;
+  if (!photograph.empty())
+    return front ? message(
+                       "%1 moved by about %2 mm on the front side: from %3 on, it lies "
+                       "elsewhere; reshoot this side.",
+                       sherd.scan, by, photograph)
+                 : message(
+                       "%1 moved by about %2 mm on the back side: from %3 on, it lies "
+                       "elsewhere; reshoot this side.",
+                       sherd.scan, by, photograph);
+  const std::string file = formatted("%02d", sherd.from_stop);
+  return front ? message(
+                     "%1 moved by about %2 mm on the front side: from position %3 on (pos%4), "
+                     "it lies elsewhere; reshoot this side.",
+                     sherd.scan, by, sherd.from_stop + 1, file)
+               : message(
+                     "%1 moved by about %2 mm on the back side: from position %3 on (pos%4), "
+                     "it lies elsewhere; reshoot this side.",
+                     sherd.scan, by, sherd.from_stop + 1, file);
 }
 
 }  // namespace ostraka::checks

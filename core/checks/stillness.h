@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
+#include "batch/batch.h"
 #include "rig/camera.h"
 #include "scan/scan.h"
 
@@ -33,5 +35,9 @@ std::vector<MovedSherd> findMoved(std::span<const rig::PosedImage> images,
                                   std::span<const cv::Mat1b> masks,
                                   std::span<const scan::Scan> scans,
                                   const StillnessOptions& options);
+
+/// What a person is told of one. photograph: the first one after the push where each has its own
+/// camera pose; else empty, and the turntable's position is named.
+Message movedWarning(const MovedSherd& sherd, batch::Side side, const std::string& photograph);
 
 }  // namespace ostraka::checks

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "files/files.h"
 
 namespace ostraka {
@@ -154,10 +155,10 @@ namespace {
 
 Result<void> checkFaces(const TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.size());
-  if (mesh.triangles.empty()) return Error::unusable("The mesh has no faces to write.");
+  if (mesh.triangles.empty()) return Error::unusable(message("The mesh has no faces to write."));
   for (const auto& t : mesh.triangles)
     if (std::min({t[0], t[1], t[2]}) < 0 || std::max({t[0], t[1], t[2]}) >= n)
-      return Error::unusable("A face of the mesh refers to a vertex that does not exist.");
+      return Error::unusable(message("A face of the mesh refers to a vertex that does not exist."));
   return {};
 }
 
@@ -190,7 +191,7 @@ Result<std::string> formatted(const TriangleMesh& mesh, const GlbTexture* textur
                               const GlbExtras& extras) {
   if (const Result<void> good = checkFaces(mesh); !good) return good.error();
   if (texture != nullptr && texture->uv.size() != mesh.vertices.size())
-    return Error::unusable("Not every vertex has a place in the texture.");
+    return Error::unusable(message("Not every vertex has a place in the texture."));
   Buffer buffer;
   ordered_json attributes = {{"POSITION", addPositions(buffer, mesh)}};
   if (mesh.normals.size() == mesh.vertices.size()) attributes["NORMAL"] = addNormals(buffer, mesh);

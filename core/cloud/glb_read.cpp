@@ -3,6 +3,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "cloud/glb.h"
 #include "files/json.h"
 
@@ -15,10 +16,10 @@ constexpr std::uint32_t kReadMagic = 0x46546C67, kReadJson = 0x4E4F534A, kReadBi
 constexpr std::size_t kHeader = 12, kChunkHeader = 8;
 
 Error noTexture(const std::string& where) {
-  return Error::unusable(
-      "The texture of this GLB model cannot be read, so the model is used without it; reprocess "
-      "its batch to write the file anew.",
-      where);
+  return Error::unusable(message("The texture of this GLB model cannot be read, so the model is "
+                                 "used without it; reprocess "
+                                 "its batch to write the file anew."),
+                         where);
 }
 
 template <class T>

@@ -2,6 +2,8 @@
 
 #include <charconv>
 
+#include "base/message.h"
+
 namespace ostraka {
 namespace {
 
@@ -31,7 +33,7 @@ Result<std::string> formatted(const TriangleMesh& mesh, const ObjTexture* textur
   const bool colors = texture == nullptr && mesh.colors.size() == mesh.vertices.size(),
              normals = mesh.normals.size() == mesh.vertices.size();
   if (texture != nullptr && texture->uv.size() != mesh.vertices.size())
-    return Error::unusable("Not every vertex has a place in the texture.");
+    return Error::unusable(message("Not every vertex has a place in the texture."));
   std::string text = "# Ostraka, unit mm\n";
   if (texture != nullptr) text += "mtllib " + texture->material_file + '\n';
   for (int v = 0; v < n; ++v) {
@@ -53,7 +55,8 @@ Result<std::string> formatted(const TriangleMesh& mesh, const ObjTexture* textur
     text += 'f';
     for (const int v : t) {
       if (v < 0 || v >= n)
-        return Error::unusable("A face of the mesh refers to a vertex that does not exist.");
+        return Error::unusable(
+            message("A face of the mesh refers to a vertex that does not exist."));
       const std::string number = std::to_string(v + 1);
       text += ' ' + number;
       if (texture != nullptr || normals) text += '/';

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "files/files.h"
 
 namespace ostraka {
@@ -74,8 +75,7 @@ std::vector<std::string_view> words(std::string_view line) {
 }
 
 // One line of the header; an empty string when it was understood, else what is wrong with it.
-std::string readHeaderLine(const std::vector<std::string_view>& w, Header& header,
-                           bool& has_format) {
+Message readHeaderLine(const std::vector<std::string_view>& w, Header& header, bool& has_format) {
   if (w.empty() || w[0] == "comment" || w[0] == "obj_info") return {};
   if (w[0] == "format" && w.size() >= 2) {
     has_format = true;
@@ -86,39 +86,40 @@ std::string readHeaderLine(const std::vector<std::string_view>& w, Header& heade
     else if (w[1] == "binary_big_endian")
       header.format = Format::Big;
     else
-      return "its format is unknown";
+      return message("its format is unknown");
     return {};
   }
   if (w[0] == "element" && w.size() == 3) {
     Element element{std::string(w[1]), 0, {}};
     const auto [end, failed] =
         std::from_chars(w[2].data(), w[2].data() + w[2].size(), element.count);
-    if (failed != std::errc() || end != w[2].data() + w[2].size()) return "a count is not a number";
+    if (failed != std::errc() || end != w[2].data() + w[2].size())
+      return message("a count is not a number");
     header.elements.push_back(std::move(element));
     return {};
   }
   if (w[0] == "property" && !header.elements.empty()) {
     const bool list = w.size() == 5 && w[1] == "list";
-    if (!list && w.size() != 3) return "a property cannot be read";
+    if (!list && w.size() != 3) return message("a property cannot be read");
     Property property{std::string(w.back()), Type::F32, {}};
     const std::optional<Type> type = typeNamed(w[list ? 3 : 1]);
-    if (!type) return "a property has an unknown type";
+    if (!type) return message("a property has an unknown type");
     property.type = *type;
     if (list) {
       property.count_type = typeNamed(w[2]);
       if (!property.count_type || *property.count_type == Type::F32 ||
           *property.count_type == Type::F64)
-        return "the length of a list is not a whole number";
+        return message("the length of a list is not a whole number");
     }
     header.elements.back().properties.push_back(std::move(property));
     return {};
   }
-  return "a line cannot be parsed";
+  return message("a line cannot be parsed");
 }
 
 Result<Header> readHeader(std::string_view bytes, const std::string& where) {
   if (!bytes.starts_with("ply"))
-    return Error::unusable("Not a PLY file; choose one, or export the scan again.", where);
+    return Error::unusable(message("Not a PLY file; choose one, or export the scan again."), where);
   Header header;
   bool has_format = false;
   std::size_t at = 0;
@@ -130,17 +131,19 @@ Result<Header> readHeader(std::string_view bytes, const std::string& where) {
     if (line_number == 1) continue;
     if (w.size() == 1 && w[0] == "end_header") {
       if (!has_format)
-        return Error::unusable("The PLY header states no format; export the file again.", where);
+        return Error::unusable(message("The PLY header states no format; export the file again."),
+                               where);
       header.size = at;
       return header;
     }
-    const std::string wrong = readHeaderLine(w, header, has_format);
+    const Message wrong = readHeaderLine(w, header, has_format);
     if (!wrong.empty())
-      return Error::unusable("The PLY header has an error in line " + std::to_string(line_number) +
-                                 ": " + wrong + "; export the file again.",
-                             where);
+      return Error::unusable(
+          message("The PLY header has an error in line %1: %2; export the file again.", line_number,
+                  wrong),
+          where);
   }
-  return Error::unusable("The PLY header has no end; export the file again.", where);
+  return Error::unusable(message("The PLY header has no end; export the file again."), where);
 }
 
 // The payload, value by value, whatever the format. `ok` turns false at the end of the file.
@@ -356,9 +359,9 @@ bool skip(const Element& element, Values& values) {
 }
 
 Error tooMany(const Limit& limit, const std::string& of, const std::string& where) {
-  return Error::unusable("The PLY file has more than " + std::to_string(limit.most) + " of '" + of +
-                             "'; export it with fewer.",
-                         where);
+  return Error::unusable(
+      message("The PLY file has more than %1 of '%2'; export it with fewer.", limit.most, of),
+      where);
 }
 
 }  // namespace
@@ -381,45 +384,49 @@ Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
         !too_many && element.count > limit.most)
       return tooMany(limit, element.name, where);
     if (too_many)
-      return Error::unusable("The PLY header declares " + std::to_string(element.count) + " of '" +
-                                 element.name +
-                                 "', more than the file contains; the file may be truncated.",
+      return Error::unusable(message("The PLY header declares %1 of '%2', more than the file "
+                                     "contains; the file may be truncated.",
+                                     element.count, element.name),
                              where);
     left -= std::min(left, element.count * least);
     if (element.name == "vertex") {
       if (has_vertices)
-        return Error::unusable("The PLY file has two lists of vertices; export it again.", where);
+        return Error::unusable(message("The PLY file has two lists of vertices; export it again."),
+                               where);
       if (!all(columnsOf(element).xyz))
-        return Error::unusable("The PLY vertices lack x, y or z; export the file again.", where);
+        return Error::unusable(message("The PLY vertices lack x, y or z; export the file again."),
+                               where);
       has_vertices = true;
       if (!readVertices(element, values, out, new_index))
-        return Error::unusable(
-            "The PLY file ends early or contains a value that is not a number; export it again.",
-            where);
+        return Error::unusable(message("The PLY file ends early or contains a value that is not a "
+                                       "number; export it again."),
+                               where);
     } else if (element.name == "face") {
       const FaceOutcome outcome = readFaces(element, values, new_index, out);
       if (outcome == FaceOutcome::AbsentVertex)
-        return Error::unusable(
-            "A face of the PLY file refers to a vertex that does not exist; export the file again.",
-            where);
+        return Error::unusable(message("A face of the PLY file refers to a vertex that does not "
+                                       "exist; export the file again."),
+                               where);
       if (outcome == FaceOutcome::TooManyCorners)
-        return Error::unusable("A face of the PLY file has more than " +
-                                   std::to_string(limits::kFaceCorners.most) +
-                                   " corners; export the file again as triangles.",
+        return Error::unusable(message("A face of the PLY file has more than %1 corners; export "
+                                       "the file again as triangles.",
+                                       limits::kFaceCorners.most),
                                where);
       if (outcome == FaceOutcome::TooManyFaces) return tooMany(limits::kFaces, element.name, where);
       if (outcome == FaceOutcome::Truncated)
-        return Error::unusable("The PLY file ends within its faces; copy it again.", where);
+        return Error::unusable(message("The PLY file ends within its faces; copy it again."),
+                               where);
     } else if (!skip(element, values)) {
-      return Error::unusable("The PLY file ends within '" + element.name + "'; copy it again.",
+      return Error::unusable(message("The PLY file ends within '%1'; copy it again.", element.name),
                              where);
     }
   }
   if (!has_vertices)
-    return Error::unusable("The PLY file has no vertices; export the scan again.", where);
+    return Error::unusable(message("The PLY file has no vertices; export the scan again."), where);
   if (values.isMoreLeft())
     return Error::unusable(
-        "The PLY file contains more data than its header declares; export it again.", where);
+        message("The PLY file contains more data than its header declares; export it again."),
+        where);
   return out;
 }
 
@@ -433,8 +440,8 @@ Result<PointCloud> readPlyCloud(const std::filesystem::path& path) {
   Result<PlyContents> contents = readPly(path);
   if (!contents) return contents.error();
   if (contents->mesh.vertices.empty())
-    return Error::unusable("The PLY file contains no usable points; export the scan again.",
-                           path.string());
+    return Error::unusable(
+        message("The PLY file contains no usable points; export the scan again."), path.string());
   return PointCloud{std::move(contents->mesh.vertices), std::move(contents->mesh.normals),
                     std::move(contents->mesh.colors), std::move(contents->quality)};
 }

@@ -8,7 +8,6 @@
 #include "catalogue/batches.h"
 #include "cluster/place.h"
 #include "cluster/tasks.h"
-#include "files/cannot_write.h"
 #include "files/contained_path.h"
 #include "files/files.h"
 #include "files/folder_lock.h"

@@ -15,7 +15,7 @@ struct Collected {
   int sherds = 0;                    ///< of these batches
   int ask = 0;                       ///< pairs and scans that want a person
   std::vector<TaskStatus> left;      ///< the others that are not entered: waiting, running, failed
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
 };
 
 /// Enters the results that are whole as those that are computed here (intake::enterComputed), each

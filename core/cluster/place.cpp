@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "colmap/colmap_program.h"
-#include "files/cannot_write.h"
 #include "files/files.h"
 #include "files/scratch_folder.h"
 

@@ -12,7 +12,6 @@
 #include "cluster/place.h"
 #include "cluster/tasks.h"
 #include "decisions/scan_folder.h"
-#include "files/cannot_write.h"
 #include "files/files.h"
 #include "files/folder_lock.h"
 #include "intake/compute_batch.h"

@@ -24,7 +24,7 @@ struct Submitted {
   std::vector<std::string> batches, arrays;  ///< arrays: Slurm's numbers
   int already = 0;                           ///< waiting, running or done on the cluster before
   int memory_mb = 0, minutes = 0;            ///< the most that was asked for
-  std::vector<std::string> warnings;         ///< of batches that were left out, a sentence each
+  std::vector<Message> warnings;             ///< of batches that were left out, a sentence each
 };
 
 /// Hands every batch that waits in the project to the cluster, unless it has it already: job

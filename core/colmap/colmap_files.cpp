@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/message.h"
 #include "colmap/colmap_format.h"
 
 namespace ostraka::colmap {
@@ -64,9 +65,10 @@ ColmapCamera toColmap(const rig::Intrinsics& i, std::uint32_t id) {
 Result<rig::Intrinsics> fromColmap(const ColmapCamera& camera) {
   const std::vector<double>& p = camera.parameters;
   const auto unusable = [&] {
-    return Error::unusable("COLMAP's camera " + std::to_string(camera.id) + " has the model '" +
-                           colmapModelName(camera.model) +
-                           "' or values that Ostraka does not support; use OPENCV instead.");
+    return Error::unusable(
+        message("COLMAP's camera %1 has the model '%2' or values that Ostraka does not support; "
+                "use OPENCV instead.",
+                camera.id, colmapModelName(camera.model)));
   };
   if (colmapParameterCount(camera.model) == 0 ||
       p.size() != static_cast<std::size_t>(colmapParameterCount(camera.model)) ||
@@ -111,7 +113,7 @@ Result<std::vector<rig::PosedImage>> fromColmap(const ColmapModel& model) {
     const auto camera = std::find_if(model.cameras.begin(), model.cameras.end(),
                                      [&](const ColmapCamera& c) { return c.id == one.camera; });
     if (camera == model.cameras.end())
-      return Error::unusable("COLMAP's model has no camera for the image '" + one.name + "'.");
+      return Error::unusable(message("COLMAP's model has no camera for the image '%1'.", one.name));
     const Result<rig::Intrinsics> intrinsics = fromColmap(*camera);
     if (!intrinsics) return intrinsics.error();
     rig::PosedImage image;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/message.h"
 #include "files/files.h"
 
 namespace ostraka::colmap {
@@ -59,7 +60,8 @@ class Reader {
 };
 
 Error damaged(const std::string& where) {
-  return Error::unusable("The file is damaged or not in COLMAP's format; run COLMAP again.", where);
+  return Error::unusable(
+      message("The file is damaged or not in COLMAP's format; run COLMAP again."), where);
 }
 
 template <class T>

@@ -9,12 +9,12 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "batch/exif.h"
 #include "batch/label_mask.h"
 #include "batch/photograph.h"
-#include "files/cannot_write.h"
 #include "files/files.h"
 #include "rig/support_plane.h"
 
@@ -112,10 +112,11 @@ class Session {
               // much to ask.
               "--Mapper.init_min_tri_angle", "8"});
     if (!mapped && mapped.error().code == ErrorCode::Failed)
-      return Error{ErrorCode::NotEnough,
-                   "COLMAP cannot align these photographs; its output is in this file. Check that "
-                   "all show the same sherds with large overlap, or photograph on a marker plate.",
-                   mapped.error().where};
+      return Error{
+          ErrorCode::NotEnough,
+          message("COLMAP cannot align these photographs; its output is in this file. Check that "
+                  "all show the same sherds with large overlap, or photograph on a marker plate."),
+          mapped.error().where};
     return mapped;
   }
 
@@ -153,9 +154,9 @@ class Session {
   Result<void> writeMask(const batch::Shot& shot, const std::string& name) {
     const Result<cv::Mat1b> mask = batch::readLabelMask(shot.mask_file);
     if (!mask) {
-      progress_.note(
-          NoteLevel::Warning,
-          mask.error().sentence() + " The pose of this photograph is estimated without its mask.");
+      progress_.note(NoteLevel::Warning,
+                     inOne(mask.error().sentence(),
+                           message("The pose of this photograph is estimated without its mask.")));
       return {};
     }
     std::vector<unsigned char> bytes;
@@ -288,10 +289,11 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
   const std::optional<fs::path> program =
       options.program.empty() ? findProgram("colmap") : std::optional(options.program);
   if (!program)
-    return Error{ErrorCode::Missing,
-                 "Without plate.json, poses come from COLMAP, which is not installed; install the "
-                 "package 'colmap' or photograph on a marker plate.",
-                 {}};
+    return Error{
+        ErrorCode::Missing,
+        message("Without plate.json, poses come from COLMAP, which is not installed; install the "
+                "package 'colmap' or photograph on a marker plate."),
+        {}};
   Session session(*program, fs::absolute(workspace), options, progress, stop);
   if (const Result<void> done = session.prepare(shots); !done) return done.error();
   if (const Result<void> done = session.run(); !done) return done.error();
@@ -315,9 +317,9 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
   const auto needed = std::max(3.0, std::ceil(options.min_posed_share * shots.size()));
   if (static_cast<double>(poses.images.size()) < needed)
     return Error{ErrorCode::NotEnough,
-                 "COLMAP found poses for " + std::to_string(poses.images.size()) + " of " +
-                     std::to_string(shots.size()) +
-                     " photographs, too few; provide masks or photograph on a marker plate.",
+                 message("COLMAP found poses for %1 of %2 photographs, too few; provide masks or "
+                         "photograph on a marker plate.",
+                         poses.images.size(), shots.size()),
                  workspace.string()};
   for (const ColmapPoint& point : model->points) {
     poses.points.push_back(point.position);

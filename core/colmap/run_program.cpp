@@ -8,8 +8,9 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "base/message.h"
 #include "colmap/colmap_program.h"
-#include "files/cannot_write.h"
+#include "files/files.h"
 #include "files/log_file.h"
 
 namespace ostraka::colmap {
@@ -113,7 +114,7 @@ Result<void> runProgram(const std::filesystem::path& program,
                         std::stop_token stop) {
   const LogFile file(log);
   if (file.descriptor() < 0)
-    return Error{ErrorCode::CannotWrite, "The log cannot be written.", log.string()};
+    return Error{ErrorCode::CannotWrite, message("The log cannot be written."), log.string()};
   // Everything is prepared before the fork.
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -123,13 +124,15 @@ Result<void> runProgram(const std::filesystem::path& program,
   ProcessGroup group;
   const pid_t parent = ::getpid(), child = group.id() > 0 ? ::fork() : -1;
   if (child == 0) becomeProgram(raw.data(), group.id(), parent, file.descriptor());
-  if (child < 0) return Error{ErrorCode::Failed, "A process cannot be started.", program.string()};
+  if (child < 0)
+    return Error{ErrorCode::Failed, message("A process cannot be started."), program.string()};
   int status = 0;
   while (true) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
     if (ended == child) break;
     if (ended < 0 && errno != EINTR)
-      return Error{ErrorCode::Failed, "The program's exit status is unknown.", program.string()};
+      return Error{ErrorCode::Failed, message("The program's exit status is unknown."),
+                   program.string()};
     if (stop.stop_requested()) {
       ::kill(child, SIGKILL);  // it may not have joined its group yet
       group.kill();
@@ -140,11 +143,12 @@ Result<void> runProgram(const std::filesystem::path& program,
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   if (WIFEXITED(status) && WEXITSTATUS(status) == kNotStarted)
-    return Error{ErrorCode::Missing, "The program cannot be started; install it.",
+    return Error{ErrorCode::Missing, message("The program cannot be started; install it."),
                  program.string()};
-  return Error{ErrorCode::Failed,
-               program.filename().string() + " ended with an error; its output is in this file.",
-               log.string()};
+  return Error{
+      ErrorCode::Failed,
+      message("%1 ended with an error; its output is in this file.", program.filename().string()),
+      log.string()};
 }
 
 }  // namespace ostraka::colmap

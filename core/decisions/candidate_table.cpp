@@ -4,6 +4,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 
@@ -121,7 +122,7 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
   c.evidence.front = indexOf(table.fronts, value.at("front").get<std::string>());
   c.evidence.back = indexOf(table.backs, value.at("back").get<std::string>());
   if (c.evidence.front < 0 || c.evidence.back < 0 || c.starts.empty())
-    return Error::unusable("A candidate refers to a scan that does not exist.", where);
+    return Error::unusable(message("A candidate refers to a scan that does not exist."), where);
   if (paper) c.evidence.distance_rad = numberAt(value, "distance_rad", 0);
   if (!paper) c.evidence.log_likelihood = numberAt(value, "log_likelihood");
   c.evidence.fracture_rms_mm = r.fracture_rms_mm;
@@ -212,8 +213,8 @@ std::optional<std::array<rig::Support, 2>> supportsFrom(const json& value) {
 }
 
 Error notATable(const std::filesystem::path& file) {
-  return Error::unusable("Not a candidate table; reprocess the batch, which redoes only its pairs.",
-                         file);
+  return Error::unusable(
+      message("Not a candidate table; reprocess the batch, which redoes only its pairs."), file);
 }
 
 }  // namespace
@@ -268,10 +269,11 @@ Result<CandidateTable> readCandidatesOf(const std::filesystem::path& output) {
   const std::filesystem::path file = output / "work" / "pairs" / "candidates.json";
   std::error_code failed;
   if (!std::filesystem::exists(file, failed))
-    return Error{ErrorCode::Missing,
-                 "The pairs of this batch are not processed yet; process the batch: complete "
-                 "results are kept.",
-                 output.string()};
+    return Error{
+        ErrorCode::Missing,
+        message("The pairs of this batch are not processed yet; process the batch: complete "
+                "results are kept."),
+        output.string()};
   Result<CandidateTable> table = readCandidates(file);
   if (table) readDecided(output / "pairs.json", *table);
   return table;

@@ -16,16 +16,18 @@ using registration::Registration;
 constexpr double kHeld_mm = 5;
 constexpr double kGivenPose_mm = 0.5;
 
-std::string named(const PairDecision& decision) {
-  return "decision of " + momentOf(decision) + " by " + decision.by;
-}
-
-std::string waiting(const PairDecision& decision, const ScanRef& scan,
-                    const std::vector<ScanRef>& scans) {
+Message waiting(const PairDecision& decision, const ScanRef& scan,
+                const std::vector<ScanRef>& scans) {
   const bool photographed_again = resolved({scan.side, scan.id, scan.place_mm, {}}, scans) >= 0;
-  return "The " + named(decision) + " concerns " + scan.id +
-         (photographed_again ? ", whose side has been reshot since; decide again."
-                             : ", which is no longer on the plate; decide again.");
+  return photographed_again
+             ? message(
+                   "The decision of %1 by %2 concerns %3, whose side has been reshot since; "
+                   "decide again.",
+                   momentOf(decision), decision.by, scan.id)
+             : message(
+                   "The decision of %1 by %2 concerns %3, which is no longer on the plate; "
+                   "decide again.",
+                   momentOf(decision), decision.by, scan.id);
 }
 
 bool common(const std::vector<int>& a, const std::vector<int>& b) {
@@ -159,9 +161,10 @@ Settled settledBy(const Decisions& standing, const CandidateTable& table) {
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (const PairDecision* later = laterThan(i, all))
-      settled.warnings.push_back("The " + named(*all[i].decision) + " has no effect: the " +
-                                 named(*later) +
-                                 ", which is later, concerns the same scan; withdraw one of them.");
+      settled.warnings.push_back(
+          message("The decision of %1 by %2 has no effect: the decision of %3 by %4, which is "
+                  "later, concerns the same scan; withdraw one of them.",
+                  momentOf(*all[i].decision), all[i].decision->by, momentOf(*later), later->by));
     else
       put(all[i], settled);
   }

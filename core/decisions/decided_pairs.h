@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "decisions/pair_sides.h"
 
 namespace ostraka::decisions {
@@ -17,7 +18,7 @@ struct Settled {
   std::vector<int> aside_front, aside_back, reshoot_front, reshoot_back;
   /// Sentences about decisions whose scans are not there any more, or were photographed again
   /// since (they wait in the file), and about those that a later one contradicts.
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
 };
 Settled settledBy(const Decisions& standing, const CandidateTable& table);
 

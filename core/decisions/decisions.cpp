@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "base/text.h"
 #include "base/uuid.h"
 #include "decisions/candidate_table.h"
@@ -81,8 +82,8 @@ Result<PairDecision> decisionFrom(const json& value, const std::string& where) {
   PairDecision d;
   const std::optional<DecisionKind> kind = kindOf(value.at("kind").get<std::string>());
   if (!kind)
-    return Error::unusable("A decision is of an unknown kind; a newer version of Ostraka wrote it.",
-                           where);
+    return Error::unusable(
+        message("A decision is of an unknown kind; a newer version of Ostraka wrote it."), where);
   d.kind = *kind;
   d.id = value.at("id").get<std::string>();
   d.replaces = value.at("replaces").get<std::vector<std::string>>();
@@ -138,8 +139,9 @@ void takeAlong(PairDecision& decision, const PairDecision& replaced, const Candi
 }
 
 Error tooMany(const std::string& where) {
-  return Error::unusable("A batch can have at most " + std::to_string(limits::kDecisions.most) +
-                             " decisions; move this file elsewhere, or restore a copy of it.",
+  return Error::unusable(message("A batch can have at most %1 decisions; move this file elsewhere, "
+                                 "or restore a copy of it.",
+                                 limits::kDecisions.most),
                          where);
 }
 
@@ -148,41 +150,42 @@ using Places = std::unordered_map<std::string_view, std::size_t>;  // in the lis
 // A list grows at its end: what is replaced stands above, and once is enough.
 Result<void> checkedIn(const Places& earlier, const PairDecision& d) {
   if (!isUuid(d.id) || earlier.contains(d.id))
-    return Error::unusable("Its id is missing or used twice.");
+    return Error::unusable(message("Its id is missing or used twice."));
   std::unordered_set<std::string_view> replaced;
   for (const std::string& id : d.replaces)
     if (!earlier.contains(id) || !replaced.insert(id).second)
-      return Error::unusable(
-          "It replaces a decision twice, or one that does not come before it in the file.");
+      return Error::unusable(message(
+          "It replaces a decision twice, or one that does not come before it in the file."));
   return {};
 }
 
 Result<void> checked(const PairDecision& d) {
-  const auto bad = [](const char* what) { return Error::unusable(what); };
-  if (d.by.empty()) return bad("A decision needs the name of the person who makes it.");
+  const auto bad = [](Message what) { return Error::unusable(std::move(what)); };
+  if (d.by.empty()) return bad(message("A decision needs the name of the person who makes it."));
   if (d.replaces.size() > limits::kDecisionReplaces.most)
-    return Error::unusable("It replaces more than " +
-                           std::to_string(limits::kDecisionReplaces.most) + " decisions.");
+    return Error::unusable(
+        message("It replaces more than %1 decisions.", limits::kDecisionReplaces.most));
   const std::size_t n = d.scans.size();
   const auto side = [&](std::size_t i) { return d.scans[i].side; };
   switch (d.kind) {
     case DecisionKind::Pair:
       if (n != 2 || side(0) != batch::Side::Front || side(1) != batch::Side::Back)
-        return bad("A pair needs one front and one back.");
+        return bad(message("A pair needs one front and one back."));
       break;
     case DecisionKind::Aside:
     case DecisionKind::Reshoot:
-      if (n == 0) return bad("Nothing is selected to set aside or reshoot.");
+      if (n == 0) return bad(message("Nothing is selected to set aside or reshoot."));
       break;
     case DecisionKind::Join:
-      if (n < 2 || side(0) != side(1)) return bad("Fragments to merge must be of one side.");
+      if (n < 2 || side(0) != side(1))
+        return bad(message("Fragments to merge must be of one side."));
       break;
     case DecisionKind::Split:
       if (n != 1 || (d.cut_mm[0] - d.cut_mm[1]).norm() < 1)
-        return bad("A split needs one fragment and a line of at least 1 mm.");
+        return bad(message("A split needs one fragment and a line of at least 1 mm."));
       break;
     case DecisionKind::Withdraw:
-      if (d.replaces.empty()) return bad("Nothing is selected to withdraw.");
+      if (d.replaces.empty()) return bad(message("Nothing is selected to withdraw."));
       break;
   }
   return {};
@@ -290,8 +293,8 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
   Places places;
   try {
     if (wholeAt(*value, "format") > kFormat)
-      return Error::unusable("A newer version of Ostraka wrote these decisions; use that version.",
-                             where);
+      return Error::unusable(
+          message("A newer version of Ostraka wrote these decisions; use that version."), where);
     const json& entries = value->at("decisions");
     if (entries.size() > limits::kDecisions.most) return tooMany(where);
     decisions.reserve(entries.size());  // their ids stay in place
@@ -301,16 +304,18 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
       Result<void> valid = checked(*decision);
       if (valid) valid = checkedIn(places, *decision);
       if (!valid)
-        return Error::unusable("Decision " + std::to_string(decisions.size() + 1) +
-                                   " cannot be used. " + valid.error().what +
-                                   " Correct it, or restore a copy of the file.",
-                               where);
+        return Error::unusable(
+            inOne(inOne(message("Decision %1 cannot be used.", decisions.size() + 1),
+                        valid.error().what),
+                  message("Correct it, or restore a copy of the file.")),
+            where);
       decisions.push_back(std::move(*decision));
       places.emplace(decisions.back().id, decisions.size() - 1);
     }
   } catch (const json::exception& refused) {
     return unusableJson(
-        refused, "Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it.",
+        refused,
+        message("Not a decisions file of Ostraka; move it elsewhere, or restore a copy of it."),
         where);
   }
   return decisions;
@@ -327,7 +332,7 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
   std::error_code failed;
   if (!fs::is_directory(output, failed))  // a decision alone would stand in the way of new results
     return Error{ErrorCode::Missing,
-                 "The results of this batch no longer exist; reprocess it, then decide.",
+                 message("The results of this batch no longer exist; reprocess it, then decide."),
                  output.string()};
   Result<Decisions> decisions = readDecisions(output);
   if (!decisions) return decisions.error();
@@ -336,7 +341,8 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
   if (decision.kind == DecisionKind::Withdraw) {
     for (const std::string& id : decision.replaces)
       if (!has(holding, id))
-        return Error::unusable("This decision is no longer in effect.", fileIn(output).string());
+        return Error::unusable(message("This decision is no longer in effect."),
+                               fileIn(output).string());
   } else {
     decision.replaces.clear();
     for (const PairDecision& other : holding)

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "batch/moved_batch.h"
 #include "files/files.h"
 #include "files/json.h"
@@ -88,7 +89,7 @@ Result<std::vector<MaskStroke>> readMaskStrokes(const fs::path& output) {
   const Result<json> value = readJson(file);
   if (!value) return value.error();
   const Error bad = Error::unusable(
-      "Not a list of mask strokes; restore an earlier one, or delete it.", file.string());
+      message("Not a list of mask strokes; restore an earlier one, or delete it."), file.string());
   try {
     if (value->at("format") != kFormatName) return bad;
     for (const json& one : value->at("strokes")) {
@@ -128,10 +129,10 @@ std::string photographHash(const fs::path& photograph) {
 
 Result<void> writeMaskStrokes(const fs::path& output, const std::vector<MaskStroke>& strokes) {
   if (areTooMany(strokes))
-    return Error::unusable(
-        "A mask holds at most 1,000 strokes and 100,000 points; nothing is saved until you undo "
-        "some.",
-        strokesFile(output).string());
+    return Error::unusable(message("A mask holds at most 1,000 strokes and 100,000 points; nothing "
+                                   "is saved until you undo "
+                                   "some."),
+                           strokesFile(output).string());
   return writeJson(strokesFile(output), {{"format", kFormatName}, {"strokes", toJson(strokes)}});
 }
 
@@ -190,7 +191,8 @@ Result<std::vector<MaskedPhotograph>> maskedPhotographs(const fs::path& output) 
         {image.side, image.camera, image.stop, batch::photographNow(image.file, output), mask});
   }
   if (all.empty())
-    return Error::unusable("This batch has no masks yet; process it first.", output.string());
+    return Error::unusable(message("This batch has no masks yet; process it first."),
+                           output.string());
   std::sort(all.begin(), all.end(), [](const MaskedPhotograph& a, const MaskedPhotograph& b) {
     return std::tuple(a.side, a.stop, a.camera) < std::tuple(b.side, b.stop, b.camera);
   });

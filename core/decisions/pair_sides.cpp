@@ -143,7 +143,7 @@ std::vector<PreparedStrip> stripsOf(std::span<const scan::Scan> scans,
     if (strip) {
       strips[i].strip = std::move(*strip);
     } else {
-      strips[i].why = strip.error().sentence();
+      strips[i].why = strip.error().sentence().english();
     }
   });
   return strips;
@@ -155,7 +155,7 @@ class NotesOnly final : public Progress {
   explicit NotesOnly(Progress& outer) : outer_(outer) {}
   void begin(std::string_view, double) override {}
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel level, std::string_view text) override { outer_.note(level, text); }
+  void note(NoteLevel level, const Message& text) override { outer_.note(level, text); }
 
  private:
   Progress& outer_;
@@ -203,7 +203,7 @@ Result<CandidateTable> compareSides(std::span<const scan::Scan> fronts,
     const Result<registration::Registration> found = registration::registerSides(
         *front.strip, *back.strip, starts, constraints, options.registration, quiet, stop);
     registered[i].registration =
-        found ? *found : outlinesAlone(candidate, found.error().sentence());
+        found ? *found : outlinesAlone(candidate, found.error().sentence().english());
   });
   if (stop.stop_requested()) return Error::cancelled();
 

@@ -111,11 +111,14 @@ EditedPieces editedPieces(std::vector<Scan> scans, batch::Side side, const Decis
         there && (d.kind == DecisionKind::Join ? join(edited.scans, pieces)
                                                : split(edited.scans, pieces.front(), side, d));
     if (!done)
-      edited.warnings.push_back("The decision of " + momentOf(d) + " by " + d.by +
-                                (d.kind == DecisionKind::Join
-                                     ? " merges fragments that no longer exist;"
-                                     : " splits a fragment that does not exist, or misses it;") +
-                                " decide again.");
+      edited.warnings.push_back(
+          d.kind == DecisionKind::Join
+              ? message("The decision of %1 by %2 merges fragments that no longer exist; decide "
+                        "again.",
+                        momentOf(d), d.by)
+              : message("The decision of %1 by %2 splits a fragment that does not exist, or misses "
+                        "it; decide again.",
+                        momentOf(d), d.by));
   }
   return edited;
 }

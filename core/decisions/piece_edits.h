@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "decisions/decisions.h"
 #include "scan/scan.h"
 
@@ -9,7 +10,7 @@ namespace ostraka::decisions {
 
 struct EditedPieces {
   std::vector<scan::Scan> scans;
-  std::vector<std::string> warnings;  ///< edits that could not be done, whole sentences
+  std::vector<Message> warnings;  ///< edits that could not be done, whole sentences
 };
 
 /// The Join and Split decisions among `standing` that are about this side, in their order. A joined

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "cloud/ply.h"
@@ -32,12 +33,12 @@ Result<std::vector<fs::path>> plyFiles(const fs::path& folder) {
     if (isPly(it->path())) files.push_back(it->path());
   }
   if (failed) {
-    return Error::unusable("The folder cannot be read; choose a folder of PLY files.",
+    return Error::unusable(message("The folder cannot be read; choose a folder of PLY files."),
                            folder.string());
   }
   if (files.empty()) {
     return Error::unusable(
-        "This folder contains no PLY files; each sherd's scan must be one PLY file.",
+        message("This folder contains no PLY files; each sherd's scan must be one PLY file."),
         folder.string());
   }
   std::sort(files.begin(), files.end());
@@ -84,18 +85,33 @@ double awayFromOrigin(const PointCloud& cloud) {
   return length > 0 ? box.center().norm() / length : 0;
 }
 
-std::string leftOut(const fs::path& file, std::size_t n, const std::string& what) {
-  return file.string() + ": " + std::to_string(n) + (n == 1 ? " point " : " points ") + what +
-         (n == 1 ? " was" : " were") + " left out; check the export.";
+Message notFinite(const fs::path& file, std::size_t n) {
+  return n == 1 ? message("%1: 1 point without finite coordinates was left out; check the export.",
+                          file)
+                : message(
+                      "%1: %2 points without finite coordinates were left out; check the "
+                      "export.",
+                      file, n);
 }
 
-Result<scan::Scan> readScan(const fs::path& file, std::string& warning) {
+Message farAway(const fs::path& file, std::size_t n) {
+  return n == 1 ? message(
+                      "%1: 1 point far from all others, or at 0, 0, 0, was left out; check the "
+                      "export.",
+                      file)
+                : message(
+                      "%1: %2 points far from all others, or at 0, 0, 0, were left out; check "
+                      "the export.",
+                      file, n);
+}
+
+Result<scan::Scan> readScan(const fs::path& file, Message& warning) {
   const Result<std::string> bytes = readFile(file);
   if (!bytes) return bytes.error();
   Result<PlyContents> contents = parsePly(*bytes, file.string());
   if (!contents) return contents.error();
   if (contents->dropped_not_finite > 0) {
-    warning = leftOut(file, contents->dropped_not_finite, "without finite coordinates");
+    warning = notFinite(file, contents->dropped_not_finite);
   }
   scan::Scan scan;
   scan.id = file.stem().string();
@@ -104,22 +120,23 @@ Result<scan::Scan> readScan(const fs::path& file, std::string& warning) {
   scan.cloud.colors = std::move(contents->mesh.colors);
   const std::vector<int> measured = measuredPoints(scan.cloud);
   if (measured.size() < scan.cloud.size()) {
-    warning += (warning.empty() ? "" : " ") + leftOut(file, scan.cloud.size() - measured.size(),
-                                                      "far from all others, or at 0, 0, 0,");
+    const Message far = farAway(file, scan.cloud.size() - measured.size());
+    warning = warning.empty() ? far : inOne(warning, far);
     scan.cloud = subset(scan.cloud, measured);
   }
   if (scan.cloud.size() < 100) {
-    return Error{ErrorCode::NotEnough, "The scan has fewer than 100 points; rescan this side.",
-                 file.string()};
+    return Error{ErrorCode::NotEnough,
+                 message("The scan has fewer than 100 points; rescan this side."), file.string()};
   }
   if (!scan.cloud.hasNormals()) {
-    return Error::unusable("The scan has no normals; export it with nx, ny and nz.", file.string());
+    return Error::unusable(message("The scan has no normals; export it with nx, ny and nz."),
+                           file.string());
   }
   if (const double lengths = awayFromOrigin(scan.cloud); lengths > kMostLengthsAway) {
     return Error::unusable(
-        "The scan lies " + fixed(lengths, 0) +
-            " times its length away from the origin, so its coordinates are rounded; move "
-            "it to the origin and export it again.",
+        message("The scan lies %1 times its length away from the origin, so its coordinates are "
+                "rounded; move it to the origin and export it again.",
+                decimal(lengths, 0)),
         file.string());
   }
   scan.up = scan::estimateUp(scan.cloud);
@@ -129,22 +146,25 @@ Result<scan::Scan> readScan(const fs::path& file, std::string& warning) {
 constexpr double kShortest_mm = 8, kLongest_mm = 400;  // of a batch's middle sherd
 constexpr double kMostApart = 3;  // one side's middle sherd may be another one than the other's
 
-std::string lengthText(double length) {
-  return fixed(length, length < 1 ? 3 : length < 100 ? 1 : 0);
+Decimal lengthValue(double length) {
+  return decimal(length, length < 1 ? 3 : length < 100 ? 1 : 0);
 }
 
 // The unit in which they would be as long as sherds are.
-std::string unitWords(double length) {
+Message wrongUnit(double length, const Message& what_to_do) {
   struct Unit {
-    const char* name;
+    Template<0> name;
     double mm;
   };
-  constexpr std::array<Unit, 3> kUnits = {
-      {{"centimetres", 10}, {"metres", 1000}, {"micrometres", 0.001}}};
+  constexpr std::array<Unit, 3> kUnits = {{{translatable<0>("centimetres"), 10},
+                                           {translatable<0>("metres"), 1000},
+                                           {translatable<0>("micrometres"), 0.001}}};
   for (const Unit& unit : kUnits)
     if (isSherdLength(length * unit.mm))
-      return std::string("their unit seems to be ") + unit.name + ": ";
-  return "no sherds are of that size: ";
+      return message("The median length of these scans is %1 mm; their unit seems to be %2: %3.",
+                     lengthValue(length), message(unit.name), what_to_do);
+  return message("The median length of these scans is %1 mm; no sherds are of that size: %2.",
+                 lengthValue(length), what_to_do);
 }
 
 }  // namespace
@@ -153,7 +173,8 @@ Result<ScanFolder> readScanFolder(const fs::path& folder, int threads) {
   const Result<std::vector<fs::path>> files = plyFiles(folder);
   if (!files) return files.error();
   std::vector<std::optional<Result<scan::Scan>>> read(files->size());
-  std::vector<std::string> warnings(files->size()), hashes(files->size());
+  std::vector<Message> warnings(files->size());
+  std::vector<std::string> hashes(files->size());
   parallelFor(files->size(), threads, [&](std::size_t i) {
     const Result<std::string> bytes = readFile((*files)[i]);
     hashes[i] = (*files)[i].filename().string() + ":" + (bytes ? sha256(*bytes) : "unreadable");
@@ -173,7 +194,7 @@ Result<ScanFolder> readScanFolder(const fs::path& folder, int threads) {
     }
   }
   if (side.scans.empty()) {
-    return Error::unusable("None of the scans can be used: " + side.warnings.front(),
+    return Error::unusable(message("None of the scans can be used: %1", side.warnings.front()),
                            folder.string());
   }
   return side;
@@ -197,18 +218,17 @@ bool isSherdLength(double mm) {
 }
 
 Result<void> checkUnit(const ScanFolder& fronts, const ScanFolder& backs,
-                       const std::string& what_to_do) {
+                       const Message& what_to_do) {
   const double front = medianLength(fronts.scans), back = medianLength(backs.scans);
   for (const auto& [side, length] : {std::pair(&fronts, front), std::pair(&backs, back)}) {
     if (isSherdLength(length)) continue;
-    return Error::unusable("The median length of these scans is " + lengthText(length) + " mm; " +
-                               unitWords(length) + what_to_do + ".",
+    return Error::unusable(wrongUnit(length, what_to_do),
                            side->files.front().parent_path().string());
   }
   if (std::max(front, back) > kMostApart * std::min(front, back))
-    return Error::unusable("The median length of the fronts is " + lengthText(front) +
-                               " mm, of the backs " + lengthText(back) +
-                               " mm, so their units differ: " + what_to_do + ".",
+    return Error::unusable(message("The median length of the fronts is %1 mm, of the backs %2 mm, "
+                                   "so their units differ: %3.",
+                                   lengthValue(front), lengthValue(back), what_to_do),
                            backs.files.front().parent_path().string());
   return {};
 }

@@ -15,7 +15,7 @@ namespace ostraka::decisions {
 struct ScanFolder {
   std::vector<scan::Scan> scans;  ///< in the order of their files' names, which they bear
   std::vector<std::filesystem::path> files;  ///< of the scans
-  std::vector<std::string> warnings;         ///< a file that cannot be used costs that scan
+  std::vector<Message> warnings;             ///< a file that cannot be used costs that scan
   std::string hash;                          ///< names and contents of all files
   int unusable = 0;
 };
@@ -30,7 +30,7 @@ bool isSherdLength(double mm);
 /// Whether both sides can be in mm. what_to_do: how the sentence ends. Errors: UnusableInput, with
 /// the unit that they look like; also when one side is more than 3 times as long as the other.
 Result<void> checkUnit(const ScanFolder& fronts, const ScanFolder& backs,
-                       const std::string& what_to_do);
+                       const Message& what_to_do);
 
 /// Whether a batch folder holds split scans (PLY files in front/) instead of photographs.
 bool holdsScans(const std::filesystem::path& batch);

@@ -16,6 +16,7 @@
 #include <map>
 #include <optional>
 
+#include "base/message.h"
 #include "devices/clock.h"
 
 namespace ostraka::devices {
@@ -44,14 +45,14 @@ class DescriptorChannel final : public ByteChannel {
   Result<void> write(std::string_view bytes) override {
     const double deadline_s = clock_->now_s() + kWrite_s;
     while (!bytes.empty()) {
-      if (fd_ < 0) return gone("it is not open");
+      if (fd_ < 0) return gone(message("it is not open"));
       const ssize_t n = send(fd_, bytes);
       if (n > 0) {
         bytes.remove_prefix(static_cast<std::size_t>(n));
         continue;
       }
       if (n < 0 && errno != EAGAIN && errno != EINTR) return gone(std::strerror(errno));
-      if (clock_->now_s() > deadline_s) return gone("it accepts no more data");
+      if (clock_->now_s() > deadline_s) return gone(message("it accepts no more data"));
       pollfd wait{fd_, POLLOUT, 0};
       ::poll(&wait, 1, 50);
     }
@@ -61,7 +62,7 @@ class DescriptorChannel final : public ByteChannel {
   Result<std::string> read(double timeout_s, std::stop_token stop) override {
     const double deadline_s = clock_->now_s() + timeout_s;
     while (true) {
-      if (fd_ < 0) return gone("it is not open");
+      if (fd_ < 0) return gone(message("it is not open"));
       const double left_s = std::max(0.0, deadline_s - clock_->now_s());
       pollfd wait{fd_, POLLIN, 0};
       ::poll(&wait, 1, static_cast<int>(std::ceil(1000 * std::min(left_s, kPoll_s))));
@@ -69,7 +70,7 @@ class DescriptorChannel final : public ByteChannel {
         char bytes[512];
         const ssize_t n = ::read(fd_, bytes, sizeof bytes);
         if (n > 0) return std::string(bytes, static_cast<std::size_t>(n));
-        if (n == 0) return gone("it was closed at the other end");
+        if (n == 0) return gone(message("it was closed at the other end"));
         if (errno != EAGAIN && errno != EINTR) return gone(std::strerror(errno));
       }
       if (stop.stop_requested() || clock_->now_s() >= deadline_s) return std::string();
@@ -96,8 +97,9 @@ class DescriptorChannel final : public ByteChannel {
   }
 
  private:
-  Error gone(const std::string& why) const {
-    return {ErrorCode::Missing, "The connection to the turntable failed (" + why + ").", name_};
+  Error gone(const Message& why) const {
+    return {ErrorCode::Missing, message("The connection to the turntable failed (%1).", why),
+            name_};
   }
 
   std::string name_;
@@ -116,27 +118,26 @@ std::optional<speed_t> speedOf(int baud) {
 }
 
 Result<int> openPort(const std::string& path, speed_t speed) {
-  const auto missing = [&](const std::string& what) {
-    return Error{ErrorCode::Missing, what, path};
-  };
+  const auto missing = [&](const Message& what) { return Error{ErrorCode::Missing, what, path}; };
   const int fd = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (fd < 0) {
     if (errno == EACCES)
-      return missing(
+      return missing(message(
           "You have no permission to use this serial port; install Ostraka's udev rules or join "
-          "the group dialout, then log in again.");
-    if (errno == EBUSY) return missing("Another program uses the serial port; close that program.");
-    return missing(
-        "The serial port does not exist; check that the turntable is plugged in and switched on.");
+          "the group dialout, then log in again."));
+    if (errno == EBUSY)
+      return missing(message("Another program uses the serial port; close that program."));
+    return missing(message(
+        "The serial port does not exist; check that the turntable is plugged in and switched on."));
   }
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
     ::close(fd);
-    return missing("Another program uses the serial port; close that program.");
+    return missing(message("Another program uses the serial port; close that program."));
   }
   termios settings{};
   if (::tcgetattr(fd, &settings) != 0) {
     ::close(fd);
-    return missing("Not a serial port.");
+    return missing(message("Not a serial port."));
   }
   ::ioctl(fd, TIOCEXCL);
   ::cfmakeraw(&settings);
@@ -148,7 +149,7 @@ Result<int> openPort(const std::string& path, speed_t speed) {
   ::cfsetospeed(&settings, speed);
   if (::tcsetattr(fd, TCSANOW, &settings) != 0) {
     ::close(fd);
-    return missing("The serial port does not accept its settings.");
+    return missing(message("The serial port does not accept its settings."));
   }
   ::tcflush(fd, TCIOFLUSH);
   return fd;
@@ -160,7 +161,8 @@ Result<int> connectTo(const std::string& host, const std::string& port) {
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   if (::getaddrinfo(host.c_str(), port.c_str(), &hints, &found) != 0)
-    return Error{ErrorCode::Missing, "The turntable's address is unknown on this network.", name};
+    return Error{ErrorCode::Missing, message("The turntable's address is unknown on this network."),
+                 name};
   const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> owner(found, ::freeaddrinfo);
   for (const addrinfo* a = found; a != nullptr; a = a->ai_next) {
     const int fd = ::socket(a->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
@@ -177,7 +179,7 @@ Result<int> connectTo(const std::string& host, const std::string& port) {
       return fd;
     ::close(fd);
   }
-  return Error{ErrorCode::Missing, "The turntable does not answer on the network.", name};
+  return Error{ErrorCode::Missing, message("The turntable does not answer on the network."), name};
 }
 
 }  // namespace
@@ -190,9 +192,9 @@ std::unique_ptr<ByteChannel> makeDescriptorChannel(std::string name, int descrip
 Result<std::unique_ptr<ByteChannel>> openSerial(const std::string& path, int baud) {
   const std::optional<speed_t> speed = speedOf(baud);
   if (!speed)
-    return Error::unusable("A serial port does not support " + std::to_string(baud) +
-                               " baud; common rates are 9600 and 115200.",
-                           path);
+    return Error::unusable(
+        message("A serial port does not support %1 baud; common rates are 9600 and 115200.", baud),
+        path);
   const auto open = [path, speed] { return openPort(path, *speed); };
   const Result<int> fd = open();
   if (!fd) return fd.error();
@@ -202,7 +204,7 @@ Result<std::unique_ptr<ByteChannel>> openSerial(const std::string& path, int bau
 Result<std::unique_ptr<ByteChannel>> openTcp(const std::string& host_and_port) {
   const std::size_t colon = host_and_port.rfind(':');
   if (colon == std::string::npos || colon == 0 || colon + 1 == host_and_port.size())
-    return Error::unusable("A network address looks like 192.168.0.7:23.", host_and_port);
+    return Error::unusable(message("A network address looks like 192.168.0.7:23."), host_and_port);
   const std::string host = host_and_port.substr(0, colon), port = host_and_port.substr(colon + 1);
   const auto open = [host, port] { return connectTo(host, port); };
   const Result<int> fd = open();

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
+
 namespace ostraka::devices {
 
 enum class DeviceKind { Camera, Turntable, VideoCamera };
@@ -18,7 +20,7 @@ struct FoundDevice {
   std::string address;                 ///< for RIG.json: turntable.channel, or a camera's serial
   std::string driver;                  ///< for RIG.json: "grbl", "gphoto2" or "uvc"
   std::vector<std::string> holders{};  ///< programs that have it open: "gvfsd-gphoto2 (1234)"
-  std::vector<std::string> troubles;   ///< what is wrong and what to do; empty: all is well
+  std::vector<Message> troubles;       ///< what is wrong and what to do; empty: all is well
 };
 
 /// Where the system's files lie; handed in for tests.

@@ -10,7 +10,7 @@ namespace ostraka::devices {
 
 /// Tells a person to do something at the rig ("Turn the table to 90 degrees.") and waits; false
 /// when they would rather stop.
-using AskPerson = std::function<bool(const std::string& sentence, std::stop_token stop)>;
+using AskPerson = std::function<bool(const Message& sentence, std::stop_token stop)>;
 
 /// A turntable. Degrees, since that is what every controller speaks; counter-clockwise seen from
 /// above, and counted on past 360: after a whole turn the table does not wind back.

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/message.h"
 #include "devices/byte_channel.h"
 #include "devices/clock.h"
 
@@ -99,11 +100,11 @@ class UsbChannel final : public ByteChannel {
   Result<void> open() {
     if (context_ == nullptr && libusb_init(&context_) != 0) {
       context_ = nullptr;
-      return gone("USB does not work on this computer.");
+      return gone(message("USB does not work on this computer."));
     }
     libusb_device** list = nullptr;
     const ssize_t count = libusb_get_device_list(context_, &list);
-    Result<void> result = gone("The turntable is not plugged in.");
+    Result<void> result = gone(message("The turntable is not plugged in."));
     for (ssize_t i = 0; i < count; ++i) {
       libusb_device_descriptor about{};
       if (libusb_get_device_descriptor(list[i], &about) != 0) continue;
@@ -118,7 +119,7 @@ class UsbChannel final : public ByteChannel {
   std::string name() const override { return name_; }
 
   Result<void> write(std::string_view bytes) override {
-    if (handle_ == nullptr) return gone("The turntable is not plugged in.");
+    if (handle_ == nullptr) return gone(message("The turntable is not plugged in."));
     std::vector<unsigned char> rest(bytes.begin(), bytes.end());
     while (!rest.empty()) {
       int sent = 0;
@@ -135,7 +136,7 @@ class UsbChannel final : public ByteChannel {
     const double deadline_s = clock_->now_s() + timeout_s;
     std::vector<unsigned char> buffer(static_cast<std::size_t>(8 * layout_.packet));
     while (true) {
-      if (handle_ == nullptr) return gone("The turntable is not plugged in.");
+      if (handle_ == nullptr) return gone(message("The turntable is not plugged in."));
       const double left_ms = 1000 * (deadline_s - clock_->now_s());
       int got = 0;
       const int rc = libusb_bulk_transfer(
@@ -168,39 +169,39 @@ class UsbChannel final : public ByteChannel {
   }
 
  private:
-  Error gone(const std::string& what) const { return {ErrorCode::Missing, what, name_}; }
+  Error gone(const Message& what) const { return {ErrorCode::Missing, what, name_}; }
 
   Error failed(int rc) {
     if (rc == LIBUSB_ERROR_NO_DEVICE) {
       close();
-      return gone("The turntable was unplugged.");
+      return gone(message("The turntable was unplugged."));
     }
     if (rc == LIBUSB_ERROR_PIPE) {
       libusb_clear_halt(handle_, layout_.in);
       libusb_clear_halt(handle_, layout_.out);
     }
-    return gone("The turntable's USB connection failed (" + std::string(libusb_error_name(rc)) +
-                "); plug it in again.");
+    return gone(message("The turntable's USB connection failed (%1); plug it in again.",
+                        libusb_error_name(rc)));
   }
 
   Error cannotOpen(int rc) const {
     if (rc == LIBUSB_ERROR_ACCESS)
-      return gone(
+      return gone(message(
           "You have no permission to use this USB device; install packaging/udev/70-ostraka.rules "
-          "and plug it in again.");
+          "and plug it in again."));
     if (rc == LIBUSB_ERROR_BUSY)
-      return gone("Another program uses the turntable; close that program.");
-    return gone("The turntable cannot be opened (" + std::string(libusb_error_name(rc)) + ").");
+      return gone(message("Another program uses the turntable; close that program."));
+    return gone(message("The turntable cannot be opened (%1).", libusb_error_name(rc)));
   }
 
   Result<void> openDevice(libusb_device* device, const libusb_device_descriptor& about) {
     const std::optional<Layout> layout = layoutOf(device);
-    if (!layout) return gone("This USB device is not a serial controller (CDC-ACM).");
+    if (!layout) return gone(message("This USB device is not a serial controller (CDC-ACM)."));
     libusb_device_handle* handle = nullptr;
     if (const int rc = libusb_open(device, &handle); rc != 0) return cannotOpen(rc);
     if (!wanted_.serial.empty() && serialOf(handle, about.iSerialNumber) != wanted_.serial) {
       libusb_close(handle);
-      return gone("The turntable with this serial number is not plugged in.");
+      return gone(message("The turntable with this serial number is not plugged in."));
     }
     libusb_set_auto_detach_kernel_driver(handle, 1);
     int rc = libusb_claim_interface(handle, layout->control_interface);
@@ -254,7 +255,7 @@ Result<std::unique_ptr<ByteChannel>> openUsb(const std::string& vendor_and_produ
   const std::optional<Wanted> wanted = parsed(vendor_and_product);
   if (!wanted)
     return Error::unusable(
-        "A USB turntable is named by vendor and product, for example usb:1209:0001.",
+        message("A USB turntable is named by vendor and product, for example usb:1209:0001."),
         vendor_and_product);
   auto channel = std::make_unique<UsbChannel>("usb:" + vendor_and_product, *wanted, baud);
   if (const Result<void> opened = channel->open(); !opened) return opened.error();

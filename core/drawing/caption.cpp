@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/message.h"
+
 namespace ostraka::drawing {
 namespace {
 
@@ -12,17 +14,18 @@ constexpr double kHeading_mm = 4, kMeasures_mm = 3;  // of their letters
 
 std::string share(const Estimate& kept, const Wording& w) {
   const auto percent = [&](double value) { return w.number(value, 0); };
-  if (!kept.interval) return w.said(percent(kept.value) + " % of the rim preserved");
-  return w.said(percent(kept.value) + " % of the rim preserved (" + percent(kept.interval->first) +
-                " to " + percent(kept.interval->second) + ")");
+  if (!kept.interval) return w.said(message("%1 % of the rim preserved", percent(kept.value)));
+  return w.said(message("%1 % of the rim preserved (%2 to %3)", percent(kept.value),
+                        percent(kept.interval->first), percent(kept.interval->second)));
 }
 
 std::string mouthLine(const Mouth& mouth, const Wording& w) {
   const auto cm = [&](double mm) { return w.number(mm / 10, 1); };
-  std::string line = "Ø " + cm(mouth.diameter_mm.value) + " cm";
-  if (const auto& interval = mouth.diameter_mm.interval)
-    line += " (95 %: " + cm(interval->first) + " to " + cm(interval->second) + ")";
-  line = w.said(line);
+  const std::string diameter = cm(mouth.diameter_mm.value);
+  const auto& interval = mouth.diameter_mm.interval;
+  const std::string line = w.said(interval ? message("Ø %1 cm (95 %: %2 to %3)", diameter,
+                                                     cm(interval->first), cm(interval->second))
+                                           : message("Ø %1 cm", diameter));
   return mouth.kept_pct ? line + ", " + share(*mouth.kept_pct, w) : line;
 }
 
@@ -30,9 +33,10 @@ std::string measuresLine(const model::Measures& m, const Wording& w) {
   const auto mm = [&](double value) { return w.number(value, 1); };
   const std::string line = mm(m.length_mm) + " × " + mm(m.width_mm) + " mm";
   if (!(m.thickness_mean_mm > 0)) return line;
-  std::string wall = "wall " + mm(m.thickness_mean_mm) + " mm";
-  if (m.thickness_min_mm > 0 && m.thickness_max_mm > 0)
-    wall += " (" + mm(m.thickness_min_mm) + " to " + mm(m.thickness_max_mm) + ")";
+  const bool range = m.thickness_min_mm > 0 && m.thickness_max_mm > 0;
+  const Message wall = range ? message("wall %1 mm (%2 to %3)", mm(m.thickness_mean_mm),
+                                       mm(m.thickness_min_mm), mm(m.thickness_max_mm))
+                             : message("wall %1 mm", mm(m.thickness_mean_mm));
   return line + ", " + w.said(wall);
 }
 

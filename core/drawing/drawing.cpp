@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/text.h"
+#include "base/message.h"
 #include "drawing/caption.h"
 #include "drawing/section.h"
 
@@ -51,7 +51,7 @@ Eigen::Isometry3d fromBehind(const Eigen::Isometry3d& frame) {
 
 class Composer {
  public:
-  Composer(const TriangleMesh& mesh, const std::string& id, const DrawingOptions& options)
+  Composer(const TriangleMesh& mesh, const Message& id, const DrawingOptions& options)
       : mesh_(mesh), options_(options) {
     out_.id = id;
   }
@@ -63,8 +63,9 @@ class Composer {
     if (options_.rim != RimChoice::No) out_.rim = findRim(walls);
     decide();
     if (options_.rim == RimChoice::Yes && !out_.drawn_as_rim)
-      return Error::unusable("No part of the edge can be a rim; draw this sherd without a rim.",
-                             out_.id);
+      return Error::unusable(
+          message("No part of the edge can be a rim; draw this sherd without a rim."),
+          out_.id.english());
     outer_ = out_.drawn_as_rim ? out_.rim->vessel_from_model : frameByAxes(walls);
     placeAxis(walls);
     draw();
@@ -75,42 +76,43 @@ class Composer {
   void decide() {
     if (!out_.rim) return;
     const double p = out_.rim->probability;
+    const Decimal percent = decimal(100 * p, 0);
     out_.drawn_as_rim = options_.rim == RimChoice::Yes || p >= kLikely;
     if (options_.rim == RimChoice::Yes) {
       if (p < kLikelyLip && byHand("rim_diameter"))
         out_.remarks.push_back(
-            formatted("The edge taken as the lip barely resembles one (%.0f %%); check the sherd's "
-                      "orientation.",
-                      100 * p));
+            message("The edge taken as the lip barely resembles one (%1 %); check the sherd's "
+                    "orientation.",
+                    percent));
       else if (p < kLikelyLip)
         out_.remarks.push_back(
-            formatted("The edge taken as the lip barely resembles one (%.0f %%), so no diameter is "
-                      "given; check the sherd's orientation.",
-                      100 * p));
+            message("The edge taken as the lip barely resembles one (%1 %), so no diameter is "
+                    "given; check the sherd's orientation.",
+                    percent));
       else {
         sayWhyNoDiameter();
         if (p < kLikely && out_.rim->saysDiameter() && !byHand("rim_diameter"))
-          out_.remarks.push_back(formatted(
-              "The edge taken as the lip may be a fracture (%.0f %% that it is the lip), and "
-              "the diameter may be wrong; check the sherd's orientation.",
-              100 * p));
+          out_.remarks.push_back(
+              message("The edge taken as the lip may be a fracture (%1 % that it is the lip), and "
+                      "the diameter may be wrong; check the sherd's orientation.",
+                      percent));
       }
       return;
     }
     if (out_.drawn_as_rim && p < 0.99)
       out_.remarks.push_back(
-          formatted("Drawn as a rim sherd, which is likely (%.0f %%); check it.", 100 * p));
+          message("Drawn as a rim sherd, which is likely (%1 %); check it.", percent));
     else if (!out_.drawn_as_rim && p >= kPossible)
-      out_.hints.push_back(formatted(
-          "This may be a rim sherd (%.0f %%); if it is, mark it as one and redraw it.", 100 * p));
+      out_.hints.push_back(message(
+          "This may be a rim sherd (%1 %); if it is, mark it as one and redraw it.", percent));
     if (out_.drawn_as_rim) sayWhyNoDiameter();
   }
 
   void sayWhyNoDiameter() {
     if (out_.rim->saysDiameter() || byHand("rim_diameter")) return;
     out_.remarks.emplace_back(
-        "The preserved rim is too short or too straight for a diameter; check the sherd's "
-        "orientation.");
+        message("The preserved rim is too short or too straight for a diameter; check the sherd's "
+                "orientation."));
   }
 
   const Estimate* byHand(const char* kind) const {
@@ -270,20 +272,22 @@ class Composer {
 
 Result<void> DrawingOptions::check() const {
   if (!(scale >= 0.05 && scale <= 5))
-    return Error::unusable("The drawing's scale must lie between 1:20 and 5:1.");
+    return Error::unusable(message("The drawing's scale must lie between 1:20 and 5:1."));
   return {};
 }
 
-Result<SherdDrawing> drawSherd(const TriangleMesh& mesh, const std::string& id,
+Result<SherdDrawing> drawSherd(const TriangleMesh& mesh, const Message& id,
                                const DrawingOptions& options) {
   if (const Result<void> good = options.check(); !good) return good.error();
-  if (const Result<void> good = model::checkExtent(mesh, id); !good) return good.error();
-  std::string why;
+  if (const Result<void> good = model::checkExtent(mesh, id.english()); !good) return good.error();
+  Message why;
   if (mesh.triangles.empty() || !model::isClosedManifold(mesh, &why))
-    return Error::unusable("A drawing needs a closed model" +
-                               (why.empty() ? "" : " (" + why + ")") +
-                               "; create one with 'ostraka process'.",
-                           id);
+    return Error::unusable(
+        why.empty()
+            ? message("A drawing needs a closed model; create one with 'ostraka process'.")
+            : message("A drawing needs a closed model (%1); create one with 'ostraka process'.",
+                      why),
+        id.english());
   return Composer(mesh, id, options).run();
 }
 

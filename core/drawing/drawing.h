@@ -36,7 +36,7 @@ struct DrawingOptions {
   Surface surface = Surface::Relief;
   const texture::TexturedMesh* photographs = nullptr;  ///< see ViewOptions
   HandMeasures by_hand;  ///< printed instead of what the model says; a mouth is drawn as wide
-  std::vector<std::string> remarks;  ///< to be said before the drawing's own
+  std::vector<Message> remarks;  ///< to be said before the drawing's own
   Wording wording;
   Result<void> check() const;
 };
@@ -52,20 +52,20 @@ struct Mouth {
 /// vessel's axis and the mouth's diameter where that is known. Paper mm, y down. Remarks and hints
 /// are for the person who draws it: a publication's sheet has none.
 struct SherdDrawing {
-  std::string id;
+  Message id;
   Sheet sheet;
   Eigen::AlignedBox2d box;         ///< of everything on the sheet
   std::optional<RimEstimate> rim;  ///< where a stretch of the edge could be a lip
   bool drawn_as_rim = false;
-  std::optional<Mouth> mouth;        ///< where its diameter is known
-  model::Measures measures;          ///< as printed; 0: not
-  std::vector<std::string> remarks;  ///< what to check before it is printed; English sentences
-  std::vector<std::string> hints;    ///< what could be drawn otherwise
+  std::optional<Mouth> mouth;    ///< where its diameter is known
+  model::Measures measures;      ///< as printed; 0: not
+  std::vector<Message> remarks;  ///< what to check before it is printed; English sentences
+  std::vector<Message> hints;    ///< what could be drawn otherwise
 };
 
 /// mesh: closed, outward, mm. Errors: UnusableInput (options, a mesh without faces, one
 /// larger than any vessel; RimChoice::Yes where no stretch of the edge can be a lip).
-Result<SherdDrawing> drawSherd(const TriangleMesh& mesh, const std::string& id,
+Result<SherdDrawing> drawSherd(const TriangleMesh& mesh, const Message& id,
                                const DrawingOptions& options);
 
 struct SheetOptions {

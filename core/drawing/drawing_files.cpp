@@ -1,5 +1,6 @@
 #include "drawing/drawing_files.h"
 
+#include "base/message.h"
 #include "base/text.h"
 #include "files/files.h"
 #include "files/output_place.h"
@@ -37,10 +38,11 @@ Result<std::vector<fs::path>> writeSheets(const fs::path& file, const std::vecto
   for (std::size_t i = 1; i <= pages.size(); ++i) {
     std::error_code absent;
     if (const fs::path further = sheetOf(file, i); fs::exists(further, absent))
-      return Error{ErrorCode::CannotWrite,
-                   "A sheet of an earlier drawing already exists and is not overwritten; choose "
-                   "another name, or delete that sheet.",
-                   further.string()};
+      return Error{
+          ErrorCode::CannotWrite,
+          message("A sheet of an earlier drawing already exists and is not overwritten; choose "
+                  "another name, or delete that sheet."),
+          further.string()};
   }
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < pages.size(); ++i) {

@@ -13,8 +13,8 @@ std::string withDecimal(std::string number, const std::string& decimal) {
 
 }  // namespace
 
-std::string Wording::said(const std::string& english) const {
-  return translated ? translated(english) : english;
+std::string Wording::said(const Message& english) const {
+  return translated ? translated(english) : english.english();
 }
 
 std::string Wording::number(double value, int decimals) const {

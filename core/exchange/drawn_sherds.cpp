@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "base/message.h"
 #include "catalogue/files.h"
 #include "cloud/ply.h"
 #include "files/files.h"
 #include "files/open_folder.h"
 #include "records/sherd.h"
 #include "sherds/measurements.h"
+#include "sherds/pair_decisions.h"
 #include "sherds/sherds.h"
 
 namespace ostraka::exchange {
@@ -26,10 +28,10 @@ drawing::RimChoice rimChoiceOf(const SherdRecord& sherd) {
 namespace {
 
 // Before it has a number it is known by its place in its batch, as on the plate's map.
-std::string nameOf(const SherdRecord& sherd) {
+Message nameOf(const SherdRecord& sherd) {
   if (!sherd.number.empty()) return sherd.number;
   if (sherd.batch_number.empty() || sherd.piece == 0) return "draft " + sherd.id;
-  return "sherd " + std::to_string(sherd.piece) + " of " + sherd.batch_number;
+  return message("sherd %1 of %2", sherd.piece, sherd.batch_number);
 }
 
 Result<void> takeHandMeasures(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
@@ -73,23 +75,26 @@ Result<std::optional<texture::TexturedMesh>> texturedModelOf(const catalogue::Ca
   return texture::openedGlb(*bytes, open->name());
 }
 
-std::string differsFromEntered(const SherdRecord& sherd) {
-  return "This model or picture of the sherd " + (sherd.number.empty() ? sherd.id : sherd.number) +
-         " differs from the recorded one; reprocess its batch " + sherd.batch_number + ".";
+Message differsFromEntered(const SherdRecord& sherd) {
+  return message(
+      "This model or picture of the sherd %1 differs from the recorded one; reprocess its batch "
+      "%2.",
+      (sherd.number.empty() ? sherd.id : sherd.number), sherd.batch_number);
 }
 
-std::string leftOutAsVoid(const SherdRecord& sherd) {
-  return nameOf(sherd) + " is void and was left out.";
+Message leftOutAsVoid(const SherdRecord& sherd) {
+  return message("%1 is void and was left out.", nameOf(sherd));
 }
 
 Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
                                         const SherdRecord& sherd,
                                         const std::filesystem::path& project,
                                         const DrawSherdsOptions& options) {
-  const std::string id = nameOf(sherd);
+  const std::string id = nameOf(sherd).english();
   if (sherd.model_path.empty())
     return Error::unusable(
-        "This sherd has no model yet, so it cannot be drawn; process its batch first.", id);
+        message("This sherd has no model yet, so it cannot be drawn; process its batch first."),
+        id);
   const Result<PlyContents> model = modelOf(sherd, project);
   if (!model) return model.error();
   drawing::DrawingOptions how = options.drawing;
@@ -101,24 +106,25 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
     if (read)
       photographs = std::move(*read);
     else
-      how.remarks.push_back("Drawn without its photographs: " + read.error().what);
+      how.remarks.push_back(message("Drawn without its photographs: %1", read.error().what));
     if (photographs) how.photographs = &*photographs;
   }
   if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);
   if (sherd.state == records::SherdState::Void)
-    how.remarks.push_back(sherd.void_reason.empty()
-                              ? "This sherd is void."
-                              : "This sherd is void; reason: " + sherd.void_reason);
+    how.remarks.push_back(
+        sherd.void_reason.empty()
+            ? message("This sherd is void.")
+            : message("This sherd is void; reason: %1", sherds::voidReason(sherd.void_reason)));
   if (sherd.scale_doubtful)
     how.remarks.push_back(
-        "The measurements of its batch are in doubt, and so is the size of this drawing.");
+        message("The measurements of its batch are in doubt, and so is the size of this drawing."));
   Result<drawing::SherdDrawing> drawn = drawing::drawSherd(model->mesh, id, how);
   if (drawn || how.rim != RimChoice::Yes) return drawn;
   // No stretch of the edge can be a lip, or the model itself is at fault: then this fails, too.
   how.rim = RimChoice::No;
-  how.remarks.push_back(
+  how.remarks.push_back(message(
       "The sherd is recorded as a rim, but no part of its edge can be one; it is drawn without a "
-      "rim.");
+      "rim."));
   return drawing::drawSherd(model->mesh, id, how);
 }
 
@@ -136,12 +142,12 @@ Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
     if (stop.stop_requested()) return Error::cancelled();
     progress.report(done++, static_cast<std::int64_t>(sherds->size()));
     if (sherd.state == records::SherdState::Void && rows.size() > 1) {
-      all.left_out.push_back({sherd.row, nameOf(sherd), leftOutAsVoid(sherd)});
+      all.left_out.push_back({sherd.row, nameOf(sherd).english(), leftOutAsVoid(sherd)});
       continue;
     }
     Result<drawing::SherdDrawing> drawn = drawSherd(catalogue, sherd, project, options);
     if (!drawn) {
-      all.left_out.push_back({sherd.row, nameOf(sherd), drawn.error().sentence()});
+      all.left_out.push_back({sherd.row, nameOf(sherd).english(), drawn.error().sentence()});
       continue;
     }
     all.drawings.push_back(std::move(*drawn));

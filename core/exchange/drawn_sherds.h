@@ -46,13 +46,14 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
                                         const DrawSherdsOptions& options);
 
 /// Of a file that is another one than was entered; a sentence.
-std::string differsFromEntered(const records::SherdRecord& sherd);
+Message differsFromEntered(const records::SherdRecord& sherd);
 /// Why a void sherd is in no plate and in no export's drawings; a sentence with its name.
-std::string leftOutAsVoid(const records::SherdRecord& sherd);
+Message leftOutAsVoid(const records::SherdRecord& sherd);
 
 struct SherdLeftOut {
   store::SherdRow sherd;
-  std::string id, why;  ///< a sentence
+  std::string id;
+  Message why;
 };
 struct DrawnSherds {
   std::vector<drawing::SherdDrawing> drawings;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "archive/bagit.h"
+#include "base/message.h"
 #include "base/text.h"
 #include "catalogue/batches.h"
 #include "catalogue/settings.h"
@@ -100,7 +101,7 @@ class Exporting {
       if (!sherd.batch || scale_doubts.contains(sherd.batch)) continue;
       const Result<records::BatchRecord> batch = Batches(catalogue_).get(sherd.batch);
       if (!batch) return batch.error();
-      scale_doubts[sherd.batch] = batch->scale_doubts;
+      scale_doubts[sherd.batch] = linesOf(batch->scale_doubts);
     }
     for (const PlannedFile& file : plan.files()) {
       if (stop_.stop_requested()) return Error::cancelled();
@@ -110,9 +111,9 @@ class Exporting {
         std::error_code code;
         const bool is_there =
             fs::symlink_status(file.from, code).type() != fs::file_type::not_found;
-        exported_.warnings.push_back(is_there
-                                         ? open.error().sentence()
-                                         : file.from.string() + " is missing and was left out.");
+        exported_.warnings.push_back(
+            is_there ? open.error().sentence()
+                     : message("%1 is missing and was left out.", file.from.string()));
         continue;
       }
       const bool whole = file.form == Form::Photographs || file.form == Form::Drawings;
@@ -123,8 +124,8 @@ class Exporting {
       if (!added) return added.error();
       written_.insert(file.form);
       if (file.form == Form::Photographs && !file.sha256.empty() && added->sha256 != file.sha256)
-        exported_.warnings.push_back(file.from.string() +
-                                     " differs from the recorded photograph; check it.");
+        exported_.warnings.push_back(
+            message("%1 differs from the recorded photograph; check it.", file.from.string()));
       if (file.sherd) name(file.sherd, file.role, file.to, *added);
     }
     return {};
@@ -189,7 +190,8 @@ class Exporting {
         }
       }
       if (why)
-        exported_.warnings.push_back(to + " is exported without photographs: " + why->sentence());
+        exported_.warnings.push_back(
+            message("%1 is exported without photographs: %2", to, why->sentence()));
     }
     return photographs_ ? &*photographs_ : nullptr;
   }
@@ -219,8 +221,8 @@ class Exporting {
     if (!model) return lighter_ = model.error();
     lighter_ = lighterModel(model->mesh, surfaceBytes(options_));
     if (lighter_) return lighter_;
-    exported_.warnings.push_back(where +
-                                 " is exported in full detail: " + lighter_.error().sentence());
+    exported_.warnings.push_back(
+        message("%1 is exported in full detail: %2", where, lighter_.error().sentence()));
     return lighter_ = LighterModel{std::move(model->mesh)};
   }
 
@@ -234,8 +236,8 @@ class Exporting {
   }
 
   Result<void> draw(const ExportPlan& plan, const std::string& title) {
-    for (const std::string& why : plan.notDrawn())
-      exported_.warnings.push_back("Not drawn: " + why);
+    for (const Message& why : plan.notDrawn())
+      exported_.warnings.push_back(message("Not drawn: %1", why));
     for (const records::SherdRecord* sherd : plan.drawn()) {
       if (stop_.stop_requested()) return Error::cancelled();
       progress_.report(done_, total_);
@@ -243,11 +245,12 @@ class Exporting {
       const Result<DrawnSheets> drawn =
           sheetsOf(catalogue_, *sherd, plan.project(), options_, title);
       if (!drawn) {
-        exported_.warnings.push_back("Not drawn: " + drawn.error().sentence());
+        exported_.warnings.push_back(message("Not drawn: %1", drawn.error().sentence()));
         continue;
       }
-      for (const std::string& remark : drawn->remarks)
-        exported_.warnings.push_back("Check the drawing of " + slugOf(*sherd) + ": " + remark);
+      for (const Message& remark : drawn->remarks)
+        exported_.warnings.push_back(
+            message("Check the drawing of %1: %2", slugOf(*sherd), remark));
       const std::vector<Page>& pages = drawn->pages;
       const std::string to = "drawings/" + slugOf(*sherd);
       for (const auto& [path, bytes] :
@@ -277,8 +280,8 @@ class Exporting {
       if (added.error().code != ErrorCode::UnusableInput &&
           added.error().code != ErrorCode::NotEnough)
         return added;
-      exported_.warnings.push_back("No pictures with masks and poses of " + number + ": " +
-                                   added.error().sentence());
+      exported_.warnings.push_back(
+          message("No pictures with masks and poses of %1: %2", number, added.error().sentence()));
     }
     return {};
   }
@@ -358,7 +361,7 @@ class Exporting {
 Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& project,
                               std::span<const store::SherdRow> rows, const ExportOptions& options,
                               Progress& progress, std::stop_token stop) {
-  if (rows.empty()) return Error::unusable("No sherds to export; select some first.");
+  if (rows.empty()) return Error::unusable(message("No sherds to export; select some first."));
   Exported exported;
   // Tables, records and names of files agree, whatever is edited meanwhile.
   const Result<void> all = catalogue.inSnapshot([&]() -> Result<void> {

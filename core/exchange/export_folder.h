@@ -69,9 +69,8 @@ inline constexpr int kFilesOfTheBag = 4;
 struct Exported {
   int sherds = 0, files = 0;  ///< files: all that lie in the folder
   std::int64_t bytes = 0;
-  std::vector<std::string>
-      warnings;                 ///< models or photographs that are not there, sherds not drawn
-  std::set<Form> without_file;  ///< forms that were asked for, and of which nothing is there
+  std::vector<Message> warnings;  ///< models or photographs that are not there, sherds not drawn
+  std::set<Form> without_file;    ///< forms that were asked for, and of which nothing is there
 };
 /// A folder after BagIt with a checksum for every file; nothing half-written, ever: all is read
 /// again before it gets its name. Errors: the target is there, a file changed since it was entered

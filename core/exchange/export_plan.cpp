@@ -1,5 +1,6 @@
 #include "exchange/export_plan.h"
 
+#include "base/message.h"
 #include "catalogue/files.h"
 #include "cloud/glb.h"
 #include "exchange/drawn_sherds.h"
@@ -136,7 +137,7 @@ Result<DrawnSheets> sheetsOf(const Catalogue& catalogue, const records::SherdRec
     how.drawing.scale = scale;
     Result<drawing::SherdDrawing> drawn = drawSherd(catalogue, sherd, project, how);
     if (!drawn) return drawn.error();
-    std::vector<std::string> remarks = drawn->remarks;
+    std::vector<Message> remarks = drawn->remarks;
     std::vector<Page> pages = drawing::layOut({std::move(*drawn)}, scale, sheet);
     const Eigen::Vector2d wanted = paperSize(sheet.paper);
     const Eigen::Vector2d page(pages.front().width_mm, pages.front().height_mm);
@@ -145,7 +146,7 @@ Result<DrawnSheets> sheetsOf(const Catalogue& catalogue, const records::SherdRec
         page.minCoeff() <= wanted.minCoeff() + 0.1 && page.maxCoeff() <= wanted.maxCoeff() + 0.1;
     if (fits || scale == scales.back()) return DrawnSheets{std::move(pages), std::move(remarks)};
   }
-  return Error{ErrorCode::Failed, "The drawing needs a scale.", sherd.number};
+  return Error{ErrorCode::Failed, message("The drawing needs a scale."), sherd.number};
 }
 
 namespace {

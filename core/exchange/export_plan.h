@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "catalogue/catalogue.h"
 #include "cloud/point_cloud.h"
 #include "exchange/export_folder.h"
@@ -66,7 +67,7 @@ class ExportPlan {
   /// To be drawn; the records outlive the plan.
   const std::vector<const records::SherdRecord*>& drawn() const { return drawn_; }
   /// Not drawn, and why.
-  const std::vector<std::string>& notDrawn() const { return not_drawn_; }
+  const std::vector<Message>& notDrawn() const { return not_drawn_; }
   /// Of the sherds that were added.
   const std::map<store::BatchRow, std::string>& batches() const { return batches_; }
   int withoutModel() const { return without_model_; }
@@ -82,7 +83,7 @@ class ExportPlan {
   const ExportOptions& options_;
   std::vector<PlannedFile> files_;
   std::vector<const records::SherdRecord*> drawn_;
-  std::vector<std::string> not_drawn_;
+  std::vector<Message> not_drawn_;
   std::vector<std::filesystem::path> viewed_photographs_;
   std::map<store::BatchRow, std::string> batches_;
   std::map<std::string, std::string> hashes_;
@@ -97,7 +98,7 @@ Result<std::vector<records::SherdRecord>> readAll(const catalogue::Catalogue& ca
 /// A sherd's drawing on its sheets.
 struct DrawnSheets {
   std::vector<Page> pages;
-  std::vector<std::string> remarks;  ///< of the drawing
+  std::vector<Message> remarks;  ///< of the drawing
 };
 /// Errors: those of drawSherd.
 Result<DrawnSheets> sheetsOf(const catalogue::Catalogue& catalogue,

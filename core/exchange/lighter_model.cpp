@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "base/message.h"
 #include "cloud/glb.h"
 #include "evaluate/surface.h"
 #include "model/model.h"
@@ -119,7 +120,8 @@ void shrinkPhotographs(texture::TexturedMesh& model, std::size_t most_bytes) {
 Result<texture::TexturedMesh> retextured(TriangleMesh mesh, const texture::TexturedMesh& model) {
   const double texel_mm = texelEdge_mm(model);
   if (!model::isClosedManifold(mesh) || !(texel_mm > 0))
-    return Error::unusable("The photographs cannot be laid on a model that is not closed.");
+    return Error::unusable(
+        message("The photographs cannot be laid on a model that is not closed."));
   if (mesh.normals.size() != mesh.vertices.size()) mesh.normals = model::vertexNormals(mesh);
   const std::vector<texture::Chart> charts = texture::chartsOf(mesh, texel_mm);
   const texture::Atlas atlas = texture::packed(charts, texel_mm);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/message.h"
 #include "cloud/obj.h"
 #include "cloud/ply.h"
 #include "files/json.h"
@@ -74,7 +75,7 @@ Result<std::string> labelledPly(std::string_view ply, const ModelLabel& label,
   const std::size_t first = ply.find("format ");
   if (!ply.starts_with("ply\n") || end == std::string_view::npos ||
       first == std::string_view::npos || first > end)
-    return Error::unusable("Not a PLY file.", where);
+    return Error::unusable(message("Not a PLY file."), where);
   const std::size_t at = ply.find('\n', first) + 1;
   // A model that was read back from an export may carry a doubt that is settled since.
   std::string rest;
@@ -87,7 +88,7 @@ Result<std::string> labelledPly(std::string_view ply, const ModelLabel& label,
 
 Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
                                 const std::string& where) {
-  const Error no_glb = Error::unusable("Not a GLB file.", where);
+  const Error no_glb = Error::unusable(message("Not a GLB file."), where);
   if (glb.size() < 20 || u32(glb, 0) != kGlb || u32(glb, 8) != glb.size() || u32(glb, 16) != kJson)
     return no_glb;
   const std::size_t size = u32(glb, 12);

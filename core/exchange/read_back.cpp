@@ -9,6 +9,7 @@
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "catalogue/history.h"
+#include "exchange/other_version.h"
 #include "files/checksum.h"
 #include "files/folder_lock.h"
 #include "metadata/metadata.h"
@@ -33,7 +34,6 @@ namespace fs = std::filesystem;
 using namespace catalogue;
 
 constexpr std::size_t kMostRecordBytes = limits::kJsonBytes.most;
-constexpr const char* kNone = "-";  // what is kept of an empty value
 
 std::string mediaTypeOf(const std::string& path) {
   const std::string ending = fs::path(path).extension().string();
@@ -43,86 +43,6 @@ std::string mediaTypeOf(const std::string& path) {
   if (ending == ".pdf") return "application/pdf";
   if (ending == ".glb") return "model/gltf-binary";
   return "application/octet-stream";
-}
-
-// What the project says of it now: of a field, a measurement, or a field of the user's own.
-std::string valueNow(const records::SherdRecord& sherd, const std::string& name) {
-  if (const auto value = sherd.measures.find(name); value != sherd.measures.end())
-    return store::numberText(value->second);
-  for (const records::SherdField& field : sherds::sherdFields())
-    if (name == field.name) return sherds::textOf(sherd, name);
-  return sherds::textOf(sherd, "extra." + name);
-}
-
-// ware_in_out is what another project kept of ours: it says nothing new while our ware is that.
-// Else two laptops that read each other by turns would add to these fields for ever.
-bool isOurs(const records::SherdRecord& sherd, const std::string& name, const std::string& value) {
-  for (std::size_t at = name.find("_in_"); at != std::string::npos; at = name.find("_in_", at + 1))
-    if (const std::string now = valueNow(sherd, name.substr(0, at));
-        value == (now.empty() ? kNone : now))
-      return true;
-  return false;
-}
-
-// Fields of the user's own that the record has, and the project otherwise or not at all. Those that
-// only the project has are no difference: they stay, and nothing of the record is left out.
-std::vector<std::pair<std::string, std::string>> ownThatDiffer(const records::SherdRecord& sherd,
-                                                               const tables::ImportRow& row,
-                                                               const std::string& from) {
-  std::vector<std::pair<std::string, std::string>> differ;
-  for (const auto& [field, value] : row.values) {
-    if (!field.starts_with("extra.") || field.ends_with("_in_" + from)) continue;
-    const std::string name = field.substr(6);
-    if (value != sherds::textOf(sherd, field) && !isOurs(sherd, name, value))
-      differ.emplace_back(name, value);
-  }
-  return differ;
-}
-
-// What a record says otherwise than the project does, as fields of the user's own beside those of
-// the project: two laptops wrote about one sherd, and a person decides.
-std::vector<records::FieldChange> otherVersion(const records::SherdRecord& sherd,
-                                               const tables::ImportRow& row,
-                                               const std::string& from) {
-  std::vector<records::FieldChange> kept;
-  const auto keep = [&](const std::string& name, const std::string& value) {
-    kept.push_back({sherd.row, "extra." + name + "_in_" + from, value.empty() ? kNone : value});
-  };
-  for (const records::SherdField& field : sherds::sherdFields()) {
-    const std::string name = field.name;
-    if (!field.editable || field.kind == records::FieldKind::Number) continue;
-    const auto found = row.values.find(name);
-    const std::string value = found == row.values.end() ? std::string() : found->second;
-    if (value != sherds::textOf(sherd, name)) keep(name, value);
-  }
-  for (const auto& [m, initials] : row.measured) {
-    const auto value = sherd.measures.find(m.kind);
-    if (value == sherd.measures.end() || value->second != m.value)
-      keep(m.kind, store::numberText(m.value));
-  }
-  for (const auto& [name, value] : ownThatDiffer(sherd, row, from)) keep(name, value);
-  return kept;
-}
-
-bool sameAs(const records::SherdRecord& sherd, const tables::ImportRow& row,
-            const std::string& from, const Catalogue& catalogue) {
-  for (const records::SherdField& field : sherds::sherdFields()) {
-    const std::string name = field.name;
-    if (name == "state" || name == "batch" || name == "scale" ||
-        field.kind == records::FieldKind::Number)
-      continue;
-    const auto value = row.values.find(name);
-    if ((value == row.values.end() ? std::string() : value->second) != sherds::textOf(sherd, name))
-      return false;
-  }
-  if (!ownThatDiffer(sherd, row, from).empty()) return false;
-  const auto measured = sherds::Measurements(catalogue).of(sherd.row);
-  if (!measured || measured->size() != row.measured.size()) return false;
-  for (const auto& [m, initials] : row.measured) {
-    const auto value = sherd.measures.find(m.kind);
-    if (value == sherd.measures.end() || value->second != m.value) return false;
-  }
-  return true;
 }
 
 class ReadingBack {
@@ -152,7 +72,7 @@ class ReadingBack {
     }
     if (records_.empty())
       return Error::unusable(
-          "This export contains no sherd records (JSON); export it again with them.",
+          message("This export contains no sherd records (JSON); export it again with them."),
           folder_.string());
     return {};
   }
@@ -198,10 +118,7 @@ class ReadingBack {
       if (!undo) return undo.error();
       if (!undo->empty()) kept.changes.insert(kept.changes.end(), other.begin(), other.end());
       kept.undo.insert(kept.undo.end(), undo->rbegin(), undo->rend());  // turned at the end
-      kept.refusals.push_back({record.row.line, "number", sherd->number,
-                               "The project has this sherd with other values and keeps them; "
-                               "differing values are added in fields that end in _in_" +
-                                   name_ + "."});
+      kept.refusals.push_back({record.row.line, "number", sherd->number, keepsItsOwn(name_)});
     }
     Result<tables::ImportReport> report =
         tables::importSherds(catalogue, fresh, options, provenance_, progress, stop);
@@ -212,8 +129,9 @@ class ReadingBack {
     if (Result<void> all = copiesAreThere(); !all) return all.error();
     if (!lost_joins_.empty())
       report->warnings.push_back(
-          "Joins with sherds that are not in the export or were not imported are left out: " +
-          joined(lost_joins_, ", ") + "; enter them by hand.");
+          message("Joins with sherds that are not in the export or were not imported are left out: "
+                  "%1; enter them by hand.",
+                  joined(lost_joins_, ", ")));
     report->same += kept.same;
     report->changes.insert(report->changes.end(), kept.changes.begin(), kept.changes.end());
     report->undo.insert(report->undo.begin(), kept.undo.rbegin(), kept.undo.rend());
@@ -314,9 +232,10 @@ class ReadingBack {
     std::map<std::string, std::string> hashes;
     for (const metadata::FileCopy& copy : copies_) {
       const archive::BagFile* file = bag_.find("data/" + copy.from);
-      if (!file) return Error::unusable("This file is not part of the export.", copy.from);
+      if (!file) return Error::unusable(message("This file is not part of the export."), copy.from);
       if (hashes.try_emplace(copy.to, file->sha256).first->second != file->sha256)
-        return Error::unusable("Two files of the export would have the same name.", copy.to);
+        return Error::unusable(message("Two files of the export would have the same name."),
+                               copy.to);
     }
     return {};
   }
@@ -329,7 +248,8 @@ class ReadingBack {
     if (!sum) return sum.error();
     if (sum->sha256 == from.sha256) return {};
     return Error::unusable(
-        "The project has another file with this name; rename the export and import it again.",
+        message(
+            "The project has another file with this name; rename the export and import it again."),
         there->name());
   }
 
@@ -467,8 +387,8 @@ Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& 
   // export and no batch gets its files.
   const Result<FolderLock> alone = FolderLock::waitFor(
       project.folder(),
-      "Another import into this project is running; this one waits until it has ended.", progress,
-      stop);
+      message("Another import into this project is running; this one waits until it has ended."),
+      progress, stop);
   if (!alone) return alone.error();
   // Another import has entered since: what is new, and where its files go, is another answer now.
   if (History(project.catalogue()).length() != before)
@@ -491,8 +411,8 @@ Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& 
     return done.error();
   }
   if (*put_back > 0)
-    report.warnings.push_back("Files that were missing from the project and came back: " +
-                              std::to_string(*put_back) + ".");
+    report.warnings.push_back(
+        message("Files that were missing from the project and came back: %1.", *put_back));
   return report;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "base/message.h"
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
 #include "exchange/export_folder.h"
@@ -92,8 +93,9 @@ Result<void> writeRow(TableWriter& table, const std::vector<tables::OdsSheet::Co
                       const std::vector<std::string>& values, const std::string& of) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!store::isUtf8(values[i]))
-      return refusedCell(Error::unusable("The text is not valid UTF-8 or contains a zero byte."),
-                         of, columns[i].name);
+      return refusedCell(
+          Error::unusable(message("The text is not valid UTF-8 or contains a zero byte.")), of,
+          columns[i].name);
   table.row(values);
   return {};
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/message.h"
+
 namespace ostraka {
 namespace {
 
@@ -17,9 +19,9 @@ bool isControl(char c) {
 
 Result<ContainedPath> ContainedPath::parse(std::string_view text) {
   const auto refused = [&] {
-    return Error::unusable(
-        "'" + std::string(text.substr(0, kMostOfAPart)) +
-        "' is not a path inside the project; it must be relative, with '/' and without '..'.");
+    return Error::unusable(message(
+        "'%1' is not a path inside the project; it must be relative, with '/' and without '..'.",
+        std::string(text.substr(0, kMostOfAPart))));
   };
   if (text.size() > kMostBytes || std::any_of(text.begin(), text.end(), isControl) ||
       text.find('\\') != std::string_view::npos || (text.size() > 1 && text[1] == ':'))

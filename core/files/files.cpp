@@ -4,13 +4,14 @@
 #include <openssl/sha.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <string>
 
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
 
-#include "files/cannot_write.h"
+#include "base/message.h"
 #include "files/input_file.h"
 #include "files/unfinished_file.h"
 
@@ -60,9 +61,10 @@ Result<std::string> readFile(const std::filesystem::path& path, std::size_t max_
   Result<InputFile> file = InputFile::open(path);
   if (!file) return file.error();
   if (file->size_bytes() > max_bytes)
-    return Error::unusable("The file is larger than the limit of " + std::to_string(max_bytes) +
-                               " bytes; check that it is the right one.",
-                           path);
+    return Error::unusable(
+        message("The file is larger than the limit of %1 bytes; check that it is the right one.",
+                max_bytes),
+        path);
   return file->read(file->size_bytes());
 }
 
@@ -75,7 +77,7 @@ Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_
   std::error_code failed;
   std::filesystem::create_directories(in, failed);
   if (failed) return cannotWrite(in, failed.value());
-  if (std::string other = otherThanAFile(path); !other.empty())
+  if (Message other = otherThanAFile(path); !other.empty())
     return Error{ErrorCode::CannotWrite, std::move(other), path.string()};
   const Descriptor folder(::open(in.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!folder.open()) return cannotWrite(path, errno);
@@ -121,6 +123,22 @@ std::string sha256(std::string_view bytes) {
     hex += "0123456789abcdef"[byte & 15];
   }
   return hex;
+}
+
+Error cannotWrite(const std::filesystem::path& path, int reason) {
+  const bool full = reason == ENOSPC || reason == EDQUOT;
+  return {ErrorCode::CannotWrite,
+          full ? message("The disk is full; free some space and try again.")
+               : message("The file or folder cannot be written (%1); choose another location, or "
+                         "check its permissions.",
+                         std::string(std::strerror(reason))),
+          path.string()};
+}
+
+Result<void> makeFolder(const std::filesystem::path& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  return failed ? Result<void>(cannotWrite(folder, failed.value())) : Result<void>();
 }
 
 }  // namespace ostraka

@@ -29,4 +29,11 @@ bool mayBeWritten(const std::filesystem::path& path);
 /// SHA-256 in lower-case hexadecimal.
 std::string sha256(std::string_view bytes);
 
+/// The error of what could not be written there, in words; reason is an errno: a full disk, or
+/// another one. Error: CannotWrite.
+Error cannotWrite(const std::filesystem::path& path, int reason);
+
+/// Makes the folder and those on the way to it. Error: CannotWrite.
+Result<void> makeFolder(const std::filesystem::path& folder);
+
 }  // namespace ostraka

@@ -9,6 +9,8 @@
 #include <chrono>
 #include <thread>
 
+#include "base/message.h"
+
 namespace ostraka {
 
 Result<std::pair<FolderLock, FolderLock::Held>> FolderLock::tryTo(
@@ -19,7 +21,7 @@ Result<std::pair<FolderLock, FolderLock::Held>> FolderLock::tryTo(
   const int fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
   if (fd < 0 && errno == ELOOP)
     return Error{ErrorCode::CannotWrite,
-                 "A link has taken the place of this folder's lock file; delete the link.",
+                 message("A link has taken the place of this folder's lock file; delete the link."),
                  file.string()};
   // Without a file nothing is held; who writes there next says why it cannot.
   const bool elsewhere = fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
@@ -32,15 +34,15 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
   if (tried->second == Held::Elsewhere)
     return Error{
         ErrorCode::CannotWrite,
-        "Another run is writing to this folder; wait until it ends, or choose another folder.",
+        message(
+            "Another run is writing to this folder; wait until it ends, or choose another folder."),
         folder.string()};
   return std::move(tried->first);
 }
 
 // One that was taken of a folder that went away meanwhile keeps nobody out of the new one.
-Result<FolderLock> FolderLock::waitFor(const std::filesystem::path& folder,
-                                       std::string_view waiting, Progress& progress,
-                                       const std::stop_token& stop) {
+Result<FolderLock> FolderLock::waitFor(const std::filesystem::path& folder, const Message& waiting,
+                                       Progress& progress, const std::stop_token& stop) {
   constexpr std::chrono::milliseconds kPause(50);
   bool noted = false;
   for (;; std::this_thread::sleep_for(kPause)) {

@@ -18,7 +18,7 @@ class FolderLock {
   static Result<FolderLock> take(const std::filesystem::path& folder);
   /// Waits until nobody else holds the folder; where it has to, it notes once for whom: `waiting`,
   /// a sentence. Errors: Cancelled, CannotWrite.
-  static Result<FolderLock> waitFor(const std::filesystem::path& folder, std::string_view waiting,
+  static Result<FolderLock> waitFor(const std::filesystem::path& folder, const Message& waiting,
                                     Progress& progress, const std::stop_token& stop);
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept

@@ -9,34 +9,37 @@
 #include <cstring>
 #include <utility>
 
+#include "base/message.h"
+
 namespace ostraka {
 namespace {
 
-std::string kindOf(mode_t mode) {
-  if (S_ISDIR(mode)) return "This is a folder, not a file; choose a file.";
-  if (S_ISFIFO(mode)) return "This is a pipe, not a file; choose a file.";
-  if (S_ISSOCK(mode)) return "This is a socket, not a file; choose a file.";
-  if (S_ISCHR(mode) || S_ISBLK(mode)) return "This is a device, not a file; choose a file.";
+Message kindOf(mode_t mode) {
+  if (S_ISDIR(mode)) return message("This is a folder, not a file; choose a file.");
+  if (S_ISFIFO(mode)) return message("This is a pipe, not a file; choose a file.");
+  if (S_ISSOCK(mode)) return message("This is a socket, not a file; choose a file.");
+  if (S_ISCHR(mode) || S_ISBLK(mode))
+    return message("This is a device, not a file; choose a file.");
   return {};
 }
 
 }  // namespace
 
-std::string otherThanAFile(const std::filesystem::path& path) {
+Message otherThanAFile(const std::filesystem::path& path) {
   struct stat info {};
-  return ::stat(path.c_str(), &info) == 0 ? kindOf(info.st_mode) : std::string();
+  return ::stat(path.c_str(), &info) == 0 ? kindOf(info.st_mode) : Message();
 }
 
 Result<InputFile> InputFile::open(const std::filesystem::path& path) {
   // Before it is opened: opening a device may do something to it.
-  if (std::string other = otherThanAFile(path); !other.empty())
+  if (Message other = otherThanAFile(path); !other.empty())
     return Error::unusable(std::move(other), path);
   const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (fd < 0)
     return Error::unusable(errno == ENOENT
-                               ? "There is no such file; check its name."
-                               : "The file cannot be opened (" + std::string(std::strerror(errno)) +
-                                     "); check its permissions.",
+                               ? message("There is no such file; check its name.")
+                               : message("The file cannot be opened (%1); check its permissions.",
+                                         std::string(std::strerror(errno))),
                            path);
   struct stat info {};
   const bool known = ::fstat(fd, &info) == 0;
@@ -65,9 +68,9 @@ Result<std::string> InputFile::read(std::size_t most_bytes) {
     const ssize_t n = ::read(fd_, bytes.data() + done, most_bytes - done);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0)
-      return Error::unusable(
-          "The file cannot be read (" + std::string(std::strerror(errno)) + "); copy it again.",
-          path_);
+      return Error::unusable(message("The file cannot be read (%1); copy it again.",
+                                     std::string(std::strerror(errno))),
+                             path_);
     if (n == 0) break;
     done += static_cast<std::size_t>(n);
   }

@@ -32,6 +32,6 @@ class InputFile {
 
 /// What stands in the place of a regular file, in a sentence; empty for a regular file and for
 /// nothing. A link counts as what it leads to.
-std::string otherThanAFile(const std::filesystem::path& path);
+Message otherThanAFile(const std::filesystem::path& path);
 
 }  // namespace ostraka

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "base/text.h"
 #include "files/files.h"
 #include "files/json_numbers.h"
@@ -16,53 +17,77 @@
 namespace ostraka {
 namespace {
 
-// Looks at a text while it is parsed: its depth, and keys that one object has twice, of which
-// nobody could say which one holds.
+// Looks at a text before it becomes a value: its depth, and keys that one object has twice, of
+// which nobody could say which one holds. A parser with a callback would walk a whole list after
+// each of its objects.
 template <class Json>
-class Inspection {
+class Inspection final : public nlohmann::json_sax<Json> {
  public:
-  bool operator()(int depth, typename Json::parse_event_t event, const Json& parsed) {
-    if (depth > static_cast<int>(limits::kJsonDepth.most)) too_deep = true;
-    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
-    if (event == Json::parse_event_t::object_end && !keys_.empty()) keys_.pop_back();
-    if (event == Json::parse_event_t::key && !keys_.empty()) {
-      const auto& key = parsed.template get_ref<const std::string&>();
-      if (!keys_.back().insert(key).second) twice = key;
-    }
-    return !too_deep;
+  using Base = nlohmann::json_sax<Json>;
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(typename Base::number_integer_t) override { return true; }
+  bool number_unsigned(typename Base::number_unsigned_t) override { return true; }
+  bool number_float(typename Base::number_float_t, const typename Base::string_t&) override {
+    return true;
+  }
+  bool string(typename Base::string_t&) override { return true; }
+  bool binary(typename Base::binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return begin(); }
+  bool end_object() override { return end(); }
+  bool start_array(std::size_t) override { return begin(); }
+  bool end_array() override { return end(); }
+  bool key(typename Base::string_t& key) override {
+    if (!keys_.back().insert(key).second && !twice) twice = key;
+    return true;
+  }
+  // The parser proper says what is wrong.
+  bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+    return false;
   }
 
   bool too_deep = false;
   std::optional<std::string> twice;
 
  private:
-  std::vector<std::set<std::string>> keys_;  // of the objects that are open
+  bool begin() {
+    keys_.emplace_back();
+    too_deep = keys_.size() > limits::kJsonDepth.most;
+    return !too_deep;
+  }
+  bool end() {
+    keys_.pop_back();
+    return true;
+  }
+
+  std::vector<std::set<std::string>> keys_;  // of what is open; a list has none
 };
 
 template <class Json>
 Result<Json> parsed(std::string_view text, const std::string& where) {
   if (text.size() > limits::kJsonBytes.most)
-    return Error::unusable("The JSON text is larger than 64 MiB.", where);
+    return Error::unusable(message("The JSON text is larger than 64 MiB."), where);
   Inspection<Json> inspection;
   try {
-    Json value = Json::parse(text, [&](int depth, typename Json::parse_event_t event, Json& part) {
-      return inspection(depth, event, part);
-    });
+    Json::sax_parse(text, &inspection);
     if (inspection.too_deep)
-      return Error::unusable("The JSON is nested deeper than 64 levels.", where);
+      return Error::unusable(message("The JSON is nested deeper than 64 levels."), where);
+    Json value = Json::parse(text);
     if (inspection.twice)
-      return Error::unusable("The JSON contains '" + *inspection.twice +
-                                 "' twice in one object; delete one of the two.",
-                             where);
+      return Error::unusable(
+          message("The JSON contains '%1' twice in one object; delete one of the two.",
+                  *inspection.twice),
+          where);
     return value;
   } catch (const nlohmann::json::parse_error& error) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    return Error::unusable("Not valid JSON (line " +
-                               std::to_string(1 + std::count(text.begin(), end, '\n')) +
-                               "); correct that line, or copy the file again.",
-                           where);
+    return Error::unusable(
+        message("Not valid JSON (line %1); correct that line, or copy the file again.",
+                1 + std::count(text.begin(), end, '\n')),
+        where);
   } catch (const nlohmann::json::exception&) {
-    return Error::unusable("The JSON contains a number that is too large; correct it.", where);
+    return Error::unusable(message("The JSON contains a number that is too large; correct it."),
+                           where);
   }
 }
 
@@ -77,21 +102,21 @@ std::string plain(double value) {
 }  // namespace
 
 void refuseWhole(const std::string& name, std::int64_t least, std::int64_t most) {
-  throw JsonNumberError("'" + name + "' must be a whole number from " + std::to_string(least) +
-                        " to " + std::to_string(most) + "; correct it.");
+  throw JsonNumberError(
+      message("'%1' must be a whole number from %2 to %3; correct it.", name, least, most));
 }
 
 void refuseNumber(const std::string& name, double least, double most) {
   if (least == -kMostNumber && most == kMostNumber)
-    throw JsonNumberError("'" + name + "' must be a number; correct it.");
-  throw JsonNumberError("'" + name + "' must be a number from " + plain(least) + " to " +
-                        plain(most) + "; correct it.");
+    throw JsonNumberError(message("'%1' must be a number; correct it.", name));
+  throw JsonNumberError(
+      message("'%1' must be a number from %2 to %3; correct it.", name, plain(least), plain(most)));
 }
 
-Error unusableJson(const nlohmann::json::exception& refused, const std::string& otherwise,
+Error unusableJson(const nlohmann::json::exception& refused, const Message& otherwise,
                    const std::string& where) {
   const auto* number = dynamic_cast<const JsonNumberError*>(&refused);
-  return Error::unusable(number != nullptr ? number->what() : otherwise, where);
+  return Error::unusable(number != nullptr ? number->sentence : otherwise, where);
 }
 
 Result<nlohmann::json> parseJson(std::string_view text, const std::string& where) {
@@ -147,11 +172,12 @@ Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const st
       else
         flat.push_back(row);
     }
-  if (flat.size() != 16) return Error::unusable("A transform must be a 4x4 matrix.", where);
+  if (flat.size() != 16)
+    return Error::unusable(message("A transform must be a 4x4 matrix."), where);
   Eigen::Matrix4d matrix;
   for (int i = 0; i < 16; ++i) {
     if (!flat[i].is_number())
-      return Error::unusable("A transform contains a value that is not a number.", where);
+      return Error::unusable(message("A transform contains a value that is not a number."), where);
     matrix(i / 4, i % 4) = flat[i].get<double>();
   }
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
@@ -159,7 +185,7 @@ Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const st
       (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
   if (!matrix.allFinite() || !(skew < 1e-3) || rotation.determinant() < 0 ||
       (matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-6)
-    return Error::unusable("A transform is not rigid.", where);
+    return Error::unusable(message("A transform is not rigid."), where);
   Eigen::Isometry3d transform;
   transform.matrix() = matrix;
   return transform;

@@ -14,14 +14,16 @@ namespace ostraka {
 /// what() is a sentence that names the field and its range.
 class JsonNumberError final : public nlohmann::json::exception {
  public:
-  explicit JsonNumberError(const std::string& sentence) : exception(600, sentence.c_str()) {}
+  explicit JsonNumberError(Message sentence_)
+      : exception(600, sentence_.english().c_str()), sentence(std::move(sentence_)) {}
+  Message sentence;
 };
 
 [[noreturn]] void refuseWhole(const std::string& name, std::int64_t least, std::int64_t most);
 [[noreturn]] void refuseNumber(const std::string& name, double least, double most);
 
 /// The sentence of a JsonNumberError, or else `otherwise`, which says what the reader needs.
-Error unusableJson(const nlohmann::json::exception& refused, const std::string& otherwise,
+Error unusableJson(const nlohmann::json::exception& refused, const Message& otherwise,
                    const std::string& where);
 
 constexpr std::int64_t kMostInt = 2'147'483'647;

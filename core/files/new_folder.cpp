@@ -5,7 +5,7 @@
 
 #include <system_error>
 
-#include "files/cannot_write.h"
+#include "base/message.h"
 #include "files/files.h"
 #include "files/output_place.h"
 
@@ -48,16 +48,18 @@ Result<NewFolder> NewFolder::begin(const fs::path& where) {
   fs::path place = fs::absolute(where, failed).lexically_normal();
   if (!place.has_filename()) place = place.parent_path();
   if (holdsFiles(place))
-    return Error::unusable("The folder already contains files; choose a new or empty one.",
+    return Error::unusable(message("The folder already contains files; choose a new or empty one."),
                            where.string());
   if (cannotBeReplaced(place))
     return Error::unusable(
-        "This folder is a mount point or the current folder; choose a new folder inside it.",
+        message(
+            "This folder is a mount point or the current folder; choose a new folder inside it."),
         where.string());
   const fs::path partial = place.string() + ".partial";
   if (fs::exists(fs::symlink_status(partial, failed)) && !isLeftover(partial))
     return Error::unusable(
-        "This folder is needed for unfinished files but contains others; move it elsewhere.",
+        message(
+            "This folder is needed for unfinished files but contains others; move it elsewhere."),
         partial.string());
   if (const Result<void> made = makeFolder(partial); !made) return made.error();
   Result<FolderLock> lock = FolderLock::take(partial);

@@ -10,7 +10,8 @@
 #include <cstring>
 #include <memory>
 
-#include "files/cannot_write.h"
+#include "base/message.h"
+#include "files/files.h"
 #include "files/unfinished_file.h"
 
 namespace ostraka {
@@ -21,21 +22,21 @@ constexpr int kFolder = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 
 Error cannotOpen(int reason, std::string where) {
   if (reason == ENOENT)
-    return Error::unusable("There is no such file; check its name.", std::move(where));
+    return Error::unusable(message("There is no such file; check its name."), std::move(where));
   if (reason == ELOOP || reason == ENOTDIR)  // the latter is what O_DIRECTORY says of a link
-    return Error::unusable(
-        "A link or a file has taken the place of a folder, or a link that of a file; replace it "
-        "with the folder or the file itself.",
-        std::move(where));
-  return Error::unusable("The file cannot be opened (" + std::string(std::strerror(reason)) +
-                             "); check its permissions.",
+    return Error::unusable(message("A link or a file has taken the place of a folder, or a link "
+                                   "that of a file; replace it "
+                                   "with the folder or the file itself."),
+                           std::move(where));
+  return Error::unusable(message("The file cannot be opened (%1); check its permissions.",
+                                 std::string(std::strerror(reason))),
                          std::move(where));
 }
 
 Error cannotMake(int reason, std::string where) {
   if (reason == ELOOP || reason == ENOTDIR) return cannotOpen(reason, std::move(where));
   if (reason == EEXIST)
-    return Error::unusable("A file of this name already exists; it is not overwritten.",
+    return Error::unusable(message("A file of this name already exists; it is not overwritten."),
                            std::move(where));
   return cannotWrite(where, reason);
 }
@@ -92,7 +93,7 @@ Result<OpenFile> OpenFile::within(const std::filesystem::path& folder, std::stri
 Result<OpenFile> OpenFile::of(FileDescriptor file, std::string name) {
   struct stat info {};
   if (::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode))
-    return Error::unusable("Not a regular file; choose a file.", std::move(name));
+    return Error::unusable(message("Not a regular file; choose a file."), std::move(name));
   return OpenFile(std::move(file), std::move(name), info.st_size);
 }
 
@@ -102,9 +103,9 @@ Result<std::size_t> OpenFile::read(std::span<char> piece) {
     const ssize_t n = ::read(file_.get(), piece.data() + done, piece.size() - done);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0)
-      return Error::unusable(
-          "The file cannot be read (" + std::string(std::strerror(errno)) + "); copy it again.",
-          name_);
+      return Error::unusable(message("The file cannot be read (%1); copy it again.",
+                                     std::string(std::strerror(errno))),
+                             name_);
     if (n == 0) break;
     done += static_cast<std::size_t>(n);
   }
@@ -113,9 +114,10 @@ Result<std::size_t> OpenFile::read(std::span<char> piece) {
 
 Result<std::string> OpenFile::readAll(std::size_t max_bytes) {
   if (static_cast<std::size_t>(bytes_) > max_bytes)
-    return Error::unusable("The file is larger than the limit of " + std::to_string(max_bytes) +
-                               " bytes; check that it is the right one.",
-                           name_);
+    return Error::unusable(
+        message("The file is larger than the limit of %1 bytes; check that it is the right one.",
+                max_bytes),
+        name_);
   std::string bytes(static_cast<std::size_t>(bytes_), '\0');
   const Result<std::size_t> done = read(bytes);
   if (!done) return done.error();

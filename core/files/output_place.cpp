@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "base/message.h"
 #include "base/text.h"
 
 namespace ostraka {
@@ -64,21 +65,22 @@ Result<void> checkOutputPlace(const fs::path& target, std::string_view filled) {
     if (Result<void> own = checkNoLinkInProject(target); !own) return own;
   const fs::path place = resolved(target);
   if (const fs::path bag = nearestWith("bagit.txt", place); !bag.empty())
-    return Error::unusable("This location belongs to the archive or export '" + bag.string() +
-                               "', which new files would make invalid; choose a location outside "
-                               "it.",
+    return Error::unusable(message("This location belongs to the archive or export '%1', which new "
+                                   "files would make invalid; choose a location outside it.",
+                                   bag.string()),
                            target.string());
   const fs::path project = nearestWith("catalogue.sqlite", place);
   if (project.empty()) return {};
   if (filled.empty())
-    return Error::unusable("This location belongs to the project '" + project.string() +
-                               "'; choose a location outside it.",
-                           target.string());
+    return Error::unusable(
+        message("This location belongs to the project '%1'; choose a location outside it.",
+                project.string()),
+        target.string());
   const fs::path folder = project / filled;
   if (place.parent_path() == folder) return {};
-  return Error::unusable("This location belongs to the project '" + project.string() +
-                             "'; choose a folder directly in '" + folder.string() +
-                             "', or one outside the project.",
+  return Error::unusable(message("This location belongs to the project '%1'; choose a folder "
+                                 "directly in '%2', or one outside the project.",
+                                 project.string(), folder.string()),
                          target.string());
 }
 
@@ -86,18 +88,19 @@ Result<void> checkOutputFile(const fs::path& file, const std::vector<std::string
                              const std::vector<fs::path>& inputs) {
   const std::string ending = lowerCase(file.extension().string());
   if (std::find(endings.begin(), endings.end(), ending) == endings.end())
-    return Error::unusable(
-        "The name of this output must end in " + joined(endings, ", ") + "; choose another name.",
-        file.string());
+    return Error::unusable(message("The name of this output must end in %1; choose another name.",
+                                   joined(endings, ", ")),
+                           file.string());
   if (Result<void> good = checkOutputPlace(file); !good) return good;
   std::error_code failed;
   if (fs::is_directory(file, failed))
-    return Error::unusable("This is a folder, not a file; choose another name.", file.string());
+    return Error::unusable(message("This is a folder, not a file; choose another name."),
+                           file.string());
   for (const fs::path& input : inputs)
     if (fs::equivalent(file, input, failed))
-      return Error::unusable(
-          "This output is one of the input files, which it would overwrite; choose another name.",
-          file.string());
+      return Error::unusable(message("This output is one of the input files, which it would "
+                                     "overwrite; choose another name."),
+                             file.string());
   return {};
 }
 
@@ -120,10 +123,10 @@ Result<void> checkNoLinkInProject(const fs::path& place) {
 Result<void> checkNoLinkedFolder(const fs::path& folder, std::span<const std::string_view> names,
                                  LinkedFolders which) {
   const auto refused = [](const fs::path& link) {
-    return Error::unusable(
-        "A link has taken the place of a folder of a project or of a result; what it leads to was "
-        "not touched. Delete the link, or move the folder itself here.",
-        link.string());
+    return Error::unusable(message("A link has taken the place of a folder of a project or of a "
+                                   "result; what it leads to was "
+                                   "not touched. Delete the link, or move the folder itself here."),
+                           link.string());
   };
   for (const std::string_view name : names) {
     std::error_code failed;
@@ -138,7 +141,7 @@ Result<void> checkNoLinkedFolder(const fs::path& folder, std::span<const std::st
       if (at->is_symlink(failed) && at->is_directory(failed)) return refused(at->path());
     if (failed)
       return Error::unusable(
-          "This folder cannot be read (" + failed.message() + "); nothing was read.",
+          message("This folder cannot be read (%1); nothing was read.", failed.message()),
           own.path().string());
   }
   return {};

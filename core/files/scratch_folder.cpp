@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "base/message.h"
+
 namespace ostraka {
 namespace fs = std::filesystem;
 
@@ -15,9 +17,9 @@ Result<ScratchFolder> ScratchFolder::make(std::string_view name, const fs::path&
   std::string path = (folder / (std::string(name) + "-XXXXXX")).string();
   if (failed || ::mkdtemp(path.data()) == nullptr)  // for its owner alone (0700), never one there
     return Error{ErrorCode::CannotWrite,
-                 "No temporary folder can be created here (" +
-                     (failed ? failed.message() : std::string(std::strerror(errno))) +
-                     "); free some space, or set TMPDIR to another folder.",
+                 message("No temporary folder can be created here (%1); free some space, or set "
+                         "TMPDIR to another folder.",
+                         (failed ? failed.message() : std::string(std::strerror(errno)))),
                  folder.string()};
   return ScratchFolder(fs::path(path));
 }

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/message.h"
 #include "capture/manifest.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
@@ -51,7 +52,7 @@ double sizeOf(const fs::path& folder) {
 
 // Photographs, or scans that were split already.
 Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& batch,
-                              const fs::path& output, std::vector<std::string> warnings,
+                              const fs::path& output, std::vector<Message> warnings,
                               Progress& progress, const std::stop_token& stop) {
   pipeline::ProcessOptions process;
   process.batch = batch;
@@ -108,15 +109,19 @@ Result<std::vector<std::string>> missingPhotographs(const upkeep::Project& proje
   return missing;
 }
 
-std::string missingSentence(const std::vector<std::string>& missing, const fs::path& folder) {
+Message missingSentence(const std::vector<std::string>& missing, const fs::path& folder) {
   std::string names;
   for (std::size_t i = 0; i < std::min(missing.size(), kNamedMissing); ++i)
     names += (i == 0 ? "" : ", ") + missing[i];
-  if (missing.size() > kNamedMissing)
-    names += " and " + std::to_string(missing.size() - kNamedMissing) + " more";
-  return folder.string() + ": Photographs recorded for this batch are missing from its folder (" +
-         std::to_string(missing.size()) + "): " + names +
-         ". Put them back and reprocess the batch.";
+  return about(
+      folder,
+      missing.size() > kNamedMissing
+          ? message("Photographs recorded for this batch are missing from its folder (%1): %2 and "
+                    "%3 more. Put them back and reprocess the batch.",
+                    missing.size(), names, missing.size() - kNamedMissing)
+          : message("Photographs recorded for this batch are missing from its folder (%1): %2. Put "
+                    "them back and reprocess the batch.",
+                    missing.size(), names));
 }
 
 Result<void> hasSpace(const fs::path& project) {
@@ -124,8 +129,9 @@ Result<void> hasSpace(const fs::path& project) {
   const fs::space_info space = fs::space(project, error);
   if (error || static_cast<double>(space.available) > kLeastFree_bytes) return {};
   return Error{ErrorCode::CannotWrite,
-               "The disk has only " + std::to_string(space.available / 1000000) +
-                   " MB left; a batch needs more. Nothing is lost: make room, then go on.",
+               message("The disk has only %1 MB left; a batch needs more. Nothing is lost: make "
+                       "room, then go on.",
+                       space.available / 1000000),
                project.string()};
 }
 
@@ -139,15 +145,17 @@ int piecesOf(const catalogue::Catalogue& rows, store::BatchRow batch) {
   return std::max(found[0], found[1]);
 }
 
-std::string leftSentence(const catalogue::Catalogue& rows, const std::string& number) {
+Message leftSentence(const catalogue::Catalogue& rows, const std::string& number) {
   const auto holder = sherds::Sherds(rows).byNumber(number);
-  return number +
-         (holder && *holder
-              ? ": this number was typed on the plate, but is another sherd's; look which of the "
-                "two bears it, and give the other one a new number."
-              : ": this number was typed on the plate, but no sherd with a context lies there; "
-                "give "
-                "it in the catalogue.");
+  return holder && *holder
+             ? message(
+                   "%1: this number was typed on the plate, but is another sherd's; look which "
+                   "of the two bears it, and give the other one a new number.",
+                   number)
+             : message(
+                   "%1: this number was typed on the plate, but no sherd with a context lies "
+                   "there; give it in the catalogue.",
+                   number);
 }
 
 // Of results that were computed elsewhere; scans, and batches without a table, have no review.
@@ -215,18 +223,19 @@ Result<BatchFigures> enteredFigures(upkeep::Project& project, const records::Bat
     progress.note(NoteLevel::Warning, leftSentence(rows, number));
   figures.numbers_left = entered->numbers_left;
   if (entered->decided_meanwhile && !(again && *again))
-    progress.note(NoteLevel::Warning,
-                  "Pairs were decided or masks edited while the batch was processed. Reprocess it "
-                  "for them.");
+    progress.note(
+        NoteLevel::Warning,
+        message("Pairs were decided or masks edited while the batch was processed. Reprocess it "
+                "for them."));
   if (auto unlike = sherds::unlikeBefore(rows, begun.row)) figures.unlike = *unlike;
   // A sherd that was on the plate and is in no scan would be missed by nobody.
   figures.sherds = piecesOf(rows, begun.row);
   if (figures.sherds != begun.counted) figures.counted = begun.counted;
   if (figures.counted > 0)
     progress.note(NoteLevel::Warning,
-                  "Sherds counted on the plate: " + std::to_string(figures.counted) +
-                      ". Another number was found; look at the map for one that is missing or cut "
-                      "in two.");
+                  message("Sherds counted on the plate: %1. Another number was found; look at the "
+                          "map for one that is missing or cut in two.",
+                          figures.counted));
   if (const auto backup = project.backUp(); !backup)
     progress.note(NoteLevel::Warning, backup.error().sentence());
   return figures;
@@ -247,7 +256,7 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
 
   const Result<std::vector<std::string>> missing = missingPhotographs(*project, *record);
   if (!missing) return missing.error();
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   if (!missing->empty()) warnings.push_back(missingSentence(*missing, batch));
   if (const Result<void> begun = beginComputing(rows, options.number); !begun) return begun.error();
   Result<BatchFigures> figures =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/message.h"
 #include "catalogue/batches.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/history.h"
@@ -45,7 +46,7 @@ Result<void> queueAgain(catalogue::Catalogue& catalogue, const std::string& batc
     const records::BatchRecord batch =
         store::valueOrThrow(catalogue::Batches(catalogue).byNumber(batch_number));
     if (batch.state <= records::BatchState::Back)
-      store::refuse("This batch is still being photographed; it is processed afterwards.",
+      store::refuse(message("This batch is still being photographed; it is processed afterwards."),
                     batch_number);
     // What waits cannot be told from what is being computed: both are so until their results are
     // entered. Where it only waits, its beginning forgets this.

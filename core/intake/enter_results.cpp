@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/message.h"
 #include "batch/batch.h"
 #include "batch/exif.h"
 #include "capture/manifest.h"
@@ -140,8 +141,9 @@ class Entering {
   store::ScanRow scan(const std::string& name) const {
     const auto found = rows_.find(name);
     if (found == rows_.end())
-      store::refuse("The pair table names the scan " + name +
-                    ", which is missing; run 'ostraka process' again.");
+      store::refuse(message(
+          "The pair table names the scan %1, which is missing; run 'ostraka process' again.",
+          name));
     return found->second;
   }
 

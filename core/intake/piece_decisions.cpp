@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "base/uuid.h"
 #include "files/json_numbers.h"
 #include "files/json_text.h"
@@ -62,15 +63,16 @@ void readTexts(PieceDecision& d, const std::string& pieces, const std::string& c
 
 void check(store::Database& database, const PieceDecision& d,
            const records::Provenance& provenance) {
-  if (!provenance.person) store::refuse("A decision needs the name of the person who makes it.");
+  if (!provenance.person)
+    store::refuse(message("A decision needs the name of the person who makes it."));
   if (d.verdict == PieceVerdict::Join && d.pieces.size() < 2)
-    store::refuse("A merge needs two or more fragments.");
+    store::refuse(message("A merge needs two or more fragments."));
   if (d.verdict == PieceVerdict::Cut && d.pieces.size() != 1)
-    store::refuse("A split needs exactly one fragment.");
+    store::refuse(message("A split needs exactly one fragment."));
   if (d.verdict != PieceVerdict::Withdraw) return;
   store::Statement row = database.sql("SELECT 1 FROM piece_decision WHERE row = ? AND batch = ?");
   if (!row.with(d.replaces, d.batch).next())
-    store::refuse("The decision to undo is not in this batch.");
+    store::refuse(message("The decision to undo is not in this batch."));
 }
 
 }  // namespace

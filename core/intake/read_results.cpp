@@ -6,9 +6,11 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "cloud/ply.h"
 #include "files/checksum.h"
 #include "files/json.h"
+#include "files/json_message.h"
 #include "files/json_numbers.h"
 #include "files/open_folder.h"
 #include "sherds/kept_models.h"
@@ -26,7 +28,7 @@ std::string relativeTo(const fs::path& project, const fs::path& file) {
                              .lexically_normal()
                              .lexically_relative(fs::absolute(project).lexically_normal())
                              .generic_string());
-  if (!path) store::refuse("This file is outside the project's folder.", file.string());
+  if (!path) store::refuse(message("This file is outside the project's folder."), file.string());
   return *path;
 }
 
@@ -75,16 +77,14 @@ class Reading {
       for (const json& sherd : report.at("sherds")) sherdOf(sherd, report.value("has_scale", true));
       for (const json& stage : report.at("stages"))
         if (stage.at("stage") == "cameras") camerasOf(stage.at("figures"));
-      for (const json& doubt : report.value("scale_doubts", json::array()))
-        results_.scale_doubts +=
-            (results_.scale_doubts.empty() ? "" : "\n") + doubt.get<std::string>();
+      results_.scale_doubts = store::valueOrThrow(messagesFromJson(
+          report.value("scale_doubts", json::array()), (out_ / "report.json").string()));
       if (report.value("draft", false))
-        results_.scale_doubts += (results_.scale_doubts.empty() ? "" : "\n") +
-                                 std::string(
-                                     "This is a draft from reduced photographs; reprocess the "
-                                     "batch for final measurements.");
+        results_.scale_doubts.push_back(
+            message("This is a draft from reduced photographs; reprocess the batch for final "
+                    "measurements."));
     } catch (const json::exception&) {
-      store::refuse("These results of 'ostraka process' are incomplete; run it again.",
+      store::refuse(message("These results of 'ostraka process' are incomplete; run it again."),
                     out_.string());
     }
     for (const char* name : {"report.json", "report.html", "pairs.json"})
@@ -205,8 +205,7 @@ class Reading {
   // What made the files of a folder noted of them.
   void note(const fs::path& folder, const json& made) {
     const json files = made.value("files", json::object());
-    for (const auto& [name, hash] : files.items())
-      noted_[folder / name] = hash.get<std::string>();
+    for (const auto& [name, hash] : files.items()) noted_[folder / name] = hash.get<std::string>();
   }
 
   void noteStageOf(const fs::path& file) {
@@ -248,8 +247,9 @@ class Reading {
   }
 
   [[noreturn]] static void refuseIncomplete(const fs::path& path) {
-    throw store::Refused(Error::unusable(
-        "These results of 'ostraka process' are incomplete; run it again.", path.string()));
+    throw store::Refused(
+        Error::unusable(message("These results of 'ostraka process' are incomplete; run it again."),
+                        path.string()));
   }
 
   std::string file(const fs::path& path, const char* role, const std::string& front,

@@ -31,7 +31,7 @@ struct ReadResults {
   std::vector<ReadSherd> sherds;
   std::vector<ReadFile> files;
   std::optional<double> reprojection_px, scale_error_pct;
-  std::string scale_doubts;
+  std::vector<Message> scale_doubts;
 };
 
 /// What a whole OUT of `ostraka process` holds for the catalogue. Everything is read and hashed

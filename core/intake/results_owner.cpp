@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "base/message.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "files/files.h"
@@ -119,14 +120,16 @@ Result<void> checkResultsAreOf(const catalogue::Catalogue& catalogue, const fs::
         owners.own(recorded[other.row]) ? Result<bool>(true) : owners.own(other.number);
     if (!theirs) return theirs.error();
     if (*theirs)
-      return Error::unusable("These results were made from the photographs of " + other.number +
-                                 ", not of " + batch.number + "; process " + batch.number +
-                                 " itself.",
-                             out);
+      return Error::unusable(
+          message(
+              "These results were made from the photographs of %1, not of %2; process %3 itself.",
+              other.number, batch.number, batch.number),
+          out);
   }
   if (recorded[batch.row].empty() && !hasFiles(project / "batches" / batch.number)) return {};
   return Error::unusable(
-      "These results were not made from the photographs of " + batch.number + "; process it again.",
+      message("These results were not made from the photographs of %1; process it again.",
+              batch.number),
       out);
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "catalogue/batches.h"
 #include "catalogue/catalogue.h"
@@ -318,8 +319,9 @@ Result<void> enterDecision(catalogue::Catalogue& catalogue, const std::string& b
     for (const decisions::ScanRef& ref : decision.scans)
       if (scanIn(*table, *scans, ref) == nullptr)
         return Error{ErrorCode::Missing,
-                     "The decision is saved with the batch, but " + ref.id +
-                         " is not in the catalogue yet; it is added with the next results.",
+                     message("The decision is saved with the batch, but %1 is not in the catalogue "
+                             "yet; it is added with the next results.",
+                             ref.id),
                      batch_number};
     for (const records::PairDecision& row : rowsFor(batch->row, decision, *table, *scans))
       if (const auto entered = sherds::PairDecisions(catalogue).add(row, provenance); !entered)

@@ -1,33 +1,31 @@
 #include "mask/given_mask.h"
 
-#include <string>
 #include <system_error>
 
+#include "base/message.h"
 #include "batch/label_mask.h"
 
 namespace ostraka::mask {
-namespace {
-
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + " x " + std::to_string(height);
-}
-
-}  // namespace
 
 Result<cv::Mat1b> readGivenMask(const std::filesystem::path& path, int width, int height) {
-  const std::string expected = "a mask of " + sizeText(width, height) + " pixels";
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored))
-    return Error::unusable("The mask is missing; expected " + expected + " under this name.",
-                           path.string());
+    return Error::unusable(
+        message("The mask is missing; expected a mask of %1 x %2 pixels under this name.", width,
+                height),
+        path.string());
   Result<cv::Mat1b> inside = batch::readLabelMask(path);
   if (!inside)
-    return Error::unusable("The mask cannot be read as a picture; expected " + expected + ".",
-                           path.string());
+    return Error::unusable(
+        message("The mask cannot be read as a picture; expected a mask of %1 x %2 pixels.", width,
+                height),
+        path.string());
   if (inside->cols != width || inside->rows != height)
-    return Error::unusable("The mask has " + sizeText(inside->cols, inside->rows) +
-                               " pixels; expected " + expected + ", the size of its photograph.",
-                           path.string());
+    return Error::unusable(
+        message("The mask has %1 x %2 pixels; expected a mask of %3 x %4 pixels, the size of its "
+                "photograph.",
+                inside->cols, inside->rows, width, height),
+        path.string());
   return inside;
 }
 

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "ground/plate_picture.h"
 #include "hull/hull.h"
@@ -43,9 +44,10 @@ class HullMasker {
       voxels_ = hull::carveHull(space_, views_, hull_, stop);
       if (stop.stop_requested()) return Error::cancelled();
       if (std::none_of(voxels_.begin(), voxels_.end(), [](unsigned char v) { return v != 0; }))
-        return Error{ErrorCode::NotEnough,
-                     "The photographs show no common object; check the cameras, or provide masks.",
-                     {}};
+        return Error{
+            ErrorCode::NotEnough,
+            message("The photographs show no common object; check the cameras, or provide masks."),
+            {}};
       parallelFor(views_.size(), options_.threads, [&](std::size_t i) {
         silhouettes_[i] = hull::silhouetteOfHull(space_, voxels_, views_[i], hull_).group;
       });
@@ -170,14 +172,15 @@ class HullMasker {
 Result<MaskResult> maskByHull(std::span<const rig::PosedImage> images,
                               std::span<const cv::Mat> photographs, const HullMaskOptions& options,
                               Progress& progress, std::stop_token stop) {
-  if (const Result<void> ok = checkViews(images, photographs,
-                                         "A visual hull needs at least 3 photographs; photograph "
-                                         "the object from more directions.");
+  if (const Result<void> ok =
+          checkViews(images, photographs,
+                     message("A visual hull needs at least 3 photographs; photograph "
+                             "the object from more directions."));
       !ok)
     return ok.error();
   const rig::Sight guess = rig::commonSight(images);
   if (!guess.sound())
-    return Error::unusable("The cameras do not view a common area; check their poses.");
+    return Error::unusable(message("The cameras do not view a common area; check their poses."));
   return HullMasker(images, photographs, guess, options).run(progress, stop);
 }
 

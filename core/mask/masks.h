@@ -14,12 +14,12 @@ namespace ostraka::mask {
 /// that >= 128 is inside and the level 127.5 is the outline to a fraction of a pixel.
 struct MaskResult {
   std::vector<cv::Mat1b> masks;
-  std::vector<std::string> warnings;  ///< sentences for a person; each asks for an act
+  std::vector<Message> warnings;  ///< sentences for a person; each asks for an act
 };
 
 /// That each photograph (CV_8UC3) has a pose and the size that its camera says, and that there are
 /// three. too_few: the sentence of NotEnough. Errors: UnusableInput, NotEnough.
 Result<void> checkViews(std::span<const rig::PosedImage> images,
-                        std::span<const cv::Mat> photographs, const char* too_few);
+                        std::span<const cv::Mat> photographs, const Message& too_few);
 
 }  // namespace ostraka::mask

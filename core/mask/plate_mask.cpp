@@ -7,8 +7,8 @@
 #include <string>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "base/parallel.h"
-#include "base/text.h"
 #include "ground/plate_picture.h"
 #include "ground/ring_agreement.h"
 #include "ground/sheet_picture.h"
@@ -101,10 +101,12 @@ class PlateMasker {
   bool unprinted() const { return plate_.sheet && plate_.markers.empty(); }
 
   static Error nothingFound() {
-    return {ErrorCode::NotEnough,
+    return {
+        ErrorCode::NotEnough,
+        message(
             "No sherd was found on the plate; check that the photographs show sherds that stand "
-            "out from the plate, or provide masks.",
-            {}};
+            "out from the plate, or provide masks."),
+        {}};
   }
 
   void weighCamera(int camera, const std::vector<std::size_t>& members, Progress& progress) {
@@ -227,22 +229,27 @@ class PlateMasker {
     });
   }
 
+  void warn(const Message& text, Progress& progress) {
+    progress.note(NoteLevel::Warning, text);
+    result_.warnings.push_back(text);
+  }
+
   std::pair<cv::Mat3f, int> emptyPlate(int camera, const std::vector<std::size_t>& members,
                                        const std::vector<ground::PlateLook>& looks,
                                        const cv::Mat1b& paper, Progress& progress) {
     if (camera < 0 || camera >= static_cast<int>(empties_.size()) || empties_[camera].empty())
       return {cv::Mat3f(), 0};
-    const auto refuse = [&](const std::string& why) {
-      const std::string text = "masks: the empty-plate photograph of camera " +
-                               batch::cameraLetter(camera) + " " + why +
-                               "; masks are made without it";
-      progress.note(NoteLevel::Warning, text);
-      result_.warnings.push_back(text);
+    const std::string letter = batch::cameraLetter(camera);
+    const auto refuse = [&](const Message& why) {
+      warn(why, progress);
       return std::pair<cv::Mat3f, int>{cv::Mat3f(), 0};
     };
     const cv::Mat& photograph = empties_[camera];
     if (photograph.type() != CV_8UC3 || photograph.size() != looks[0].log_colours.size())
-      return refuse("differs in size from the camera's other photographs");
+      return refuse(
+          message("masks: the empty-plate photograph of camera %1 differs in size from the "
+                  "camera's other photographs; masks are made without it",
+                  letter));
     // Markers turned by one stop correlate below 0.5; a good fit is above 0.95.
     constexpr double kFits = 0.85;
     const cv::Mat3f empty = ground::logColours(photograph);
@@ -253,10 +260,16 @@ class PlateMasker {
       if (k == 0 || agreement.typical > best.typical) best = agreement, at = k;
     }
     if (best.typical < kFits)
-      return refuse("shows the plate at none of the positions; retake it at the first");
+      return refuse(
+          message("masks: the empty-plate photograph of camera %1 shows the plate at none of the "
+                  "positions; retake it at the first; masks are made without it",
+                  letter));
     // Used all the same, it would make a sherd of what lies on the markers in every photograph.
     if (best.whole < kFits)
-      return refuse("shows covered markers in " + images_[members[at]].file + "; uncover them");
+      return refuse(
+          message("masks: the empty-plate photograph of camera %1 shows covered markers in %2; "
+                  "uncover them; masks are made without it",
+                  letter, images_[members[at]].file));
     return {empty, static_cast<int>(at)};
   }
 
@@ -302,11 +315,10 @@ class PlateMasker {
     if (flat.empty()) return false;
     for (unsigned char& voxel : voxels_)
       if (std::find(flat.begin(), flat.end(), voxel) != flat.end()) voxel = 0;
-    const std::string text =
-        "masks: flat things that look like labels or scale bars are left out (" +
-        std::to_string(flat.size()) + "); if there are sherds among them, add them to the masks";
-    progress.note(NoteLevel::Warning, text);
-    result_.warnings.push_back(text);
+    warn(message("masks: flat things that look like labels or scale bars are left out (%1); if "
+                 "there are sherds among them, add them to the masks",
+                 flat.size()),
+         progress);
     return true;
   }
 
@@ -369,7 +381,7 @@ class PlateMasker {
 
   // Lamps and sherds cast the same shadows at each stop, or nearly; a hand or a person does not.
   void nameShadows(const std::map<int, std::vector<std::size_t>>& by_camera, Progress& progress) {
-    std::vector<std::string> named;
+    std::vector<StrangeShadow> strange;
     for (const auto& [camera, members] : by_camera) {
       if (members.size() < 3) continue;
       std::vector<double> shares;
@@ -381,16 +393,9 @@ class PlateMasker {
       const double usual = medianOf(std::vector<double>(shares));
       for (std::size_t k = 0; k < members.size(); ++k)
         if (shares[k] > usual + kStrange)
-          named.push_back(images_[members[k]].file + " (" +
-                          std::to_string(cvRound(100 * shares[k])) + " % of the bare plate)");
+          strange.push_back({images_[members[k]].file, cvRound(100 * shares[k])});
     }
-    if (named.empty()) return;
-    const std::string text =
-        "masks: a shadow that the other photographs do not show falls on the plate in " +
-        joined(named, ", ") +
-        "; keep people and hands out of the light, and retake these if their masks look wrong";
-    progress.note(NoteLevel::Warning, text);
-    result_.warnings.push_back(text);
+    if (!strange.empty()) warn(warningOf(strange), progress);
   }
 
   void askOthers(std::size_t index) {
@@ -481,9 +486,9 @@ Result<MaskResult> maskByPlate(std::span<const rig::PosedImage> images,
                                std::span<const cv::Mat> empty_photographs,
                                const PlateMaskOptions& options, Progress& progress,
                                std::stop_token stop) {
-  if (const Result<void> ok = checkViews(
-          images, photographs,
-          "Masks from the plate need at least 3 photographs of a side; photograph more positions.");
+  if (const Result<void> ok = checkViews(images, photographs,
+                                         message("Masks from the plate need at least 3 photographs "
+                                                 "of a side; photograph more positions."));
       !ok)
     return ok.error();
   return PlateMasker(images, photographs, plate, empty_photographs, options).run(progress, stop);

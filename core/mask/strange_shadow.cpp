@@ -1,5 +1,6 @@
 #include "mask/strange_shadow.h"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 namespace ostraka::mask {
@@ -7,6 +8,25 @@ namespace {
 
 constexpr float kDarkened = 0.25F;     // log brightness: a fifth of the light is missing
 constexpr double kBesideSherd_mm = 6;  // a sherd's own shadow is darkest there
+
+// With commas between. In groups, since a message holds nine values.
+Message listed(std::vector<Message> parts) {
+  constexpr std::size_t kMostValues = 9;
+  while (parts.size() > 1) {
+    std::vector<Message> groups;
+    for (std::size_t first = 0; first < parts.size(); first += kMostValues) {
+      std::string places;
+      std::vector<MessageValue> values;
+      for (std::size_t i = first; i < std::min(first + kMostValues, parts.size()); ++i) {
+        values.emplace_back(parts[i]);
+        places += (i == first ? "%" : ", %") + std::to_string(values.size());
+      }
+      groups.emplace_back(places, std::move(values));
+    }
+    parts = std::move(groups);
+  }
+  return parts.front();
+}
 
 }  // namespace
 
@@ -25,6 +45,16 @@ double darkenedShare(const cv::Mat3f& residual, const cv::Mat1b& group, const cv
       if (v[0] + v[1] + v[2] < -3 * kDarkened) ++darkened;
     }
   return bare > 0 ? static_cast<double>(darkened) / bare : 0;
+}
+
+Message warningOf(const std::vector<StrangeShadow>& shadows) {
+  std::vector<Message> named;
+  for (const StrangeShadow& shadow : shadows)
+    named.push_back(message("%1 (%2 % of the bare plate)", shadow.file, shadow.percent));
+  return message(
+      "masks: a shadow that the other photographs do not show falls on the plate in %1; keep "
+      "people and hands out of the light, and retake these if their masks look wrong",
+      listed(std::move(named)));
 }
 
 }  // namespace ostraka::mask

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/text.h"
 #include "catalogue/history.h"
@@ -73,18 +74,17 @@ Result<void> joinDecisions(StagedFiles& files, const fs::path& a, const fs::path
     const Result<decisions::Decisions> theirs = decisions::readDecisions(b / there);
     if (!all) return all.error();
     if (!theirs) return theirs.error();
-    const auto knows = [&](const std::string& id) {
-      return std::any_of(all->begin(), all->end(),
-                         [&](const decisions::PairDecision& known) { return known.id == id; });
-    };
+    std::set<std::string> known;
+    for (const decisions::PairDecision& decision : *all) known.insert(decision.id);
     const std::size_t before = all->size();
     for (const decisions::PairDecision& decision : *theirs)
-      if (!knows(decision.id)) all->push_back(decision);
-    for (const auto& [lost, withdrawal] : outcome.withdrawn) {
-      if (!knows(lost)) continue;
+      if (known.insert(decision.id).second) all->push_back(decision);
+    for (const std::string& id : known) {
+      const auto lost = outcome.withdrawn.find(id);
+      if (lost == outcome.withdrawn.end()) continue;
       decisions::PairDecision withdrawn;
-      withdrawn.id = withdrawal;
-      withdrawn.replaces = {lost};
+      withdrawn.id = lost->second;
+      withdrawn.replaces = {id};
       withdrawn.kind = decisions::DecisionKind::Withdraw;
       withdrawn.at = utcNow();
       withdrawn.by = "merge";

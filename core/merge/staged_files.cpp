@@ -1,9 +1,9 @@
 #include "merge/staged_files.h"
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "catalogue/settings.h"
-#include "files/cannot_write.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "files/json_text.h"
@@ -101,17 +101,19 @@ Result<void> StagedFiles::note(catalogue::Catalogue& catalogue) const {
 }
 
 Result<void> StagedFiles::finish(catalogue::Catalogue& catalogue) {
+  std::set<std::string> folders;
   for (const auto& [to, name] : staged_) {
     const Result<ContainedPath> path = ContainedPath::parse(to);
     if (!path) return path.error();
     const fs::path from = project_ / kFolder / name, place = project_ / path->text();
     std::error_code failed;
     if (!fs::exists(fs::symlink_status(from, failed))) continue;  // it has its place
-    if (const Result<void> made = makeFolder(place.parent_path()); !made) return made;
+    if (folders.insert(place.parent_path().string()).second)
+      if (const Result<void> made = makeFolder(place.parent_path()); !made) return made;
     fs::rename(from, place, failed);
     if (failed) return cannotWrite(place, failed.value());
-    syncFolder(place.parent_path());
   }
+  for (const std::string& folder : folders) syncFolder(folder);
   if (!staged_.empty())
     if (const Result<void> forgotten = catalogue.database().inTransaction([&] {
           catalogue.database().sql("DELETE FROM setting WHERE key = ?").with(kJournal).run();

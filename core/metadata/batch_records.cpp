@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "catalogue/places.h"
@@ -69,7 +70,7 @@ class Writing {
     put(one, "ended_ms", b->ended_ms);
     put(one, "reprojection_px", b->reprojection_px);
     put(one, "scale_error_pct", b->scale_error_pct);
-    put(one, "scale_doubts", b->scale_doubts);
+    put(one, "scale_doubts", linesOf(b->scale_doubts));
     put(one, "rig_sha256", b->rig_sha256);
     put(one, "program", b->program);
     put(one, "settings_sha256", b->settings_sha256);
@@ -227,7 +228,8 @@ class Entering {
     take(b, "ended_ms", batch.ended_ms);
     take(b, "reprojection_px", batch.reprojection_px);
     take(b, "scale_error_pct", batch.scale_error_pct);
-    batch.scale_doubts = text(b, "scale_doubts");
+    if (const std::string doubts = text(b, "scale_doubts"); !doubts.empty())
+      batch.scale_doubts.emplace_back(doubts);
     batch.rig_sha256 = text(b, "rig_sha256");
     batch.program = text(b, "program");
     batch.settings_sha256 = text(b, "settings_sha256");
@@ -388,9 +390,10 @@ Result<ordered_json> batchesJson(const Catalogue& catalogue,
 Result<archive::BagFile> verifiedFile(const archive::BagReader& bag, const std::string& at,
                                       const std::string& sha256, std::int64_t bytes) {
   const archive::BagFile* file = bag.find("data/" + at);
-  if (!file) return Error::unusable("This file is not part of the export.", at);
+  if (!file) return Error::unusable(message("This file is not part of the export."), at);
   if (file->sha256 != sha256 || file->bytes != bytes)
-    return Error::unusable("This file has changed since the export; nothing was read.", at);
+    return Error::unusable(message("This file has changed since the export; nothing was read."),
+                           at);
   return *file;
 }
 

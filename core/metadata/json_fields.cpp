@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/message.h"
 #include "files/json.h"
 #include "store/names.h"
 #include "store/values.h"
@@ -18,7 +19,7 @@ Result<std::string> writtenText(std::string_view text) {
   std::string held(text);
   std::erase(held, '\0');  // which JSON can write
   if (store::isUtf8(held)) return held;
-  return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");
+  return Error::unusable(message("The text is not valid UTF-8 or contains a zero byte."));
 }
 
 // The first value that must not be there; at: where it stands.
@@ -28,8 +29,8 @@ Result<void> checkHeld(const Json& value, const std::string& at, TextCheck check
     if (const auto good = check(value.template get_ref<const std::string&>()); !good)
       return Error::unusable(good.error().what, at);
   if (value.is_number_float() && !std::isfinite(value.template get<double>()))
-    return Error::unusable("'" + store::numberText(value.template get<double>()) +
-                               "' is not a number; write 12.5 or 12,5, without a unit.",
+    return Error::unusable(message("'%1' is not a number; write 12.5 or 12,5, without a unit.",
+                                   store::numberText(value.template get<double>())),
                            at);
   if (!value.is_structured()) return {};
   for (const auto& [key, inner] : value.items()) {

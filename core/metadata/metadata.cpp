@@ -5,6 +5,7 @@
 #include <set>
 
 #include "archive/bagit.h"
+#include "base/message.h"
 #include "catalogue/batches.h"
 #include "catalogue/places.h"
 #include "files/json.h"
@@ -107,7 +108,8 @@ Result<std::string> readMe(const Catalogue& catalogue, const std::set<store::Bat
   for (const store::BatchRow row : batches) {
     const Result<records::BatchRecord> batch = Batches(catalogue).get(row);
     if (!batch) return batch.error();
-    if (!batch->scale_doubts.empty()) doubts += batch->number + ": " + batch->scale_doubts + "\n";
+    if (!batch->scale_doubts.empty())
+      doubts += batch->number + ": " + linesOf(batch->scale_doubts) + "\n";
   }
   if (doubts.empty()) return listOf(exported);
   return listOf(exported) +
@@ -350,7 +352,7 @@ class Reading {
 
 Result<json> jsonOf(const archive::BagReader& bag, const std::string& path) {
   const archive::BagFile* file = bag.find(path);
-  if (!file) return Error::unusable("This file is not part of the export.", path);
+  if (!file) return Error::unusable(message("This file is not part of the export."), path);
   const Result<std::string> text = bag.read(*file, std::size_t{64} << 20);
   return text ? parseFields(*text, path) : text.error();
 }
@@ -425,7 +427,7 @@ Result<ReadBatches> readMetadata(Catalogue& catalogue, const archive::BagReader&
       return done.error();
     return readBatches(catalogue, bag, *batches, reading.rows(), provenance);
   } catch (const json::exception& refused) {
-    return unusableJson(refused, "These places and batches are not in Ostraka's format.",
+    return unusableJson(refused, message("These places and batches are not in Ostraka's format."),
                         "data/metadata");
   }
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "catalogue/batches.h"
 #include "catalogue/places.h"
@@ -164,7 +165,7 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
     if (batch->started_ms) digitisation["shot_on"] = utcDay(*batch->started_ms);
     put(digitisation, "operator", initialsOf(catalogue, batch->operator_));
     if (batch->scale_error_pct) digitisation["scale_error_pct"] = *batch->scale_error_pct;
-    put(digitisation, "scale_doubts", batch->scale_doubts);
+    put(digitisation, "scale_doubts", linesOf(batch->scale_doubts));
     if (!batch->program.empty()) used_program = batch->program;
   }
   put(out, "digitisation", std::move(digitisation));
@@ -183,9 +184,9 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
 Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& where) {
   const Result<json> value = parseFields(text, where);
   if (!value) return value.error();
-  const auto bad = [&](const std::string& what) { return Error::unusable(what, where); };
+  const auto bad = [&](const Message& what) { return Error::unusable(what, where); };
   if (!value->is_object() || value->value("format", json()) != "ostraka-sherd/1")
-    return bad("Not a sherd record (ostraka-sherd/1).");
+    return bad(message("Not a sherd record (ostraka-sherd/1)."));
   ReadSherdJson read;
   try {
     for (const auto& [pointer, field] : kTexts) {
@@ -204,8 +205,8 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
       measurement.model_sha256 = m.value("model_sha256", "");
       if (m.contains("uncertainty")) measurement.uncertainty = numberAt(m, "uncertainty");
       if (m.value("unit", records::unitOf(measurement.kind)) != records::unitOf(measurement.kind))
-        return bad("The measurement " + measurement.kind + " has a unit other than " +
-                   records::unitOf(measurement.kind) + ".");
+        return bad(message("The measurement %1 has a unit other than %2.", measurement.kind,
+                           records::unitOf(measurement.kind)));
       read.row.measured.emplace_back(std::move(measurement), m.value("by", ""));
     }
     for (const json& f : value->value("files", json::array()))
@@ -222,7 +223,8 @@ Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& w
       if (!kKnown.contains(key))
         read.row.values["extra." + key] = own.is_string() ? own.get<std::string>() : own.dump();
   } catch (const json::exception& refused) {
-    return bad(unusableJson(refused, "A value of the record has the wrong type.", {}).what);
+    return bad(
+        unusableJson(refused, message("A value of the record has the wrong type."), {}).what);
   }
   return read;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "model/blocks.h"
 #include "model/contouring.h"
@@ -193,17 +194,22 @@ double usualCell(const Surfels& surfels) {
   return std::max(cell, std::cbrt(static_cast<double>(grid.prod()) / kMostNodes));
 }
 
-Error noModel(std::string what) {
+Error noModel(Message what) {
   return {ErrorCode::NotEnough, std::move(what), {}};
 }
 
 Result<void> checkInput(const PointCloud& front, const PointCloud& back) {
   for (const PointCloud* side : {&front, &back}) {
-    const std::string name = side == &front ? "front" : "back";
-    if (side->empty()) return noModel("The " + name + " scan contains no points.");
+    const bool is_front = side == &front;
+    if (side->empty())
+      return noModel(is_front ? message("The front scan contains no points.")
+                              : message("The back scan contains no points."));
     if (!side->hasNormals())
       return Error::unusable(
-          "The " + name + " scan has no normals; a model needs them to tell outside from inside.");
+          is_front ? message("The front scan has no normals; a model needs them to tell outside "
+                             "from inside.")
+                   : message("The back scan has no normals; a model needs them to tell outside "
+                             "from inside."));
   }
   return {};
 }
@@ -234,7 +240,7 @@ Result<SherdModel> closeModel(const PointCloud& front, const PointCloud& back,
   SherdModel model;
   model.mesh = largestPart(contour(fine.grid()));
   if (model.mesh.triangles.empty())
-    return noModel("The scans do not enclose a volume; their normals may point inward.");
+    return noModel(message("The scans do not enclose a volume; their normals may point inward."));
   if (!ontoSurface(model.mesh, field, cell, threads, stop)) return Error::cancelled();
   progress.report(4, kSteps);
   model.mesh.normals = vertexNormals(model.mesh);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <queue>
 
+#include "base/message.h"
+
 #include "model/model.h"
 
 namespace ostraka::model {
@@ -206,11 +208,11 @@ class Decimation {
 }  // namespace
 
 Result<TriangleMesh> decimated(const TriangleMesh& mesh, double max_deviation_mm) {
-  std::string why;
+  Message why;
   if (!isClosedManifold(mesh, &why))
-    return Error::unusable("Only a closed mesh can be simplified. " + why);
+    return Error::unusable(inOne(message("Only a closed mesh can be simplified."), why));
   if (!(max_deviation_mm > 0))
-    return Error::unusable("The deviation of a simplified mesh must be above 0 mm.");
+    return Error::unusable(message("The deviation of a simplified mesh must be above 0 mm."));
   return Decimation(mesh, max_deviation_mm).run();
 }
 

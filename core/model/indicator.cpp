@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/message.h"
 #include "base/parallel.h"
 
 namespace ostraka::model {
@@ -174,9 +175,10 @@ Result<Grid> indicator(const Surfels& surfels, float cell_mm, int threads, std::
     grid.origin = low.array() - margin;
     const Array3f cells = ((high - low).array() + 2 * margin) / grid.cell_mm;
     if (cells.prod() > 2.6e8f)
-      return Error{ErrorCode::NotEnough,
-                   "The scan is too large for a model at this spacing; use a larger spacing.",
-                   {}};
+      return Error{
+          ErrorCode::NotEnough,
+          message("The scan is too large for a model at this spacing; use a larger spacing."),
+          {}};
     grid.size = cells.ceil().cast<int>() + 1;
     grid.values.assign(static_cast<std::size_t>(grid.size[0]) * grid.size[1] * grid.size[2], 0.0f);
     std::vector<float> right = rightSide(surfels, grid);

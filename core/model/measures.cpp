@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "base/text.h"
 #include "model/model.h"
 #include "model/ray_grid.h"
@@ -150,9 +151,9 @@ Result<void> checkExtent(const TriangleMesh& mesh, const std::string& where) {
   for (const Eigen::Vector3f& v : mesh.vertices) box.extend(v.cast<double>());
   const double extent_mm = mesh.vertices.empty() ? 0 : box.sizes().maxCoeff();
   if (extent_mm <= static_cast<double>(limits::kModelExtent_mm.most)) return {};
-  return Error::unusable("This model is " + fixed(extent_mm, 0) +
-                             " mm large, more than any vessel, so its unit seems to be another; "
-                             "export it in mm.",
+  return Error::unusable(message("This model is %1 mm large, more than any vessel, so its unit "
+                                 "seems to be another; export it in mm.",
+                                 decimal(extent_mm, 0)),
                          where);
 }
 

@@ -2,13 +2,15 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/message.h"
+
 #include "model/model.h"
 
 namespace ostraka::model {
 namespace {
 
-bool fail(std::string* why, std::string text) {
-  if (why) *why = std::move(text);
+bool fail(Message* why, Message words) {
+  if (why) *why = std::move(words);
   return false;
 }
 
@@ -17,7 +19,7 @@ std::string name(int a, int b) {
 }
 
 // Directed edges sorted by key; false when one is used twice or lacks its opposite.
-bool edgesPair(const TriangleMesh& mesh, std::string* why) {
+bool edgesPair(const TriangleMesh& mesh, Message* why) {
   std::vector<std::uint64_t> edges;
   edges.reserve(mesh.triangles.size() * 3);
   for (const auto& t : mesh.triangles)
@@ -28,16 +30,17 @@ bool edgesPair(const TriangleMesh& mesh, std::string* why) {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const int a = static_cast<int>(edges[i] >> 32), b = static_cast<int>(edges[i] & 0xffffffffu);
     if (i > 0 && edges[i] == edges[i - 1])
-      return fail(why, "Edge " + name(a, b) + " is used more than once in the same direction.");
+      return fail(why,
+                  message("Edge %1 is used more than once in the same direction.", name(a, b)));
     const std::uint64_t opposite = edges[i] << 32 | edges[i] >> 32;
     if (!std::binary_search(edges.begin(), edges.end(), opposite))
-      return fail(why, "Edge " + name(a, b) + " has a face on one side only.");
+      return fail(why, message("Edge %1 has a face on one side only.", name(a, b)));
   }
   return true;
 }
 
 // Each vertex's triangles form one closed fan.
-bool oneFanEach(const TriangleMesh& mesh, std::string* why) {
+bool oneFanEach(const TriangleMesh& mesh, Message* why) {
   const std::size_t n = mesh.vertices.size();
   std::vector<int> start(n + 1, 0);
   for (const auto& t : mesh.triangles)
@@ -51,7 +54,7 @@ bool oneFanEach(const TriangleMesh& mesh, std::string* why) {
       spoke[static_cast<std::size_t>(fill[t[k]]++)] = {t[(k + 1) % 3], t[(k + 2) % 3]};
   for (std::size_t v = 0; v < n; ++v) {
     const auto begin = spoke.begin() + start[v], end = spoke.begin() + start[v + 1];
-    if (begin == end) return fail(why, "Vertex " + std::to_string(v) + " belongs to no face.");
+    if (begin == end) return fail(why, message("Vertex %1 belongs to no face.", v));
     int at = begin->second, steps = 1;
     while (at != begin->first && steps <= end - begin) {
       const auto next = std::find_if(begin, end, [&](const auto& s) { return s.first == at; });
@@ -60,21 +63,21 @@ bool oneFanEach(const TriangleMesh& mesh, std::string* why) {
       ++steps;
     }
     if (steps != end - begin)
-      return fail(why, "Vertex " + std::to_string(v) + " joins two separate fans of faces.");
+      return fail(why, message("Vertex %1 joins two separate fans of faces.", v));
   }
   return true;
 }
 
 }  // namespace
 
-bool isClosedManifold(const TriangleMesh& mesh, std::string* why) {
-  if (mesh.triangles.empty()) return fail(why, "The mesh has no faces.");
+bool isClosedManifold(const TriangleMesh& mesh, Message* why) {
+  if (mesh.triangles.empty()) return fail(why, message("The mesh has no faces."));
   const int n = static_cast<int>(mesh.vertices.size());
   for (const auto& t : mesh.triangles) {
     if (std::min({t[0], t[1], t[2]}) < 0 || std::max({t[0], t[1], t[2]}) >= n)
-      return fail(why, "A face refers to a vertex that does not exist.");
+      return fail(why, message("A face refers to a vertex that does not exist."));
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
-      return fail(why, "A face has the same vertex twice.");
+      return fail(why, message("A face has the same vertex twice."));
   }
   return edgesPair(mesh, why) && oneFanEach(mesh, why);
 }

@@ -73,7 +73,7 @@ Result<TriangleMesh> decimated(const TriangleMesh& mesh, double max_deviation_mm
 
 /// Each edge is used once in each direction, each vertex has one fan of triangles, no triangle is
 /// degenerate in its indices, none is repeated. `why` says in words what is wrong first.
-bool isClosedManifold(const TriangleMesh& mesh, std::string* why = nullptr);
+bool isClosedManifold(const TriangleMesh& mesh, Message* why = nullptr);
 
 /// What is larger than any vessel (limits::kModelExtent_mm) is in another unit than mm; a raster
 /// over it would take all memory. where: names it in the error. Error: UnusableInput.

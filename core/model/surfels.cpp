@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "base/parallel.h"
 #include "model/blocks.h"
 #include "model/point_bins.h"
@@ -245,7 +246,7 @@ double spacingOf(const PointCloud& cloud) {
 
 Error tooFew() {
   return {ErrorCode::NotEnough,
-          "The scans contain too few points that agree with each other for a model.",
+          message("The scans contain too few points that agree with each other for a model."),
           {}};
 }
 

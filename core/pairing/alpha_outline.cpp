@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/message.h"
+
 namespace ostraka::pairing {
 namespace {
 
@@ -125,7 +127,7 @@ Roll rollOn(const PlanarGrid& grid, const std::vector<std::uint8_t>& chosen,
 }  // namespace
 
 Result<std::vector<int>> alphaOutline(std::span<const Eigen::Vector2d> points, double alpha_mm) {
-  const Error open{ErrorCode::NotEnough, "The scan's outline is not closed.", {}};
+  const Error open{ErrorCode::NotEnough, message("The scan's outline is not closed."), {}};
   if (points.size() < 3) return open;
   const PlanarGrid grid(points, alpha_mm);
   const std::vector<std::uint8_t> chosen = largestGroup(grid);

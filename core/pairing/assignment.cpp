@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/message.h"
+
 namespace ostraka::pairing {
 namespace {
 
@@ -235,7 +237,7 @@ Result<void> checkEvidence(std::span<const Evidence> evidence, int n_front, int 
   for (const Evidence& e : evidence) {
     if (e.front < 0 || e.back < 0 || e.front >= n_front || e.back >= n_back ||
         !std::isfinite(e.log_likelihood)) {
-      return Error::unusable("The evidence for a pair has no valid scans or value.");
+      return Error::unusable(message("The evidence for a pair has no valid scans or value."));
     }
   }
   return {};

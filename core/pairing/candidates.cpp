@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "base/parallel.h"
 #include "batch/batch.h"
 #include "pairing/assignment.h"
@@ -244,16 +245,16 @@ std::vector<std::optional<Outline>> outlinesOf(std::span<const scan::Scan> scans
                                                const CandidateOptions& options,
                                                Progress& progress) {
   std::vector<std::optional<Outline>> outlines(scans.size());
-  std::vector<std::string> notes(scans.size());
+  std::vector<Message> notes(scans.size());
   parallelFor(scans.size(), options.threads, [&](std::size_t i) {
     Result<Outline> outline = outlineOf(scans[i], side);
     if (outline) {
       outlines[i] = std::move(*outline);
     } else {
-      notes[i] = "pairing: " + scans[i].id + " stays unpaired: " + outline.error().sentence();
+      notes[i] = message("pairing: %1 stays unpaired: %2", scans[i].id, outline.error().sentence());
     }
   });
-  for (const std::string& text : notes) {
+  for (const Message& text : notes) {
     if (!text.empty()) progress.note(NoteLevel::Warning, text);
   }
   return outlines;

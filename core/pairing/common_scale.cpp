@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "pairing/assignment.h"
 
 namespace ostraka::pairing {
@@ -79,10 +80,11 @@ Result<double> commonScale(std::span<const scan::Scan> fronts, std::span<const s
   }
   if (scales.size() == 1 && best < kCertain) scales.clear();
   if (scales.empty()) {
-    return Error{ErrorCode::NotEnough,
-                 "No two outlines match, so the sizes of the two sides cannot be compared; provide "
-                 "a known length.",
-                 {}};
+    return Error{
+        ErrorCode::NotEnough,
+        message("No two outlines match, so the sizes of the two sides cannot be compared; provide "
+                "a known length."),
+        {}};
   }
   return medianOf(scales) * back_factor / front_factor;
 }

@@ -3,13 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "base/message.h"
 #include "pairing/contour.h"
 
 namespace ostraka::pairing {
 
 Result<std::vector<double>> turningAngles(std::span<const Eigen::Vector2d> contour, int n) {
   if (contour.size() < 3 || n < 3) {
-    return Error{ErrorCode::NotEnough, "A contour needs at least three points.", {}};
+    return Error{ErrorCode::NotEnough, message("A contour needs at least three points."), {}};
   }
   const std::vector<Eigen::Vector2d> p = resampled(contour, n);
   std::vector<double> angles(p.size());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "paper/glyphs.h"
 #include "paper/markup.h"

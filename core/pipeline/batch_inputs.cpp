@@ -4,6 +4,7 @@
 
 #include <system_error>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "files/files.h"
 #include "pipeline/proposed_sheet.h"
@@ -70,10 +71,10 @@ BatchInputs::BatchInputs(const batch::Batch& batch, int threads) {
 Result<void> BatchInputs::checkUnchanged() const {
   for (const Input& input : inputs_)
     if (stateOf(input.file) != input.state && hashOf(input.file) != input.hash)
-      return Error::unusable(
-          "The file has changed since the batch's processing began; nothing made from it is kept. "
-          "Process the batch again.",
-          input.file);
+      return Error::unusable(message("The file has changed since the batch's processing began; "
+                                     "nothing made from it is kept. "
+                                     "Process the batch again."),
+                             input.file);
   return {};
 }
 

@@ -13,10 +13,10 @@
 #include "model/model.h"
 #include "pipeline/batch_inputs.h"
 #include "pipeline/process_batch.h"
-#include "pipeline/stage.h"
 #include "rig/camera.h"
 #include "rig/rig.h"
 #include "rig/sheet_bend.h"
+#include "stages/stage.h"
 #include "texture/sherd_views.h"
 
 namespace ostraka::pipeline {
@@ -43,7 +43,7 @@ struct Run {
 template <class T>
 struct Staged {
   T value;
-  StageRecord record;
+  stages::StageRecord record;
 };
 
 struct Poses {
@@ -82,8 +82,9 @@ struct Pairs {
 
 /// runStage of OUT/work (stage.h) for all steps of the chain: what was made while a file of the
 /// batch changed is not recorded (BatchInputs::checkUnchanged).
-Result<StageRecord> runStage(const Run& run, const std::string& name,
-                             const nlohmann::ordered_json& key, const StageWork& work);
+Result<stages::StageRecord> runStage(const Run& run, const std::string& name,
+                                     const nlohmann::ordered_json& key,
+                                     const stages::StageWork& work);
 
 /// 0 is the front, 1 the back.
 constexpr std::size_t sideIndex(batch::Side side) {
@@ -131,8 +132,9 @@ texture::SherdViews viewsOf(const Run& run, const Poses& poses, const Masks& fro
 /// Leaves front.ply, back.ply, model.ply, model.glb and preview.png in OUT/work/model_<number>.
 /// views: those of this pair, asked for when the stage runs; none for scans.
 using ViewsOfSherd = std::function<Result<texture::Shown>()>;
-Result<StageRecord> modelStage(const Run& run, const std::string& number, const DecidedPair& pair,
-                               const scan::Scan& front, const scan::Scan& back,
-                               const ViewsOfSherd& views, const std::string& inputs_hash);
+Result<stages::StageRecord> modelStage(const Run& run, const std::string& number,
+                                       const DecidedPair& pair, const scan::Scan& front,
+                                       const scan::Scan& back, const ViewsOfSherd& views,
+                                       const std::string& inputs_hash);
 
 }  // namespace ostraka::pipeline

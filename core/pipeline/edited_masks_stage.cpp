@@ -3,10 +3,12 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "base/message.h"
 #include "batch/moved_batch.h"
 #include "batch/photograph.h"
 #include "decisions/mask_strokes.h"
 #include "files/files.h"
+#include "files/json_message.h"
 #include "pipeline/chain.h"
 
 namespace ostraka::pipeline {
@@ -17,7 +19,7 @@ namespace fs = std::filesystem;
 /// What people painted on a side's photographs, one entry for each image.
 struct SideStrokes {
   std::vector<std::vector<decisions::MaskStroke>> on;
-  std::vector<std::string> warnings;  ///< of photographs that were taken again since
+  std::vector<Message> warnings;  ///< of photographs that were taken again since
 };
 
 SideStrokes sideStrokes(const std::vector<decisions::MaskStroke>& strokes,
@@ -31,9 +33,10 @@ SideStrokes sideStrokes(const std::vector<decisions::MaskStroke>& strokes,
       own = decisions::strokesOn(strokes, image.side, image.camera, image.stop,
                                  decisions::photographHash(file));
     if (own.taken_again)
-      side.warnings.push_back(file.filename().string() +
-                              " was retaken after its mask was edited; the strokes on the earlier "
-                              "photograph are left out. Check its mask.");
+      side.warnings.push_back(
+          message("%1 was retaken after its mask was edited; the strokes on the earlier photograph "
+                  "are left out. Check its mask.",
+                  file.filename().string()));
     side.on.push_back(std::move(own.holding));
   }
   return side;
@@ -66,7 +69,7 @@ Result<Staged<Masks>> editedMasksStage(const Run& run, batch::Side side, const S
   const std::vector<rig::PosedImage> images = poses.value.of(side);
   const SideStrokes own = sideStrokes(*strokes, images, run.options.output);
   const fs::path as_found = run.work / (std::string("masks_") + batch::name(side));
-  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+  const auto work = [&](const fs::path& folder) -> Result<stages::StageNotes> {
     int edited = 0;
     for (std::size_t i = 0; i < images.size(); ++i) {
       if (run.stop.stop_requested()) return Error::cancelled();
@@ -75,18 +78,18 @@ Result<Staged<Masks>> editedMasksStage(const Run& run, batch::Side side, const S
       if (Result<void> done = editInto(folder / name, as_found / name, own.on[i]); !done)
         return done.error();
     }
-    return StageNotes{{{"strokes", strokes->size()},
-                       {"strokes_sha256", sha256(toJson(*strokes).dump())},
-                       {"edited_masks", edited}},
-                      own.warnings};
+    return stages::StageNotes{{{"strokes", strokes->size()},
+                               {"strokes_sha256", sha256(toJson(*strokes).dump())},
+                               {"edited_masks", edited}},
+                              own.warnings};
   };
   const std::string name = std::string("edited_") + batch::name(side);
-  const Result<StageRecord> record = runStage(run, name,
-                                              {{"masks", found.record.outputs_hash},
-                                               {"strokes", toJson(*strokes)},
-                                               {"taken_again", own.warnings},
-                                               {"notes", "2"}},
-                                              work);
+  const Result<stages::StageRecord> record = runStage(run, name,
+                                                      {{"masks", found.record.outputs_hash},
+                                                       {"strokes", toJson(*strokes)},
+                                                       {"taken_again", toJson(own.warnings)},
+                                                       {"notes", "2"}},
+                                                      work);
   if (!record) return record.error();
   for (std::size_t i = 0; i < images.size(); ++i) {
     if (own.on[i].empty()) continue;
@@ -96,9 +99,9 @@ Result<Staged<Masks>> editedMasksStage(const Run& run, batch::Side side, const S
         batch::reducedTo(*mask, images[i].intrinsics.width, images[i].intrinsics.height);
   }
   // Warnings about the masks as found still say which photographs show nothing.
-  StageRecord both = *record;
+  stages::StageRecord both = *record;
   both.notes.warnings = found.record.notes.warnings;
-  for (const std::string& warning : record->notes.warnings) both.notes.warnings.push_back(warning);
+  for (const Message& warning : record->notes.warnings) both.notes.warnings.push_back(warning);
   return Staged<Masks>{std::move(found.value), std::move(both)};
 }
 

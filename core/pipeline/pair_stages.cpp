@@ -2,13 +2,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "decisions/decided_pairs.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 #include "files/json_text.h"
 #include "pipeline/chain.h"
-#include "pipeline/run_log.h"
+#include "stages/run_log.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -61,8 +62,8 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
       }
       if (pairs.pairs.back().front < 0 || pairs.pairs.back().back < 0)
         return Error::unusable(
-            "A pair refers to a scan that does not exist; delete this file and reprocess "
-            "the batch.",
+            message("A pair refers to a scan that does not exist; delete this file and reprocess "
+                    "the batch."),
             file.string());
     }
     pairs.unpaired_front = pairs.json.at("unpaired_front").get<std::vector<std::string>>();
@@ -72,7 +73,8 @@ Result<Pairs> readPairs(const fs::path& file, const std::vector<scan::Scan>& fro
     if (pairs.json.contains("reshoot"))
       pairs.reshoot = pairs.json["reshoot"].get<std::vector<std::string>>();
   } catch (const nlohmann::json::exception&) {
-    return Error::unusable("Not a pair table; delete it and reprocess the batch.", file.string());
+    return Error::unusable(message("Not a pair table; delete it and reprocess the batch."),
+                           file.string());
   }
   return pairs;
 }
@@ -116,10 +118,10 @@ decisions::Decisions aboutPartners(const decisions::Decisions& standing) {
 }
 
 // Decided pairs whose pose no candidate has are registered here; the others stay as they are.
-Result<StageNotes> decide(const Run& run, const fs::path& folder,
-                          const decisions::Decisions& decisions,
-                          const registration::Constraints& constraints, const Scans& fronts,
-                          const Scans& backs) {
+Result<stages::StageNotes> decide(const Run& run, const fs::path& folder,
+                                  const decisions::Decisions& decisions,
+                                  const registration::Constraints& constraints, const Scans& fronts,
+                                  const Scans& backs) {
   const Result<decisions::CandidateTable> table =
       decisions::readCandidates(run.work / "pairs" / "candidates.json");
   if (!table) return table.error();
@@ -127,8 +129,8 @@ Result<StageNotes> decide(const Run& run, const fs::path& folder,
   const decisions::PairOptions options = optionsOf(run);
   Result<decisions::PairTable> pairs = decisions::assigned(*table, settled, options.assign);
   if (!pairs) return pairs.error();
-  StageNotes notes{{{"pairs", pairs->pairs.size()}, {"decided", settled.pairs.size()}},
-                   settled.warnings};
+  stages::StageNotes notes{{{"pairs", pairs->pairs.size()}, {"decided", settled.pairs.size()}},
+                           settled.warnings};
   QuietProgress quiet;  // about a second each, after all others are compared
   for (decisions::SherdPair& pair : pairs->pairs) {
     if (pair.decided.empty() || pair.registration.start >= 0) continue;
@@ -144,10 +146,10 @@ Result<StageNotes> decide(const Run& run, const fs::path& folder,
       pair.registration = *found;
     } else {
       pair.registration.uncertainty_mm = 1;  // nothing but a person's word holds it
-      notes.warnings.push_back(front.id + " and " + back.id +
-                               " were paired by hand, but their relative pose is unknown; align "
-                               "the back by hand in the review: " +
-                               found.error().sentence());
+      notes.warnings.push_back(
+          message("%1 and %2 were paired by hand, but their relative pose is unknown; align the "
+                  "back by hand in the review: %3",
+                  front.id, back.id, found.error().sentence()));
     }
   }
   if (const Result<void> written = writePairs(folder, *pairs, *table); !written)
@@ -167,9 +169,9 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
     const auto back_views = silhouettes(poses.value.of(batch::Side::Back), back_masks.value);
     return call(registration::Constraints{front_views, back_views, supports[0], supports[1]});
   };
-  const auto compare = [&](const fs::path& folder) -> Result<StageNotes> {
+  const auto compare = [&](const fs::path& folder) -> Result<stages::StageNotes> {
     const decisions::PairOptions options = optionsOf(run);
-    WarningsKept kept(run.progress);  // such as of a scan without an outline
+    stages::WarningsKept kept(run.progress);  // such as of a scan without an outline
     Result<decisions::CandidateTable> table =
         withConstraints([&](const registration::Constraints& constraints) {
           return decisions::compareSides(fronts.value, backs.value, constraints, options, kept,
@@ -186,8 +188,8 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
     if (const Result<void> w = writeJson(folder / "candidates.json", toJson(*table)); !w)
       return w.error();
     if (const Result<void> w = writePairs(folder, *pairs, *table); !w) return w.error();
-    return StageNotes{{{"candidates", pairs->candidates}, {"pairs", pairs->pairs.size()}},
-                      kept.warnings};
+    return stages::StageNotes{{{"candidates", pairs->candidates}, {"pairs", pairs->pairs.size()}},
+                              kept.warnings};
   };
   ordered_json inputs = {{"poses", poses.record.outputs_hash},
                          {"front_masks", front_masks.record.outputs_hash},
@@ -201,7 +203,7 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
   // No new key for what is usual: results of before stay valid.
   if (run.options.boundary != registration::Boundary::Strip)
     inputs["boundary"] = static_cast<int>(run.options.boundary);
-  Result<StageRecord> record = runStage(run, "pairs", inputs, compare);
+  Result<stages::StageRecord> record = runStage(run, "pairs", inputs, compare);
   if (!record) return record.error();
   std::string folder = "pairs";
   const decisions::Decisions decisions = aboutPartners(run.decisions);
@@ -212,11 +214,11 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
         return decide(run, into, decisions, constraints, fronts, backs);
       });
     };
-    const std::vector<std::string> compared = record->notes.warnings;
+    const std::vector<Message> compared = record->notes.warnings;
     record = runStage(run, folder,
                       {{"pairs", record->outputs_hash}, {"decisions", toJson(decisions)}}, work);
     if (!record) return record.error();
-    std::vector<std::string>& told = record->notes.warnings;
+    std::vector<Message>& told = record->notes.warnings;
     told.insert(told.begin(), compared.begin(), compared.end());
   }
   Result<Pairs> pairs = readPairs(run.work / folder / "pairs.json", fronts.value, backs.value);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "calibration/calibrate.h"
 #include "calibration/free_cameras.h"
@@ -13,12 +14,13 @@
 #include "colmap/colmap_program.h"
 #include "files/files.h"
 #include "files/json.h"
+#include "files/json_message.h"
 #include "pipeline/chain.h"
 #include "pipeline/preflight.h"
 #include "pipeline/proposed_sheet.h"
-#include "pipeline/run_log.h"
 #include "rig/support_plane.h"
 #include "rig/turntable.h"
+#include "stages/run_log.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -35,10 +37,10 @@ Result<std::vector<rig::PosedImage>> readCamerasOf(const batch::Batch& batch,
   for (rig::PosedImage& image : *images) {
     const batch::Shot* shot = findShot(batch, image);
     if (shot == nullptr)
-      return Error::unusable(
-          "The file lists " + image.file +
-              ", which is not in the batch; delete the file to find the cameras again.",
-          file.string());
+      return Error::unusable(message("The file lists %1, which is not in the batch; delete the "
+                                     "file to find the cameras again.",
+                                     image.file),
+                             file.string());
     image.file = shot->file.string();
   }
   return images;
@@ -75,9 +77,9 @@ Result<Grounds> readGrounds(const fs::path& file) {
           Eigen::AlignedBox2d(Eigen::Vector2d(low[0], low[1]), Eigen::Vector2d(high[0], high[1]));
     }
   } catch (const nlohmann::json::exception&) {
-    return Error::unusable(
-        "The file does not describe what the sherds stand on; delete it to determine this again.",
-        file);
+    return Error::unusable(message("The file does not describe what the sherds stand on; delete it "
+                                   "to determine this again."),
+                           file);
   }
   return grounds;
 }
@@ -122,9 +124,9 @@ Result<SidePoses> poseSideWithoutPlate(const Run& run, batch::Side side,
 }
 
 // Each side by itself; their sizes are compared when both have scans.
-Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
+Result<stages::StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
   std::vector<rig::PosedImage> images;
-  StageNotes notes;
+  stages::StageNotes notes;
   Grounds grounds;
   double reprojection_px = 0;
   bool has_scale = true;
@@ -133,7 +135,7 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
     for (const batch::Shot& shot : run.batch.shots)
       if (shot.side == side) shots.push_back(shot);
     if (shots.empty()) continue;
-    WarningsKept kept(run.progress);
+    stages::WarningsKept kept(run.progress);
     const Result<SidePoses> posed = poseSideWithoutPlate(run, side, shots, kept);
     if (!posed) return posed.error();
     notes.warnings.insert(notes.warnings.end(), kept.warnings.begin(), kept.warnings.end());
@@ -146,13 +148,18 @@ Result<StageNotes> poseWithoutPlate(const Run& run, const fs::path& folder) {
     grounds[sideIndex(side)] = posed->ground;
     reprojection_px = std::max(reprojection_px, poses.reprojection_px);
     if (poses.images.size() < shots.size())
-      notes.warnings.push_back(std::to_string(shots.size() - poses.images.size()) + " of the " +
-                               batch::name(side) +
-                               " side's photographs have no pose from COLMAP and are left out.");
+      notes.warnings.push_back(
+          side == batch::Side::Front
+              ? message("%1 of the front side's photographs have no pose from COLMAP and are left "
+                        "out.",
+                        shots.size() - poses.images.size())
+              : message("%1 of the back side's photographs have no pose from COLMAP and are left "
+                        "out.",
+                        shots.size() - poses.images.size()));
   }
   if (run.options.rig)
     notes.warnings.push_back(
-        "The rig was not used: without plate.json the poses come from COLMAP.");
+        message("The rig was not used: without plate.json the poses come from COLMAP."));
   if (!has_scale) notes.warnings.push_back(checks::noScaleWarning());
   notes.figures["images"] = images.size();
   notes.figures["reprojection_rms_px"] = reprojection_px;
@@ -189,13 +196,13 @@ ordered_json heldOutOf(const calibration::BatchPoses& poses) {
 
 // What speaks against the scale holds the result; what agrees stands in the log.
 checks::ScaleCheck scaleOf(const Run& run, const calibration::BatchPoses& poses,
-                           StageNotes& notes) {
+                           stages::StageNotes& notes) {
   const checks::ScaleCheck check = checks::checkScale(poses, run.batch.known_lengths);
-  for (const std::string& warning : check.warnings) {
+  for (const Message& warning : check.warnings) {
     run.progress.note(NoteLevel::Warning, warning);
     notes.warnings.push_back(warning);
   }
-  for (const std::string& words : check.agreeing) run.progress.note(NoteLevel::Info, words);
+  for (const Message& words : check.agreeing) run.progress.note(NoteLevel::Info, words);
   return check;
 }
 
@@ -207,7 +214,8 @@ void leaveOut(calibration::BatchPoses& poses, std::size_t index) {
 }
 
 // Blurred photographs help the poses, by their markers, and harm all that follows.
-Result<void> leaveOutSpoilt(const Run& run, calibration::BatchPoses& poses, StageNotes& notes) {
+Result<void> leaveOutSpoilt(const Run& run, calibration::BatchPoses& poses,
+                            stages::StageNotes& notes) {
   checks::PhotoCheckOptions options;
   options.one_camera = run.batch.way == batch::Way::FreeCamera;
   options.megapixels = workingMegapixels(run.options, run.batch);
@@ -215,7 +223,7 @@ Result<void> leaveOutSpoilt(const Run& run, calibration::BatchPoses& poses, Stag
   const Result<checks::PhotoFindings> found =
       checks::checkPhotographs(poses.images, *run.batch.plate, options, run.stop);
   if (!found) return found.error();
-  for (const std::string& warning : found->warnings) {
+  for (const Message& warning : found->warnings) {
     run.progress.note(NoteLevel::Warning, warning);
     notes.warnings.push_back(warning);
   }
@@ -225,7 +233,7 @@ Result<void> leaveOutSpoilt(const Run& run, calibration::BatchPoses& poses, Stag
 
 // Where a round plate turned below a camera at rest, what was taken from elsewhere has a light and
 // a room of its own, which a single photograph does not tell.
-void leaveOutOutliers(const Run& run, calibration::BatchPoses& poses, StageNotes& notes) {
+void leaveOutOutliers(const Run& run, calibration::BatchPoses& poses, stages::StageNotes& notes) {
   if (run.batch.way != batch::Way::FreeCamera || !run.batch.plate->round) return;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
     std::vector<rig::PosedImage> images;
@@ -236,9 +244,10 @@ void leaveOutOutliers(const Run& run, calibration::BatchPoses& poses, StageNotes
     if (!places) continue;
     for (std::size_t k = images.size(); k-- > 0;) {
       if ((*places)[k].ring >= 0) continue;
-      const std::string warning =
-          images[k].file +
-          ": the camera was not where it stood while the plate turned; the photograph is left out.";
+      const Message warning = message(
+          "%1: the camera was not where it stood while the plate turned; the photograph is left "
+          "out.",
+          images[k].file);
       run.progress.note(NoteLevel::Warning, warning);
       notes.warnings.push_back(warning);
       leaveOut(poses, at[k]);
@@ -249,7 +258,7 @@ void leaveOutOutliers(const Run& run, calibration::BatchPoses& poses, StageNotes
 constexpr const char* kBends = "sheet.json";
 
 // What masks, stereo and all that follows work on: images of no more pixels than asked for.
-Staged<Poses> atWorkingSize(const Run& run, Poses poses, StageRecord record) {
+Staged<Poses> atWorkingSize(const Run& run, Poses poses, stages::StageRecord record) {
   bool any = false;
   const double megapixels = workingMegapixels(run.options, run.batch);
   for (rig::PosedImage& image : poses.images) {
@@ -290,7 +299,7 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     known = *read;
     rig_hash = sha256(*bytes);
   }
-  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+  const auto work = [&](const fs::path& folder) -> Result<stages::StageNotes> {
     if (!run.batch.plate) return poseWithoutPlate(run, folder);
     calibration::PoseOptions options;
     options.threads = run.options.threads;
@@ -299,7 +308,7 @@ Result<Staged<Poses>> poseStage(const Run& run) {
         free ? calibration::poseFreeCameras(run.batch, options, run.progress, run.stop)
              : calibration::poseBatch(run.batch, known, options, run.progress, run.stop);
     if (!poses) return poses.error();
-    StageNotes notes;
+    stages::StageNotes notes;
     notes.warnings = poses->warnings;
     const checks::ScaleCheck scale = scaleOf(run, *poses, notes);
     if (const Result<void> left = leaveOutSpoilt(run, *poses, notes); !left) return left.error();
@@ -318,10 +327,10 @@ Result<Staged<Poses>> poseStage(const Run& run) {
                      {"cameras", residualsOf(*poses)},
                      {"held_out", heldOutOf(*poses)},
                      {"known_lengths", scale.lengths},
-                     {"scale_doubts", scale.doubts}};
+                     {"scale_doubts", toJson(scale.doubts)}};
     return notes;
   };
-  const Result<StageRecord> record =
+  const Result<stages::StageRecord> record =
       runStage(run, "rig", {{"batch", run.batch_hash}, {"rig", rig_hash}}, work);
   if (!record) return record.error();
   Result<std::vector<rig::PosedImage>> images =

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "batch/mask_source.h"
 #include "colmap/colmap_program.h"
@@ -72,15 +73,15 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
                             double free_memory_mb) {
   if (const auto masks = batch::maskSource(options.masks, batch); !masks) return masks.error();
   if (const std::string missing = missingProgram(batch, options); !missing.empty())
-    return Error{
-        ErrorCode::Missing,
-        batch.plate
-            ? "The program " + missing +
-                  " is not installed, but the selected stereo needs it; install it, or use the "
-                  "built-in stereo."
-            : "The photographs show no marker plate, so finding the cameras needs the program " +
-                  missing + ", which is not installed; install it.",
-        batch.folder.string()};
+    return Error{ErrorCode::Missing,
+                 batch.plate
+                     ? message("The program %1 is not installed, but the selected stereo needs it; "
+                               "install it, or use the built-in stereo.",
+                               missing)
+                     : message("The photographs show no marker plate, so finding the cameras needs "
+                               "the program %1, which is not installed; install it.",
+                               missing),
+                 batch.folder.string()};
   Preflight ahead{needsOf(batch, options), {}, {}};
   std::set<int> cameras, stops;
   for (const batch::Shot& shot : batch.shots) {
@@ -109,10 +110,11 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
       (free_memory_mb > 0 ? formatted(", %.1f GB are free", free_memory_mb / 1000) : "") +
       formatted("; time: about %.0f minutes of one core", std::ceil(ahead.core_s / 60)));
   if (free_memory_mb > 0 && ahead.memory_mb > free_memory_mb)
-    ahead.warnings.push_back(formatted(
-        "This needs about %.1f GB of memory, but only %.1f GB are free: the computer may stop "
-        "the program or become very slow. Close other programs, or process a draft.",
-        ahead.memory_mb / 1000, free_memory_mb / 1000));
+    ahead.warnings.push_back(
+        inOne(message("This needs about %1 GB of memory, but only %2 GB are free: the computer may "
+                      "stop the program or become very slow.",
+                      decimal(ahead.memory_mb / 1000, 1), decimal(free_memory_mb / 1000, 1)),
+              message("Close other programs, or process a draft.")));
   return ahead;
 }
 

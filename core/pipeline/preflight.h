@@ -17,8 +17,8 @@ struct Needs {
 
 /// What a run finds and will take, before its first stage.
 struct Preflight : Needs {
-  std::vector<std::string> lines;     ///< what there is, whole sentences
-  std::vector<std::string> warnings;  ///< what is short, what follows and what to do
+  std::vector<Message> lines;     ///< what there is, whole sentences
+  std::vector<Message> warnings;  ///< what is short, what follows and what to do
 };
 
 /// What photographs are averaged down to when nothing else is asked for, millions of pixels: 5, or

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/memory.h"
+#include "base/message.h"
 #include "base/part_progress.h"
 #include "base/text.h"
 #include "batch/copied_photographs.h"
@@ -19,13 +20,14 @@
 #include "decisions/scan_folder.h"
 #include "files/files.h"
 #include "files/json.h"
+#include "files/json_message.h"
 #include "pairing/common_scale.h"
-#include "pipeline/output_folder.h"
 #include "pipeline/preflight.h"
 #include "pipeline/proposed_sheet.h"
 #include "pipeline/report.h"
-#include "pipeline/run_log.h"
 #include "rig/plate_print.h"
+#include "stages/output_folder.h"
+#include "stages/run_log.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -43,8 +45,8 @@ Run runOf(const ProcessOptions& options, const batch::Batch& batch, const Folder
           options.output / "work",
           inputs,
           sha256(hashes.dump()),
-          {photographsHash(batch, hashes, batch::Side::Front),
-           photographsHash(batch, hashes, batch::Side::Back)},
+          {stages::photographsHash(batch, hashes, batch::Side::Front),
+           stages::photographsHash(batch, hashes, batch::Side::Back)},
           holding,
           progress,
           std::move(stop)};
@@ -53,8 +55,8 @@ Run runOf(const ProcessOptions& options, const batch::Batch& batch, const Folder
 struct Sides {
   Staged<Masks> masks;
   Staged<std::vector<scan::Scan>> scans;
-  std::vector<std::string> moved = {};     ///< scans
-  std::vector<std::string> doubtful = {};  ///< what was left out and may be a sherd: sentences
+  std::vector<std::string> moved = {};  ///< scans
+  std::vector<Message> doubtful = {};   ///< what was left out and may be a sherd: sentences
 };
 
 // By hand one camera takes a photograph at each of its places, as a turntable has stops.
@@ -65,29 +67,23 @@ std::vector<rig::PosedImage> byStops(std::vector<rig::PosedImage> images, batch:
   return images;
 }
 
-std::string fromWhen(const Run& run, const std::vector<rig::PosedImage>& images, int stop) {
-  if (run.batch.way == batch::Way::FreeCamera)
-    return "from " + fs::path(images[static_cast<std::size_t>(stop)].file).filename().string() +
-           " on,";
-  return formatted("from position %d on (pos%02d),", stop + 1, stop);
-}
-
 // Whether sherds lay still while a side was photographed. Nothing mends a push: what follows goes
 // on with what both halves agree on, and a person hears of it.
-Result<StageRecord> stillnessStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
-                                   const Sides& found) {
-  const auto work = [&](const fs::path&) -> Result<StageNotes> {
-    StageNotes notes;
+Result<stages::StageRecord> stillnessStage(const Run& run, batch::Side side,
+                                           const Staged<Poses>& poses, const Sides& found) {
+  const auto work = [&](const fs::path&) -> Result<stages::StageNotes> {
+    stages::StageNotes notes;
     notes.figures["moved"] = ordered_json::array();
     const std::vector<rig::PosedImage> images = byStops(poses.value.of(side), run.batch.way);
     const std::vector<checks::MovedSherd> moved = checks::findMoved(
         images, found.masks.value, found.scans.value, {.threads = run.options.threads});
     for (const checks::MovedSherd& sherd : moved) {
-      const std::string text = sherd.scan + " moved by about " + fixed(sherd.by_mm, 0) +
-                               " mm on the " + batch::name(side) +
-                               " side: " + fromWhen(run, images, sherd.from_stop) +
-                               " it lies elsewhere; reshoot this side.";
-      notes.warnings.emplace_back(text);
+      const std::string from =
+          run.batch.way == batch::Way::FreeCamera
+              ? fs::path(images[static_cast<std::size_t>(sherd.from_stop)].file).filename().string()
+              : "";
+      const Message text = checks::movedWarning(sherd, side, from);
+      notes.warnings.push_back(text);
       run.progress.note(NoteLevel::Warning, text);
       notes.figures["moved"].push_back(
           {{"scan", sherd.scan}, {"from_stop", sherd.from_stop}, {"by_mm", sherd.by_mm}});
@@ -135,9 +131,9 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
   stages.push_back({"scans, " + name, scans->record});
   found.masks = std::move(*masks);
   found.scans = std::move(*scans);
-  found.doubtful = found.scans.record.notes.figures.value("doubtful", std::vector<std::string>());
+  found.doubtful = stages::messagesAt(found.scans.record.notes.figures, "doubtful");
   if (!run.batch.plate) return found;  // nothing says where a sherd lay before
-  const Result<StageRecord> still = stillnessStage(run, side, poses, found);
+  const Result<stages::StageRecord> still = stillnessStage(run, side, poses, found);
   if (!still) return still.error();
   stages.push_back({"stillness, " + name, *still});
   for (const auto& one : still->notes.figures.at("moved"))
@@ -161,7 +157,7 @@ Result<double> matchSizes(const Run& run, Staged<Poses>& poses, const Sides& fro
 // Copies what a model stage left to OUT/sherds/<number>; without a model only the scans.
 Result<void> publish(const Run& run, const std::string& number) {
   const fs::path from = run.work / ("model_" + number), to = run.options.output / "sherds" / number;
-  if (!run.held.stands()) return outputGone(run.options.output);
+  if (!run.held.stands()) return stages::outputGone(run.options.output);
   for (const char* name : {"front.ply", "back.ply", "model.ply", "model.glb", "preview.png"}) {
     std::error_code failed;
     if (!fs::exists(from / name, failed)) {
@@ -176,7 +172,7 @@ Result<void> publish(const Run& run, const std::string& number) {
   if (run.held.stands()) return {};
   std::error_code ignored;
   fs::remove_all(to, ignored);
-  return outputGone(run.options.output);
+  return stages::outputGone(run.options.output);
 }
 
 std::vector<const scan::Scan*> scansNamed(const std::vector<std::string>& ids,
@@ -207,7 +203,7 @@ void removeStaleSherds(const fs::path& output, const std::vector<SherdSummary>& 
   }
 }
 
-SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
+SherdSummary summaryOf(const ReportSherd& sherd, const stages::StageRecord& record) {
   SherdSummary line;
   line.number = sherd.number;
   line.front = sherd.front->id;
@@ -220,7 +216,7 @@ SherdSummary summaryOf(const ReportSherd& sherd, const StageRecord& record) {
   line.has_model = sherd.figures.value("model", false);
   line.remark = sherd.pair->ambiguous ? sherd.pair->reason : "";
   if ((!line.has_model || line.remark.empty()) && !record.notes.warnings.empty())
-    line.remark = record.notes.warnings.front();
+    line.remark = record.notes.warnings.front().english();
   return line;
 }
 
@@ -245,7 +241,8 @@ Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
                   run.batch_hash, run.photographs, run.decisions, progress, run.stop};
     ViewsOfSherd shown;
     if (!poses.value.images.empty()) shown = [&, i] { return views.of(i, run.stop); };
-    const Result<StageRecord> record = modelStage(one, number, decided[i], f, b, shown, inputs);
+    const Result<stages::StageRecord> record =
+        modelStage(one, number, decided[i], f, b, shown, inputs);
     if (!record) return record.error();
     if (const Result<void> published = publish(run, number); !published) return published;
     report.stages.push_back({"model " + number, *record});
@@ -254,7 +251,7 @@ Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
     summary.sherds.push_back(summaryOf(report.sherds.back(), *record));
     progress.report(1, 1);
   }
-  if (!run.held.stands()) return outputGone(run.options.output);
+  if (!run.held.stands()) return stages::outputGone(run.options.output);
   removeStaleSherds(run.options.output, summary.sherds);
   return {};
 }
@@ -280,7 +277,7 @@ struct Shares {
 // From the scans of both sides on. reading: the warnings about the batch itself.
 Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const Sides& front,
                                    Sides& back, ReportInput report, const Shares& shares,
-                                   const std::vector<std::string>& reading) {
+                                   const std::vector<Message>& reading) {
   run.progress.begin("pairs", shares.pairs);
   const Result<double> back_scale = matchSizes(run, poses, front, back, report.stages);
   if (!back_scale) return back_scale.error();
@@ -295,8 +292,7 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   report.unpaired_back = pairs->value.unpaired_back;
   report.set_aside = pairs->value.set_aside;
   report.reshoot = pairs->value.reshoot;
-  report.scale_doubts =
-      poses.record.notes.figures.value("scale_doubts", std::vector<std::string>());
+  report.scale_doubts = stages::messagesAt(poses.record.notes.figures, "scale_doubts");
   report.draft = poses.record.notes.figures.value("draft", false);
   for (const decisions::PairDecision& d : run.decisions) report.decisions.push_back(d.id);
   report.poses = &poses.value;
@@ -308,9 +304,10 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
       !r)
     return r.error();
   if (!wasPhotographed(run.batch, batch::Side::Back)) {
-    report.one_side = "Only one side was photographed: its " +
-                      std::to_string(report.unpaired_front.size()) +
-                      " scans are open surfaces without a back; they are in 'unpaired'.";
+    report.one_side = message(
+        "Only one side was photographed: its %1 scans are open surfaces without a back; they are "
+        "in 'unpaired'.",
+        report.unpaired_front.size());
     run.progress.note(NoteLevel::Warning, report.one_side);
   }
   const auto lone_fronts = scansNamed(report.unpaired_front, front.scans.value);
@@ -326,7 +323,7 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   if (run.batch.plate && report.one_side.empty())
     for (const auto& words : {checks::perhapsTouching(lone_fronts, lone_backs),
                               checks::perhapsTouching(lone_backs, lone_fronts)})
-      for (const std::string& warning : words) {
+      for (const Message& warning : words) {
         run.progress.note(NoteLevel::Warning, warning);
         report.warnings.push_back(warning);
       }
@@ -349,7 +346,7 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   return summary;
 }
 
-Result<ProcessSummary> runChain(const Run& run, const std::vector<std::string>& reading) {
+Result<ProcessSummary> runChain(const Run& run, const std::vector<Message>& reading) {
   ReportInput report;
   run.progress.begin("cameras", 0.05);
   Result<Staged<Poses>> poses = poseStage(run);
@@ -397,13 +394,13 @@ Result<Sides> importedSide(const Run& run, batch::Side side, const decisions::Sc
 // That OUT was deleted under the run explains whatever else went wrong.
 Result<ProcessSummary> unlessGone(const Run& run, Result<ProcessSummary> summary) {
   if (run.held.stands()) return summary;
-  leaveGoneOutput(run.options.output);
-  return outputGone(run.options.output);
+  stages::leaveGoneOutput(run.options.output);
+  return stages::outputGone(run.options.output);
 }
 
 Result<ProcessSummary> runImported(const Run& run, const decisions::ScanFolder& fronts,
                                    const decisions::ScanFolder& backs,
-                                   const std::vector<std::string>& reading) {
+                                   const std::vector<Message>& reading) {
   ReportInput report;
   const Result<Sides> front = importedSide(run, batch::Side::Front, fronts, report.stages);
   if (!front) return front.error();
@@ -419,7 +416,7 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
                                     std::stop_token stop) {
   if (const Result<void> checked = options.check(); !checked) return checked.error();
   const auto begin = std::chrono::steady_clock::now();
-  WarningsKept reading(progress);
+  stages::WarningsKept reading(progress);
   Result<batch::Batch> batch =
       batch::readPhotographs(options.batch, options.back, options.sheet, {}, reading);
   if (!batch) return batch.error();
@@ -427,8 +424,8 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
     return enough.error();
   if (Result<void> sheet = proposeMissingSheet(*batch, options, reading, stop); !sheet)
     return sheet.error();
-  for (const std::string& warning : options.warnings) reading.note(NoteLevel::Warning, warning);
-  for (const std::string& warning : checks::settingsWarnings(*batch, options.threads))
+  for (const Message& warning : options.warnings) reading.note(NoteLevel::Warning, warning);
+  for (const Message& warning : checks::settingsWarnings(*batch, options.threads))
     reading.note(NoteLevel::Warning, warning);
   const Result<Preflight> ahead = preflight(*batch, options, freeMemoryMb());
   if (!ahead) return ahead.error();
@@ -436,16 +433,16 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   if (!decisions) return decisions.error();
   const decisions::Decisions holding = decisions::standing(*decisions);
   const BatchInputs inputs(*batch, options.threads);
-  const Result<FolderLock> held = claimOutput(options.output, *batch, inputs.hashes());
+  const Result<FolderLock> held = stages::claimOutput(options.output, *batch, inputs.hashes());
   if (!held) return held.error();
-  withdrawResults(options.output);
+  stages::withdrawResults(options.output);
   if (isProposed(*batch) && !hasGuessedSize(*batch, options))
     if (const Result<void> written = rig::writePlate(options.output / "plate.json", *batch->plate);
         !written)
       return written.error();
-  LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);
-  for (const std::string& line : ahead->lines) logged.note(NoteLevel::Info, line);
-  for (const std::string& warning : ahead->warnings) logged.note(NoteLevel::Warning, warning);
+  stages::LoggedProgress logged(progress, options.output / "log.txt", reading.warnings);
+  for (const Message& line : ahead->lines) logged.note(NoteLevel::Info, line);
+  for (const Message& warning : ahead->warnings) logged.note(NoteLevel::Warning, warning);
   const Run run = runOf(options, *batch, *held, inputs, holding, logged, stop);
   Result<ProcessSummary> summary = unlessGone(run, runChain(run, reading.warnings));
   if (summary)
@@ -464,21 +461,22 @@ Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& pro
   const Result<decisions::ScanFolder> backs =
       decisions::readScanFolder(options.batch / "back", options.threads);
   if (!backs) return backs.error();
-  if (const Result<void> unit = decisions::checkUnit(*fronts, *backs, "export them in mm"); !unit)
+  if (const Result<void> unit = decisions::checkUnit(*fronts, *backs, message("export them in mm"));
+      !unit)
     return unit.error();
   const batch::Batch batch = batchOf(options.batch, *fronts, *backs);
   const Result<decisions::Decisions> decisions = decisions::readDecisions(options.output);
   if (!decisions) return decisions.error();
   const decisions::Decisions holding = decisions::standing(*decisions);
   const BatchInputs inputs(batch, options.threads);
-  const Result<FolderLock> held = claimOutput(options.output, batch, inputs.hashes());
+  const Result<FolderLock> held = stages::claimOutput(options.output, batch, inputs.hashes());
   if (!held) return held.error();
-  withdrawResults(options.output);
-  std::vector<std::string> reading = options.warnings;
+  stages::withdrawResults(options.output);
+  std::vector<Message> reading = options.warnings;
   reading.insert(reading.end(), fronts->warnings.begin(), fronts->warnings.end());
   reading.insert(reading.end(), backs->warnings.begin(), backs->warnings.end());
-  LoggedProgress logged(progress, options.output / "log.txt", {});
-  for (const std::string& warning : reading) logged.note(NoteLevel::Warning, warning);
+  stages::LoggedProgress logged(progress, options.output / "log.txt", {});
+  for (const Message& warning : reading) logged.note(NoteLevel::Warning, warning);
   const Run run = runOf(options, batch, *held, inputs, holding, logged, stop);
   Result<ProcessSummary> summary = unlessGone(run, runImported(run, *fronts, *backs, reading));
   if (summary)

@@ -37,7 +37,7 @@ struct ProcessOptions {
   registration::Method registration = registration::Method::Default;
   registration::Boundary boundary = registration::Boundary::Strip;
   int threads = 0;  ///< 0: all that this process may use; the result does not depend on it
-  std::vector<std::string> warnings;  ///< what is known of the batch already; in the results, too
+  std::vector<Message> warnings;  ///< what is known of the batch already; in the results, too
 
   Result<void> check() const;
 };
@@ -64,13 +64,13 @@ struct ProcessSummary {
   std::vector<std::string> reshoot;    ///< scans that a person wants shot again: not whole
   std::vector<std::string> moved;      ///< scans pushed while photographed: not whole
   /// Without a scale: sentences about pieces that were left out and may be sherds. Not whole.
-  std::vector<std::string> left_out;
-  std::vector<std::string> warnings;
+  std::vector<Message> left_out;
+  std::vector<Message> warnings;
   double reprojection_rms_px = 0;
   /// A length of scale.json, or a distance between markers that took no part in the fit, is not
   /// what plate.json makes of it: the batch is held until a person has found out why. Sentences,
   /// which stand among the warnings too.
-  std::vector<std::string> scale_doubts;
+  std::vector<Message> scale_doubts;
   bool draft = false;  ///< from photographs averaged down to kDraftMegapixels or less
   double seconds = 0;  ///< of this run, not of stages done earlier
   std::filesystem::path report;

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/message.h"
 #include "files/output_place.h"
 #include "pipeline/process_batch.h"
 
@@ -8,7 +9,7 @@ namespace ostraka::pipeline {
 namespace fs = std::filesystem;
 
 Result<void> ProcessOptions::check() const {
-  if (batch.empty()) return Error::unusable("No batch folder was given.");
+  if (batch.empty()) return Error::unusable(message("No batch folder was given."));
   if (output.empty()) return Error::unusable("No output folder was given (--output OUT).");
   if (Result<void> good = checkOutputPlace(output, "results"); !good) return good;
   std::error_code failed;
@@ -18,16 +19,16 @@ Result<void> ProcessOptions::check() const {
     const fs::path beyond = fs::weakly_canonical(output, failed).lexically_relative(folder);
     if (!beyond.empty() && *beyond.begin() != "..")
       return Error::unusable(
-          "The output folder lies inside the batch folder, to which Ostraka never writes; "
-          "choose one next to it.",
+          message("The output folder lies inside the batch folder, to which Ostraka never writes; "
+                  "choose one next to it."),
           output.string());
   }
   if (megapixels && !(*megapixels >= 0.3))
-    return Error::unusable("Photographs cannot be reduced to less than 0.3 megapixels.");
+    return Error::unusable(message("Photographs cannot be reduced to less than 0.3 megapixels."));
   if (masks != "auto" && masks != "given" && !fs::is_regular_file(masks, failed))
     return Error::unusable(
-        "There is no such segmentation network; masks are 'auto', 'given' or an ONNX "
-        "file.",
+        message("There is no such segmentation network; masks are 'auto', 'given' or an ONNX "
+                "file."),
         masks);
   return {};
 }

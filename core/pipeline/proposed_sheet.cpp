@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "rig/sheet_layout.h"
 
@@ -30,10 +31,11 @@ Result<void> agreesWithFile(const batch::Batch& batch, double marker_mm) {
         std::abs(side - marker_mm) < std::abs(nearest - marker_mm) || nearest == 0)
       nearest = side;
   if (std::abs(nearest - marker_mm) <= kSameSize_mm) return {};
-  return Error::unusable("The markers have sides of " + fixed(nearest, 2) +
-                             " mm in this file, but --marker-mm says " + fixed(marker_mm, 2) +
-                             " mm. Measure one; then correct the file, or leave the option out.",
-                         batch.plate_file);
+  return Error::unusable(
+      message("The markers have sides of %1 mm in this file, but --marker-mm says %2 mm. Measure "
+              "one; then correct the file, or leave the option out.",
+              decimal(nearest, 2), decimal(marker_mm, 2)),
+      batch.plate_file);
 }
 }  // namespace
 
@@ -65,21 +67,23 @@ Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& opti
     return Error{sheet.error().code, sheet.error().what, batch.folder.string()};
   }
   batch.plate = batch::asSheet(std::move(sheet->plate));
-  const std::string markers =
-      std::to_string(batch.plate->markers.size()) + " markers of " + batch.plate->dictionary;
+  const std::size_t markers = batch.plate->markers.size();
   if (options.marker_mm)
-    progress.note(NoteLevel::Warning,
-                  "No plate.json describes the sheet: " + markers + " with sides of " +
-                      fixed(how.marker_mm, 2) + " mm were found in the photographs (" +
-                      fixed(sheet->rms_px, 2) +
-                      " px) and are used instead. Measure the distance between two markers that "
-                      "lie far apart and compare it with plate.json in the output folder.");
+    progress.note(
+        NoteLevel::Warning,
+        message("No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were "
+                "found in the photographs (%4 px) and are used instead. Measure the distance "
+                "between two markers that lie far apart and compare it with plate.json in the "
+                "output folder.",
+                markers, batch.plate->dictionary, decimal(how.marker_mm, 2),
+                decimal(sheet->rms_px, 2)));
   else
-    progress.note(NoteLevel::Warning,
-                  "No plate.json describes the sheet: " + markers +
-                      " were found in the photographs (" + fixed(sheet->rms_px, 2) +
-                      " px), but their size is unknown, so the result has no scale. Measure the "
-                      "side of a marker's black square and give it with --marker-mm.");
+    progress.note(
+        NoteLevel::Warning,
+        message("No plate.json describes the sheet: %1 markers of %2 were found in the photographs "
+                "(%3 px), but their size is unknown, so the result has no scale. Measure the side "
+                "of a marker's black square and give it with --marker-mm.",
+                markers, batch.plate->dictionary, decimal(sheet->rms_px, 2)));
   return {};
 }
 

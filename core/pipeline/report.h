@@ -10,7 +10,7 @@ namespace ostraka::pipeline {
 /// A stage's name and what it left behind.
 struct ReportStage {
   std::string name;
-  StageRecord record;
+  stages::StageRecord record;
 };
 
 /// One sherd of the report: its pair and what the model stage found.
@@ -27,13 +27,14 @@ struct ReportSherd {
 struct ReportInput {
   std::string batch_name;
   batch::Way way = batch::Way::Rig;
-  std::string one_side;  ///< a sentence where the other side was not photographed
+  Message one_side;  ///< a sentence where the other side was not photographed
   std::vector<ReportStage> stages;
   std::vector<ReportSherd> sherds;
-  std::vector<std::string> unpaired_front, unpaired_back, set_aside, reshoot, warnings;
-  std::vector<std::string> scale_doubts;  ///< while there is one a person must decide
-  bool draft = false;                     ///< ProcessSummary::draft
-  std::vector<std::string> decisions;     ///< ids of those that were followed
+  std::vector<std::string> unpaired_front, unpaired_back, set_aside, reshoot;
+  std::vector<Message> warnings;
+  std::vector<Message> scale_doubts;   ///< while there is one a person must decide
+  bool draft = false;                  ///< ProcessSummary::draft
+  std::vector<std::string> decisions;  ///< ids of those that were followed
   const Poses* poses = nullptr;
   const Masks* front_masks = nullptr;
   const Masks* back_masks = nullptr;

@@ -68,7 +68,7 @@ std::string sidePicture(const ReportInput& input, batch::Side side) {
   if (view < 0) return {};
   const rig::PosedImage& image = images[static_cast<std::size_t>(view)];
   Result<cv::Mat> photograph = batch::readPhotograph(image.file);
-  if (!photograph) return "<p>" + markupText(photograph.error().sentence()) + "</p>";
+  if (!photograph) return "<p>" + markupText(photograph.error().sentence().english()) + "</p>";
   cv::Mat drawn =
       batch::reducedTo(*photograph, image.intrinsics.width, image.intrinsics.height).clone();
   const Masks& masks = side == batch::Side::Front ? *input.front_masks : *input.back_masks;
@@ -286,17 +286,17 @@ std::string reportHtml(const ReportInput& input) {
       (doubtful == 0 ? std::string("all pairs certain.")
                      : "<span class=\"ask\">" + std::to_string(doubtful) + " to review.</span>") +
       "</p>";
-  for (const std::string& doubt : input.scale_doubts)
-    html +=
-        "<p class=\"ask\">Resolve this before you measure anything: " + markupText(doubt) + "</p>";
+  for (const Message& doubt : input.scale_doubts)
+    html += "<p class=\"ask\">Resolve this before you measure anything: " +
+            markupText(doubt.english()) + "</p>";
   if (input.draft)
     html +=
         "<p class=\"ask\">This is a draft from downsampled photographs: its measurements are "
         "coarse. Reprocess the batch without --draft before you number or publish anything.</p>";
   if (!input.warnings.empty()) {
     html += "<h2>Warnings</h2><ul>";
-    for (const std::string& warning : input.warnings)
-      html += "<li>" + markupText(warning) + "</li>";
+    for (const Message& warning : input.warnings)
+      html += "<li>" + markupText(warning.english()) + "</li>";
     html += "</ul>";
   }
   html += "<h2>The plate</h2><div class=\"sides\">" + sidePicture(input, batch::Side::Front) +

@@ -1,6 +1,7 @@
 #include "pipeline/report.h"
 
 #include "files/json.h"
+#include "files/json_message.h"
 
 namespace ostraka::pipeline {
 
@@ -36,7 +37,7 @@ ordered_json reportJson(const ReportInput& input) {
   return {{"format", "ostraka-report/1"},
           {"unit", "mm"},
           {"has_scale", input.poses == nullptr || input.poses->has_scale},
-          {"scale_doubts", input.scale_doubts},
+          {"scale_doubts", toJson(input.scale_doubts)},
           {"draft", input.draft},
           {"decisions", input.decisions},
           {"batch", input.batch_name},

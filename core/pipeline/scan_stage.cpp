@@ -5,6 +5,7 @@
 
 #include "cloud/ply.h"
 #include "decisions/piece_edits.h"
+#include "files/json_message.h"
 #include "pipeline/chain.h"
 #include "scan/fracture.h"
 #include "scan/split.h"
@@ -28,7 +29,7 @@ Result<ordered_json> writeScans(const fs::path& folder, const std::vector<scan::
   return points;
 }
 
-Result<Scans> readScans(const fs::path& folder, const StageRecord& record) {
+Result<Scans> readScans(const fs::path& folder, const stages::StageRecord& record) {
   std::vector<scan::Scan> scans;
   for (const auto& [id, points] : record.notes.figures.at("points").items()) {
     Result<PointCloud> points_of = readPlyCloud(folder / (id + ".ply"));
@@ -45,22 +46,22 @@ Result<Scans> editStage(const Run& run, batch::Side side, const Scans& found) {
   decisions::Decisions edits;
   for (const decisions::PairDecision& d : run.decisions)
     if (decisions::hasEdits({d}, side)) edits.push_back(d);
-  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+  const auto work = [&](const fs::path& folder) -> Result<stages::StageNotes> {
     const decisions::EditedPieces edited =
         decisions::editedPieces(found.value, side, edits, run.photographsOf(side));
     const Result<ordered_json> points = writeScans(folder, edited.scans, frame);
     if (!points) return points.error();
-    return StageNotes{{{"points", *points},
-                       {"doubtful", found.record.notes.figures.value(
-                                        "doubtful", ordered_json(ordered_json::array()))}},
-                      edited.warnings};
+    return stages::StageNotes{{{"points", *points},
+                               {"doubtful", found.record.notes.figures.value(
+                                                "doubtful", ordered_json(ordered_json::array()))}},
+                              edited.warnings};
   };
   const std::string name = scanFolder(run, side);
-  const Result<StageRecord> record = runStage(run, name,
-                                              {{"scans", found.record.outputs_hash},
-                                               {"edits", toJson(edits)},
-                                               {"photographs", run.photographsOf(side)}},
-                                              work);
+  const Result<stages::StageRecord> record = runStage(run, name,
+                                                      {{"scans", found.record.outputs_hash},
+                                                       {"edits", toJson(edits)},
+                                                       {"photographs", run.photographsOf(side)}},
+                                                      work);
   if (!record) return record.error();
   return readScans(run.work / name, *record);
 }
@@ -105,7 +106,7 @@ void layApart(std::vector<scan::Scan>& scans) {
 Result<Scans> importStage(const Run& run, batch::Side side, const decisions::ScanFolder& folder) {
   const std::string name = std::string("scans_") + batch::name(side);
   const bool on_plate = run.batch.plate.has_value();
-  const auto work = [&](const fs::path& into) -> Result<StageNotes> {
+  const auto work = [&](const fs::path& into) -> Result<stages::StageNotes> {
     std::vector<scan::Scan> scans = folder.scans;
     ordered_json files = ordered_json::object();
     for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -118,9 +119,9 @@ Result<Scans> importStage(const Run& run, batch::Side side, const decisions::Sca
     const Result<ordered_json> points =
         writeScans(into, scans, std::string("plate_") + batch::name(side));
     if (!points) return points.error();
-    return StageNotes{{{"points", *points}, {"files", files}}, {}};
+    return stages::StageNotes{{{"points", *points}, {"files", files}}, {}};
   };
-  const Result<StageRecord> record = runStage(
+  const Result<stages::StageRecord> record = runStage(
       run, name, {{"imported", folder.hash}, {"on_plate", on_plate}, {"apart", true}}, work);
   if (!record) return record.error();
   Result<Scans> found = readScans(run.work / name, *record);
@@ -138,7 +139,7 @@ Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<Poses>& p
   const bool relative = !poses.value.has_scale;
   const std::string name = std::string("scans_") + batch::name(side);
   const std::string frame = std::string("plate_") + batch::name(side);
-  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+  const auto work = [&](const fs::path& folder) -> Result<stages::StageNotes> {
     scan::SplitOptions options;
     options.ground = poses.value.bends[sideIndex(side)];
     options.lengths = relative ? scan::Lengths::Relative : scan::Lengths::Millimetres;
@@ -150,13 +151,14 @@ Result<Scans> scanStage(const Run& run, batch::Side side, const Staged<Poses>& p
     if (!split) return split.error();
     const Result<ordered_json> points = writeScans(folder, split->scans, frame);
     if (!points) return points.error();
-    return StageNotes{{{"points", *points}, {"doubtful", split->doubtful}}, split->warnings};
+    return stages::StageNotes{{{"points", *points}, {"doubtful", toJson(split->doubtful)}},
+                              split->warnings};
   };
-  const Result<StageRecord> record = runStage(run, name,
-                                              {{"cloud", cloud.record.outputs_hash},
-                                               {"masks", masks.record.outputs_hash},
-                                               {"relative", relative}},
-                                              work);
+  const Result<stages::StageRecord> record = runStage(run, name,
+                                                      {{"cloud", cloud.record.outputs_hash},
+                                                       {"masks", masks.record.outputs_hash},
+                                                       {"relative", relative}},
+                                                      work);
   if (!record) return record.error();
   Result<Scans> found = readScans(run.work / name, *record);
   if (!found || !decisions::hasEdits(run.decisions, side)) return found;

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/message.h"
 #include "base/part_progress.h"
 #include "base/text.h"
 #include "cloud/glb.h"
@@ -49,19 +50,20 @@ Result<void> writePreview(const fs::path& file, const TriangleMesh& mesh,
 
 // Sherds that were seen all around have gaps of less than a hundredth; with parts of the break
 // missing it is a tenth.
-std::vector<std::string> warningsAbout(const model::SherdModel& model,
-                                       const model::Measures& measures, const std::string& number) {
+std::vector<Message> warningsAbout(const model::SherdModel& model, const model::Measures& measures,
+                                   const std::string& number) {
   constexpr double kMostFilled = 0.03;
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   if (measures.holes_mm2 > 0)
     warnings.push_back(
-        "Sherd " + number + ": its model has a hole right through it (" +
-        fixed(measures.holes_mm2, 0) +
-        " mm²). If the sherd has none, the photographs do not show that area; reshoot the sherd.");
+        message("Sherd %1: its model has a hole right through it (%2 mm²). If the sherd has none, "
+                "the photographs do not show that area; reshoot the sherd.",
+                number, decimal(measures.holes_mm2, 0)));
   if (model.filled_share > kMostFilled)
-    warnings.push_back("Sherd " + number + ": " + fixed(100 * model.filled_share, 0) +
-                       " % of its surface is unseen by any camera and filled in, orange in its "
-                       "picture; reshoot it if that matters.");
+    warnings.push_back(
+        message("Sherd %1: %2 % of its surface is unseen by any camera and filled in, orange in "
+                "its picture; reshoot it if that matters.",
+                number, decimal(100 * model.filled_share, 0)));
   return warnings;
 }
 
@@ -69,11 +71,13 @@ std::vector<std::string> warningsAbout(const model::SherdModel& model,
 Result<std::optional<texture::TexturedMesh>> texturedOf(const Run& run, const TriangleMesh& mesh,
                                                         const std::string& number,
                                                         const ViewsOfSherd& views,
-                                                        Progress& progress, StageNotes& notes) {
+                                                        Progress& progress,
+                                                        stages::StageNotes& notes) {
   using Textured = std::optional<texture::TexturedMesh>;
   const auto plainly = [&](const Error& why) -> Result<Textured> {
     if (why.code == ErrorCode::Cancelled) return why;
-    notes.warnings.push_back("Sherd " + number + " has no photographic texture: " + why.sentence());
+    notes.warnings.push_back(
+        message("Sherd %1 has no photographic texture: %2", number, why.sentence()));
     return Textured();
   };
   if (!views) return Textured();
@@ -83,8 +87,8 @@ Result<std::optional<texture::TexturedMesh>> texturedOf(const Run& run, const Tr
       texture::textured(mesh, shown->views, run.options.threads, progress, run.stop);
   if (!textured) return plainly(textured.error());
   for (const Error& error : shown->unread)
-    notes.warnings.push_back("The texture of sherd " + number +
-                             " lacks a photograph: " + error.sentence());
+    notes.warnings.push_back(
+        message("The texture of sherd %1 lacks a photograph: %2", number, error.sentence()));
   notes.figures["texel_mm"] = textured->texel_mm;
   notes.figures["texture_seen_share"] = textured->texture.seen_share;
   return Textured(std::move(*textured));
@@ -101,9 +105,10 @@ Result<std::string> glbOf(const TriangleMesh& mesh,
                    extras);
 }
 
-Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::string& number,
-                             const DecidedPair& pair, const scan::Scan& front,
-                             const scan::Scan& back, const ViewsOfSherd& views) {
+Result<stages::StageNotes> makeModel(const Run& run, const fs::path& folder,
+                                     const std::string& number, const DecidedPair& pair,
+                                     const scan::Scan& front, const scan::Scan& back,
+                                     const ViewsOfSherd& views) {
   if (const Result<void> r = writePly(folder / "front.ply", front.cloud, "plate_front"); !r)
     return r.error();
   if (const Result<void> r = writePly(folder / "back.ply", back.cloud, "plate_back"); !r)
@@ -115,14 +120,15 @@ Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::
       model::closeModel(front.cloud, back.cloud, pair.front_from_back, options, first, run.stop);
   if (!model && model.error().code == ErrorCode::Cancelled) return model.error();
   if (!model)
-    return StageNotes{{{"model", false}},
-                      {"Sherd " + number + " has no model: " + model.error().sentence()}};
+    return stages::StageNotes{
+        {{"model", false}},
+        {message("Sherd %1 has no model: %2", number, model.error().sentence())}};
   if (const Result<void> r = writePly(folder / "model.ply", model->mesh, "plate_front"); !r)
     return r.error();
   const Result<TriangleMesh> light = model::decimated(model->mesh, kGlbDeviation_mm);
   if (!light) return light.error();
   const GlbExtras extras{front.id + "+" + back.id, number, {}, 100 * model->filled_share};
-  StageNotes notes;
+  stages::StageNotes notes;
   const auto textured = texturedOf(run, *light, number, views, second, notes);
   if (!textured) return textured.error();
   if (const Result<void> r = writeGlb(folder / "model.glb", glbOf(*light, *textured, extras)); !r)
@@ -141,9 +147,9 @@ Result<StageNotes> makeModel(const Run& run, const fs::path& folder, const std::
                           {"filled_share", model->filled_share},
                           {"measures", toJson(measures)}};
   figures.update(notes.figures);
-  std::vector<std::string> warnings = warningsAbout(*model, measures, number);
+  std::vector<Message> warnings = warningsAbout(*model, measures, number);
   warnings.insert(warnings.end(), notes.warnings.begin(), notes.warnings.end());
-  return StageNotes{std::move(figures), std::move(warnings)};
+  return stages::StageNotes{std::move(figures), std::move(warnings)};
 }
 
 }  // namespace
@@ -152,16 +158,16 @@ Result<Staged<double>> scaleStage(const Run& run, const Staged<Poses>& poses,
                                   const Staged<std::vector<scan::Scan>>& fronts,
                                   const Staged<std::vector<scan::Scan>>& backs) {
   if (poses.value.has_scale) return Staged<double>{1.0, {}};
-  const auto work = [&](const fs::path&) -> Result<StageNotes> {
+  const auto work = [&](const fs::path&) -> Result<stages::StageNotes> {
     pairing::CandidateOptions options;
     options.threads = run.options.threads;
     const Result<double> scale =
         pairing::commonScale(fronts.value, backs.value, options, run.progress, run.stop);
     if (!scale && scale.error().code != ErrorCode::NotEnough) return scale.error();
-    if (scale) return StageNotes{{{"front_over_back", *scale}}, {}};
-    return StageNotes{{{"front_over_back", 1.0}}, {scale.error().sentence()}};
+    if (scale) return stages::StageNotes{{{"front_over_back", *scale}}, {}};
+    return stages::StageNotes{{{"front_over_back", 1.0}}, {scale.error().sentence()}};
   };
-  const Result<StageRecord> record = runStage(
+  const Result<stages::StageRecord> record = runStage(
       run, "scale", {{"fronts", fronts.record.outputs_hash}, {"backs", backs.record.outputs_hash}},
       work);
   if (!record) return record.error();
@@ -193,9 +199,10 @@ texture::SherdViews viewsOf(const Run& run, const Poses& poses, const Masks& fro
   return {std::move(photographs), std::move(sherds), run.options.threads};
 }
 
-Result<StageRecord> modelStage(const Run& run, const std::string& number, const DecidedPair& pair,
-                               const scan::Scan& front, const scan::Scan& back,
-                               const ViewsOfSherd& views, const std::string& inputs_hash) {
+Result<stages::StageRecord> modelStage(const Run& run, const std::string& number,
+                                       const DecidedPair& pair, const scan::Scan& front,
+                                       const scan::Scan& back, const ViewsOfSherd& views,
+                                       const std::string& inputs_hash) {
   return runStage(run, "model_" + number,
                   {{"inputs", inputs_hash},
                    {"front", front.id},

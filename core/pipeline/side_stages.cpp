@@ -4,6 +4,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "base/part_progress.h"
 #include "batch/mask_source.h"
@@ -13,10 +14,10 @@
 #include "mask/given_mask.h"
 #include "mask/plate_mask.h"
 #include "pipeline/chain.h"
-#include "pipeline/run_log.h"
 #include "pipeline/view_masks.h"
 #include "rig/turntable.h"
 #include "segmentation/network_mask.h"
+#include "stages/run_log.h"
 #include "stereo/colmap_adapter.h"
 #include "stereo/openmvs_adapter.h"
 #include "stereo/stereo.h"
@@ -84,14 +85,16 @@ Result<mask::MaskResult> givenMasks(const Run& run, const std::vector<rig::Posed
     Result<cv::Mat1b> mask =
         shot.mask_file.empty()
             ? Result<cv::Mat1b>(Error::unusable(
-                  "This photograph has no mask; provide one for each photograph to be used.",
+                  message(
+                      "This photograph has no mask; provide one for each photograph to be used."),
                   image.file))
             : mask::readGivenMask(shot.mask_file, shot.width, shot.height);
     if (mask) {
       ++usable;
     } else {
       if (!first) first = mask.error();
-      const std::string warning = mask.error().sentence() + " This photograph is not used.";
+      const Message warning =
+          inOne(mask.error().sentence(), message("This photograph is not used."));
       run.progress.note(NoteLevel::Warning, warning);
       result.warnings.push_back(warning);
       mask = cv::Mat1b(shot.height, shot.width, uchar{0});
@@ -183,7 +186,7 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
     if (!model) return model.error();
     how = sha256(*model);
   }
-  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+  const auto work = [&](const fs::path& folder) -> Result<stages::StageNotes> {
     const Result<mask::MaskResult> made = makeMasks(run, images, poses.value.bends[sideIndex(side)],
                                                     poses.value.grounds[sideIndex(side)]);
     if (!made) return made.error();
@@ -192,9 +195,9 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
                                                  *findShot(run.batch, images[i]));
           !written)
         return written.error();
-    return StageNotes{{{"covered_share", coverage(made->masks)}}, made->warnings};
+    return stages::StageNotes{{{"covered_share", coverage(made->masks)}}, made->warnings};
   };
-  const Result<StageRecord> record = runStage(
+  const Result<stages::StageRecord> record = runStage(
       run, name, {{"batch", run.batch_hash}, {"poses", poses.record.outputs_hash}, {"masks", how}},
       work);
   if (!record) return record.error();
@@ -208,6 +211,14 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
 }
 
 namespace {
+
+// Whether one of the values is this file, or a path that ends in it.
+bool names(const Message& message, const std::string& file) {
+  return std::any_of(message.values().begin(), message.values().end(), [&](const MessageValue& v) {
+    return v.kind == MessageValue::Kind::Message ? names(v.message.front(), file)
+                                                 : v.text.find(file) != std::string::npos;
+  });
+}
 
 // Another program works in a folder beside the stage's, which stays for its log when it fails.
 Result<PointCloud> denseCloud(const Run& run, const std::string& name,
@@ -237,33 +248,37 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
                                       const Staged<Masks>& masks) {
   const std::vector<rig::PosedImage> images = poses.value.of(side);
   const std::string name = std::string("dense_") + batch::name(side);
-  const auto work = [&](const fs::path& folder) -> Result<StageNotes> {
+  const auto work = [&](const fs::path& folder) -> Result<stages::StageNotes> {
     // An empty mask would say that nothing is where it looks; it is rather a photograph spoilt.
     std::vector<rig::PosedImage> used;
     std::vector<cv::Mat1b> used_masks;
-    StageNotes notes;
+    stages::StageNotes notes;
     for (std::size_t i = 0; i < images.size(); ++i) {
       if (cv::countNonZero(masks.value[i]) > 0) {
         used.push_back(images[i]);
         used_masks.push_back(masks.value[i]);
         continue;
       }
-      const std::vector<std::string>& told = masks.record.notes.warnings;
-      if (std::any_of(told.begin(), told.end(), [&](const std::string& warning) {
-            return warning.find(images[i].file) != std::string::npos;
-          }))
+      const std::vector<Message>& told = masks.record.notes.warnings;
+      if (std::any_of(told.begin(), told.end(),
+                      [&](const Message& warning) { return names(warning, images[i].file); }))
         continue;
-      notes.warnings.push_back(images[i].file +
-                               ": The mask marks no sherd in this photograph; it is left out. If "
-                               "it shows sherds, retake it or edit its mask.");
+      notes.warnings.push_back(
+          inOne(message("%1: The mask marks no sherd in this photograph; it is left out.",
+                        images[i].file),
+                message("If it shows sherds, retake it or edit its mask.")));
       run.progress.note(NoteLevel::Warning, notes.warnings.back());
     }
     if (used.size() < 3)
       return Error{
           ErrorCode::NotEnough,
-          "Masks mark sherds in " + std::to_string(used.size()) + " photographs of the " +
-              batch::name(side) +
-              " side; 3 are needed. Check the masks, and whether sherds were on the plate.",
+          inOne(side == batch::Side::Front
+                    ? message("Masks mark sherds in %1 photographs of the front side; 3 are "
+                              "needed.",
+                              used.size())
+                    : message("Masks mark sherds in %1 photographs of the back side; 3 are needed.",
+                              used.size()),
+                message("Check the masks, and whether sherds were on the plate.")),
           (run.work / (std::string("masks_") + batch::name(side))).string()};
     const Result<std::vector<cv::Mat>> photographs = photographsOf(used, run.options.threads);
     if (!photographs) return photographs.error();
@@ -281,12 +296,13 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
     notes.figures["points"] = cloud->size();
     return notes;
   };
-  const Result<StageRecord> record = runStage(run, name,
-                                              {{"batch", run.batch_hash},
-                                               {"poses", poses.record.outputs_hash},
-                                               {"masks", masks.record.outputs_hash},
-                                               {"dense", static_cast<int>(run.options.dense)}},
-                                              work);
+  const Result<stages::StageRecord> record =
+      runStage(run, name,
+               {{"batch", run.batch_hash},
+                {"poses", poses.record.outputs_hash},
+                {"masks", masks.record.outputs_hash},
+                {"dense", static_cast<int>(run.options.dense)}},
+               work);
   if (!record) return record.error();
   Result<PointCloud> cloud = readPlyCloud(run.work / name / "cloud.ply");
   if (!cloud) return cloud.error();

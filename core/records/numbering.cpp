@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/message.h"
+
 namespace ostraka::records {
 namespace {
 
@@ -23,6 +25,36 @@ std::string padded(std::string_view value, int width) {
   return std::string(static_cast<std::size_t>(width) - value.size(), '0') + std::string(value);
 }
 
+Message lacks(std::string_view token) {
+  if (token == "site")
+    return message("The number needs the site of the sherd, which is not recorded.");
+  if (token == "trench")
+    return message("The number needs the trench of the sherd, which is not recorded.");
+  if (token == "context")
+    return message("The number needs the context of the sherd, which is not recorded.");
+  if (token == "bag")
+    return message("The number needs the bag of the sherd, which is not recorded.");
+  return message("The number needs the batch of the sherd, which is not recorded.");
+}
+
+// Where one part ends and the next begins could not be told.
+Message unclear(std::string_view token, const std::string& value, const std::string& letters) {
+  if (token == "site")
+    return message("The site %1 contains the character '%2' that is next to it in the number.",
+                   value, letters);
+  if (token == "trench")
+    return message("The trench %1 contains the character '%2' that is next to it in the number.",
+                   value, letters);
+  if (token == "context")
+    return message("The context %1 contains the character '%2' that is next to it in the number.",
+                   value, letters);
+  if (token == "bag")
+    return message("The bag %1 contains the character '%2' that is next to it in the number.",
+                   value, letters);
+  return message("The batch %1 contains the character '%2' that is next to it in the number.",
+                 value, letters);
+}
+
 }  // namespace
 
 Result<Numbering> Numbering::parse(std::string_view scheme) {
@@ -32,8 +64,9 @@ Result<Numbering> Numbering::parse(std::string_view scheme) {
     if (scheme[i] != '{') {
       if (!isLiteral(scheme[i]))
         return Error::unusable(
-            std::string("The numbering cannot contain the character '") + scheme[i] +
-            "'; letters, digits, '.', '_', '/' and '-' are allowed between the tokens.");
+            message("The numbering cannot contain the character '%1'; letters, digits, '.', '_', "
+                    "'/' and '-' are allowed between the tokens.",
+                    scheme[i]));
       if (numbering.parts_.empty() || numbering.parts_.back().token)
         numbering.parts_.push_back({false, {}, 0});
       numbering.parts_.back().text += scheme[i++];
@@ -41,30 +74,34 @@ Result<Numbering> Numbering::parse(std::string_view scheme) {
     }
     const std::size_t end = scheme.find('}', i);
     if (end == std::string_view::npos)
-      return Error::unusable("The numbering opens a token with { and does not close it with }.");
+      return Error::unusable(
+          message("The numbering opens a token with { and does not close it with }."));
     const std::string_view inside = scheme.substr(i + 1, end - i - 1);
     const std::size_t colon = inside.find(':');
     Part part{true, std::string(inside.substr(0, colon)), 0};
     if (std::find(kTokens.begin(), kTokens.end(), part.text) == kTokens.end())
-      return Error::unusable("The numbering has no token {" + part.text +
-                             "}; available: site, trench, context, bag, batch, yyyy, yy and n.");
+      return Error::unusable(
+          message("The numbering has no token {%1}; available: site, trench, context, bag, batch, "
+                  "yyyy, yy and n.",
+                  part.text));
     if (colon != std::string_view::npos) {
       const std::string_view width = inside.substr(colon + 1);
       if (!isDigits(width) || width[0] != '0' || width.size() > 3 ||
           std::stoi(std::string(width)) > 12)
-        return Error::unusable("The width of {" + part.text +
-                               "} must be written as :04, with 12 digits at most.");
+        return Error::unusable(message(
+            "The width of {%1} must be written as :04, with 12 digits at most.", part.text));
       part.width = std::stoi(std::string(width));
     }
     if (!numbering.parts_.empty() && numbering.parts_.back().token)
-      return Error::unusable("Two tokens are adjacent; put '-' or another character between {" +
-                             numbering.parts_.back().text + "} and {" + part.text + "}.");
+      return Error::unusable(
+          message("Two tokens are adjacent; put '-' or another character between {%1} and {%2}.",
+                  numbering.parts_.back().text, part.text));
     counters += part.text == "n";
     numbering.parts_.push_back(std::move(part));
     i = end + 1;
   }
   if (counters != 1)
-    return Error::unusable("The numbering must count the sherds with {n} exactly once.");
+    return Error::unusable(message("The numbering must count the sherds with {n} exactly once."));
   return numbering;
 }
 
@@ -91,30 +128,25 @@ Result<std::string> Numbering::number(const std::map<std::string, std::string>& 
                                       int n) const {
   std::string lacking;
   std::string out = fill(values, std::to_string(n), &lacking);
-  if (!lacking.empty())
-    return Error::unusable("The number needs the " + lacking +
-                           " of the sherd, which is not recorded.");
+  if (!lacking.empty()) return Error::unusable(lacks(lacking));
   return out;
 }
 
 Result<std::string> Numbering::counter(const std::map<std::string, std::string>& values) const {
   std::string lacking;
   std::string out = fill(values, "{n}", &lacking);
-  if (!lacking.empty())
-    return Error::unusable("The number needs the " + lacking +
-                           " of the sherd, which is not recorded.");
+  if (!lacking.empty()) return Error::unusable(lacks(lacking));
   return out;
 }
 
-std::string Numbering::warning(const std::map<std::string, std::string>& values) const {
+Message Numbering::warning(const std::map<std::string, std::string>& values) const {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
     if (!parts_[i].token) continue;
     const auto value = values.find(parts_[i].text);
     if (value == values.end()) continue;
     for (const std::size_t k : {i - 1, i + 1})
       if (k < parts_.size() && value->second.find(parts_[k].text) != std::string::npos)
-        return "The " + parts_[i].text + " " + value->second + " contains the character '" +
-               parts_[k].text + "' that is next to it in the number.";
+        return unclear(parts_[i].text, value->second, parts_[k].text);
   }
   return {};
 }

@@ -22,7 +22,7 @@ class Numbering {
   /// All but n filled in: sherds with the same counter share one count.
   Result<std::string> counter(const std::map<std::string, std::string>& values) const;
   /// What could be misread: a value that contains the literal beside it, as 12-3. Empty when clear.
-  std::string warning(const std::map<std::string, std::string>& values) const;
+  Message warning(const std::map<std::string, std::string>& values) const;
 
  private:
   struct Part {

@@ -35,12 +35,12 @@ std::string withUnit(double value, const std::string& kind) {
 }
 
 // Within a sentence.
-std::string nameOf(const std::string& kind) {
-  if (kind == "length") return "the length";
-  if (kind == "width") return "the width";
-  if (kind == "thickness_min") return "the minimum thickness";
-  if (kind == "thickness_max") return "the maximum thickness";
-  return "the thickness";
+Message nameOf(const std::string& kind) {
+  if (kind == "length") return message("the length");
+  if (kind == "width") return message("the width");
+  if (kind == "thickness_min") return message("the minimum thickness");
+  if (kind == "thickness_max") return message("the maximum thickness");
+  return message("the thickness");
 }
 
 }  // namespace
@@ -73,25 +73,25 @@ std::vector<MeasureFinding> implausible(const std::vector<std::string>& kinds,
   return findings;
 }
 
-std::string sentenceOf(const MeasureFinding& finding) {
+Message sentenceOf(const MeasureFinding& finding) {
   const std::string value = withUnit(finding.value, finding.kind);
   const std::string reference = withUnit(finding.reference, finding.kind);
   switch (finding.doubt) {
     case MeasureDoubt::TenTimesComputed:
       return finding.value > finding.reference
-                 ? "Check the unit: " + value + " is about ten times the computed value."
-                 : "Check the unit: " + value + " is about a tenth of the computed value.";
+                 ? message("Check the unit: %1 is about ten times the computed value.", value)
+                 : message("Check the unit: %1 is about a tenth of the computed value.", value);
     case MeasureDoubt::FarFromComputed:
-      return "Check the value: " + value + " is at least three times off the computed value.";
+      return message("Check the value: %1 is at least three times off the computed value.", value);
     case MeasureDoubt::OrderReversed:
-      return "Check the values: " + nameOf(finding.kind) + " (" + value + ") is below " +
-             nameOf(finding.than) + " (" + reference + ").";
+      return message("Check the values: %1 (%2) is below %3 (%4).", nameOf(finding.kind), value,
+                     nameOf(finding.than), reference);
     case MeasureDoubt::DeletesComputed:
-      return "The computed value is " + reference + ". Delete it?";
+      return message("The computed value is %1. Delete it?", reference);
     case MeasureDoubt::ReplacesComputed:
       break;
   }
-  return "The computed value is " + reference + ". Replace it with the measured value?";
+  return message("The computed value is %1. Replace it with the measured value?", reference);
 }
 
 }  // namespace ostraka::records

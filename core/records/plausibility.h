@@ -32,6 +32,6 @@ std::vector<MeasureFinding> implausible(const std::vector<std::string>& kinds,
                                         const MeasureValues& computed);
 
 /// One sentence of a finding.
-std::string sentenceOf(const MeasureFinding& finding);
+Message sentenceOf(const MeasureFinding& finding);
 
 }  // namespace ostraka::records

@@ -98,11 +98,11 @@ struct FieldChange {
 struct ChangePreview {
   FieldChange change;
   std::string old_value, new_value;  ///< in canonical form
-  std::string refusal;               ///< a sentence; empty when it can be done
+  Message refusal;                   ///< a sentence; empty when it can be done
   store::SherdRow in_the_way;        ///< who has this number already
   /// Of a measurement that a person has to confirm, and the sentences that ask; else empty.
   std::vector<MeasureFinding> findings = {};
-  std::string question = {};
+  Message question = {};
   bool asks() const { return !findings.empty() && change.confirmation == Confirmation::None; }
 };
 

@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/message.h"
+
 namespace ostraka::registration {
 namespace {
 
@@ -115,7 +117,7 @@ Result<BilateralBoundaryFit> bilateralBoundaryIcp(const Strip& front, const Stri
     fit.pairs = static_cast<int>(pairs.front.size());
     if (fit.pairs < 10)
       return Error{ErrorCode::NotEnough,
-                   "Fewer than 10 fracture points match; start from a better pose.",
+                   message("Fewer than 10 fracture points match; start from a better pose."),
                    {}};
     fit.rms_mm = std::sqrt(pairs.squares / fit.pairs);
     const Isometry3d before = fit.front_from_back;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "baselines/fast_global_registration.h"
 #include "baselines/pcl_methods.h"
@@ -292,7 +293,8 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
                                    const RegistrationOptions& options, Progress& progress,
                                    std::stop_token stop) {
   if (starts.empty())
-    return Error{ErrorCode::NotEnough, "No start pose was given for the registration.", {}};
+    return Error{
+        ErrorCode::NotEnough, message("No start pose was given for the registration."), {}};
   if (options.method != Method::Default)
     return byOthers(front, back, starts, constraints, options, stop);
   const PairFit pair(front, back, constraints, options);

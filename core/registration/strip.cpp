@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "registration/fracture_colour.h"
 
 namespace ostraka::registration {
@@ -164,7 +165,8 @@ const std::map<std::string, Boundary>& boundariesByName() {
 Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options,
                            std::span<const SilhouetteView> views) {
   if (!scan.cloud.hasNormals())
-    return Error{ErrorCode::NotEnough, "The scan has no normals; export it with normals.", scan.id};
+    return Error{ErrorCode::NotEnough, message("The scan has no normals; export it with normals."),
+                 scan.id};
   const bool dense = medianSpacing(scan.cloud) < 0.7 * kUsefulSpacingMm;
   const PointCloud cloud = dense ? thinned(scan.cloud, kUsefulSpacingMm) : scan.cloud;
   Strip strip;
@@ -199,7 +201,8 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options,
   if (strip.fine.points.size() < 50)
     return Error{
         ErrorCode::NotEnough,
-        "Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.",
+        message(
+            "Fewer than 50 points lie on the fracture; rescan the sherd including its fracture."),
         scan.id};
   if (options.boundary == Boundary::Paper) {
     const std::vector<std::uint8_t> boundary = scan::findBoundary(cloud, views, {});

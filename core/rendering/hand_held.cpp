@@ -3,7 +3,7 @@
 namespace ostraka::rendering {
 
 Result<void> HandHeldOptions::check() const {
-  const auto bad = [](const char* what) { return Error::unusable(what); };
+  const auto bad = [](Message what) { return Error::unusable(std::move(what)); };
   if (photographs < 3 || photographs > 400)
     return bad("hand_held must lie between 3 and 400 photographs a side.");
   if (!(bend_mm >= 0 && bend_mm <= 20)) return bad("bend must lie between 0 and 20 mm.");

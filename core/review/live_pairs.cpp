@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "base/message.h"
 #include "batch/moved_batch.h"
 #include "batch/photograph.h"
 #include "checks/no_scale.h"
@@ -218,7 +219,8 @@ struct LivePairs::State {
   Result<Photograph> readPhotographOf(Side side) const {
     const rig::PosedImage* image = highest(images, side);
     if (image == nullptr)
-      return Error{ErrorCode::Missing, "There is no photograph of this side.", output.string()};
+      return Error{ErrorCode::Missing, message("There is no photograph of this side."),
+                   output.string()};
     Result<cv::Mat> picture = batch::readPhotograph(image->file);
     if (!picture) return picture.error();
     Photograph photograph{std::move(*picture), {}, *image};
@@ -328,7 +330,8 @@ Result<decisions::RegisteredCandidate> LivePairs::compared(int front, int back,
       {*f, 1}, {*b, 1}, {{}, {}, supports[0], supports[1]}, options, quiet, stop);
   if (!table) return table.error();
   if (table->candidates.empty())
-    return Error{ErrorCode::NotEnough, "The outlines of these two sides cannot be overlaid.", {}};
+    return Error{
+        ErrorCode::NotEnough, message("The outlines of these two sides cannot be overlaid."), {}};
   decisions::RegisteredCandidate found = std::move(table->candidates.front());
   found.evidence.front = front;
   found.evidence.back = back;
@@ -412,7 +415,7 @@ Result<Picture> LivePairs::picture(Side side, int scan, double px_mm) const {
 Result<rig::PosedImage> LivePairs::photographed(Side side) const {
   const rig::PosedImage* image = highest(state_->images, side);
   if (image == nullptr)
-    return Error{ErrorCode::Missing, "There is no photograph of this side.",
+    return Error{ErrorCode::Missing, message("There is no photograph of this side."),
                  state_->output.string()};
   return *image;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/message.h"
 #include "decisions/mask_strokes.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
@@ -242,9 +243,10 @@ bool onlyConfirm(const decisions::CandidateTable& table, const decisions::Decisi
 Result<void> computedToItsEnd(const std::filesystem::path& output) {
   std::error_code failed;
   if (std::filesystem::exists(output / "report.json", failed)) return {};
-  return Error{ErrorCode::Missing,
-               "The batch is not fully processed; let the queue process it, then review its pairs.",
-               output.string()};
+  return Error{
+      ErrorCode::Missing,
+      message("The batch is not fully processed; let the queue process it, then review its pairs."),
+      output.string()};
 }
 
 ReviewCounts countsOf(const Review& review) {

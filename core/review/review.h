@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "decisions/decided_pairs.h"
 
 namespace ostraka::review {
@@ -61,7 +62,7 @@ struct Review {
   std::vector<ReviewCard> cards;
   std::vector<int> lone_backs;                  ///< nobody's
   std::vector<int> aside_backs, reshoot_backs;  ///< by a person
-  std::vector<std::string> warnings;            ///< about decisions that cannot be applied
+  std::vector<Message> warnings;                ///< about decisions that cannot be applied
 
   int waiting() const;    ///< cards that want a person, and backs that are nobody's
   int toReshoot() const;  ///< sherds of which a person wants new photographs

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 
@@ -35,8 +36,9 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
     image.intrinsics.cy = numberIn(k.at(1).at(2), "K");
     const std::vector<double> d = value.value("dist", std::vector<double>{});
     if (d.size() > 5)
-      return Error::unusable("More than five distortion terms for '" + image.file +
-                                 "' are not supported; undistort its photographs first.",
+      return Error::unusable(message("More than five distortion terms for '%1' are not supported; "
+                                     "undistort its photographs first.",
+                                     image.file),
                              where);
     std::copy(d.begin(), d.end(), image.intrinsics.distortion.begin());
     Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
@@ -52,15 +54,17 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
         rotation.determinant() > 0;
     const Intrinsics& i = image.intrinsics;
     if (!rigid || !(i.fx > 0 && i.fy > 0))
-      return Error::unusable("The camera of '" + image.file + "' has no valid K, R, t or size.",
-                             where);
+      return Error::unusable(
+          message("The camera of '%1' has no valid K, R, t or size.", image.file), where);
     image.camera_from_plate.linear() = Eigen::Quaterniond(rotation).normalized().toRotationMatrix();
     image.camera_from_plate.translation() = pose.topRightCorner<3, 1>();
   } catch (const nlohmann::json::exception& refused) {
-    return unusableJson(refused,
-                        "An image lacks file, width, height, K, R or t" +
-                            (image.file.empty() ? std::string() : " (" + image.file + ")") + ".",
-                        where);
+    return unusableJson(
+        refused,
+        image.file.empty()
+            ? message("An image lacks file, width, height, K, R or t.")
+            : message("An image lacks file, width, height, K, R or t (%1).", image.file),
+        where);
   }
   return image;
 }
@@ -126,7 +130,7 @@ Result<std::vector<PosedImage>> readCameras(const std::filesystem::path& file) {
   if (!json) return json.error();
   if (!json->is_object() || !json->contains("images") || !(*json)["images"].is_array() ||
       (*json)["images"].empty())
-    return Error::unusable("The camera file has no list 'images'.", file.string());
+    return Error::unusable(message("The camera file has no list 'images'."), file.string());
   std::vector<PosedImage> images;
   for (const nlohmann::json& value : (*json)["images"]) {
     Result<PosedImage> image = imageFromJson(value, file.string());

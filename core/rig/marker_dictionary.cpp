@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "base/message.h"
+
 namespace ostraka::rig {
 namespace {
 
@@ -37,8 +39,8 @@ constexpr std::array<Named, 21> kDictionaries{{
 Result<cv::Ptr<cv::aruco::Dictionary>> markerDictionary(const std::string& name) {
   for (const Named& named : kDictionaries)
     if (name == named.first) return cv::aruco::getPredefinedDictionary(named.second);
-  return Error::unusable("The marker dictionary '" + name +
-                         "' is unknown; use one such as DICT_4X4_100.");
+  return Error::unusable(
+      message("The marker dictionary '%1' is unknown; use one such as DICT_4X4_100.", name));
 }
 
 }  // namespace ostraka::rig

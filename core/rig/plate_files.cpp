@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "batch/photographs.h"
 #include "files/files.h"
 #include "files/json.h"
@@ -112,19 +113,22 @@ Result<PlatePrint> writePlatePrint(const fs::path& pdf, const PlatePrintOptions&
   if (!plate_there) return plate_there.error();
   if (*plate_there == Beside::Another)
     return Error::unusable(
-        "This file describes another plate, or this plate with another ruler length; choose "
-        "another folder.",
+        message(
+            "This file describes another plate, or this plate with another ruler length; choose "
+            "another folder."),
         plate_file.string());
   const auto board_there = compared(board_file, board, describedBoard(as_drawn->board));
   if (!board_there) return board_there.error();
   if (*board_there == Beside::Another)
-    return Error::unusable("This file describes another calibration board; choose another folder.",
-                           board_file.string());
+    return Error::unusable(
+        message("This file describes another calibration board; choose another folder."),
+        board_file.string());
   if (*plate_there != Beside::Same &&
       !batch::photographsIn(folder.empty() ? fs::path(".") : folder).empty())
     return Error::unusable(
-        "This folder contains photographs, and a new plate.json would describe the sheet under "
-        "their sherds; choose another folder.",
+        message(
+            "This folder contains photographs, and a new plate.json would describe the sheet under "
+            "their sherds; choose another folder."),
         folder.string());
   // The PDF last: nobody prints a plate that nothing describes.
   Together files;

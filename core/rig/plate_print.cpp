@@ -7,6 +7,7 @@
 #include <opencv2/aruco/charuco.hpp>
 #include <sstream>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "rig/marker_dictionary.h"
 #include "rig/marker_outline.h"
@@ -396,41 +397,50 @@ class Drawing {
   PlatePrint out_;
 };
 
-std::string whatFits(double diameter_mm) {
+// The side of the largest markers that fit, in whole mm; 0: none.
+int largestMarkers(double diameter_mm) {
   for (int marker_mm = 200; marker_mm >= 5; --marker_mm)
     if (markersOnRing(diameter_mm, marker_mm) >= kFewestMarkers &&
         freeRadiusOf(diameter_mm, marker_mm) >= kLeastFree_mm)
-      return formatted("markers of %.0f mm fit on it.", static_cast<double>(marker_mm));
-  return "make the plate larger.";
+      return marker_mm;
+  return 0;
 }
 
 }  // namespace
 
 Result<void> PlatePrintOptions::check() const {
-  const auto bad = [](std::string what) { return Error::unusable(std::move(what)); };
+  const auto bad = [](const Message& what) { return Error::unusable(what); };
   if (!(marker_mm >= 5 && marker_mm <= 200))
-    return bad("The markers' side must be between 5 and 200 mm.");
+    return bad(message("The markers' side must be between 5 and 200 mm."));
   if (!(diameter_mm > 0 && diameter_mm <= 2000))
-    return bad("The plate's diameter must be between 1 and 2000 mm.");
+    return bad(message("The plate's diameter must be between 1 and 2000 mm."));
+  const int fit_mm = largestMarkers(diameter_mm);
+  const Decimal marker = decimal(marker_mm, 0), plate = decimal(diameter_mm, 0);
   if (markersOnRing(diameter_mm, marker_mm) < kFewestMarkers)
-    return bad(formatted("Fewer than six markers of %.0f mm fit on a plate of %.0f mm; ", marker_mm,
-                         diameter_mm) +
-               whatFits(diameter_mm));
+    return bad(fit_mm > 0 ? message("Fewer than six markers of %1 mm fit on a plate of %2 mm; "
+                                    "markers of %3 mm fit on it.",
+                                    marker, plate, fit_mm)
+                          : message("Fewer than six markers of %1 mm fit on a plate of %2 mm; make "
+                                    "the plate larger.",
+                                    marker, plate));
   if (freeRadiusOf(diameter_mm, marker_mm) < kLeastFree_mm)
-    return bad(formatted("Markers of %.0f mm leave no room for a sherd on a plate of %.0f mm; ",
-                         marker_mm, diameter_mm) +
-               whatFits(diameter_mm));
+    return bad(fit_mm > 0 ? message("Markers of %1 mm leave no room for a sherd on a plate of %2 "
+                                    "mm; markers of %3 mm fit on it.",
+                                    marker, plate, fit_mm)
+                          : message("Markers of %1 mm leave no room for a sherd on a plate of %2 "
+                                    "mm; make the plate larger.",
+                                    marker, plate));
   if (!(printer_margin_mm >= 0 && printer_margin_mm <= 40))
-    return bad("The printer's margin must be between 0 and 40 mm.");
+    return bad(message("The printer's margin must be between 0 and 40 mm."));
   if (!(overlap_mm >= 5 && overlap_mm <= 40))
-    return bad("The sheets' overlap must be between 5 and 40 mm.");
+    return bad(message("The sheets' overlap must be between 5 and 40 mm."));
   const Result<cv::Ptr<cv::aruco::Dictionary>> known = markerDictionary(dictionary);
   if (!known) return known.error();
   if (markersOnRing(diameter_mm, marker_mm) > (*known)->bytesList.rows)
-    return bad("The dictionary " + dictionary + " has too few markers for this plate.");
+    return bad(message("The dictionary %1 has too few markers for this plate.", dictionary));
   const double ruler = ruler_measured_mm;
   if (ruler != 0 && !(ruler > 0 && ruler < diameter_mm))
-    return bad("The measured ruler length must be in mm and within the plate.");
+    return bad(message("The measured ruler length must be in mm and within the plate."));
   return {};
 }
 
@@ -461,10 +471,10 @@ Result<PlatePrint> printPlate(const PlatePrintOptions& options) {
   if (options.ruler_measured_mm != 0) {
     const double off = options.ruler_measured_mm / print.ruler_mm - 1;
     if (std::abs(off) > 0.1)
-      return Error::unusable(
-          formatted("The ruler of this plate is drawn %.0f mm long; %.1f mm differs by more than a "
-                    "tenth. Print the file at 100 %%, without 'fit to page', and measure again.",
-                    print.ruler_mm, options.ruler_measured_mm));
+      return Error::unusable(message(
+          "The ruler of this plate is drawn %1 mm long; %2 mm differs by more than a tenth. "
+          "Print the file at 100 %, without 'fit to page', and measure again.",
+          decimal(print.ruler_mm, 0), decimal(options.ruler_measured_mm, 1)));
   }
   return print;
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 
@@ -59,9 +60,10 @@ Result<RigCamera> cameraFromJson(const nlohmann::json& value, const std::filesys
   camera.marker_inset_px = numberOr(value, "marker_inset_px", 0.0);
   camera.covariance = value.value("covariance", std::vector<double>());
   if (!camera.covariance.empty() && camera.covariance.size() != kParameters * kParameters)
-    return Error::unusable("Camera " + std::to_string(camera.camera) +
-                               " has a covariance of the wrong size; recalibrate the rig.",
-                           file);
+    return Error::unusable(
+        message("Camera %1 has a covariance of the wrong size; recalibrate the rig.",
+                camera.camera),
+        file);
   return camera;
 }
 
@@ -79,14 +81,14 @@ Result<Rig> readRig(const std::filesystem::path& file) {
   Rig rig;
   try {
     if (json->at("format") != kFormat)
-      return Error::unusable("Another version of Ostraka wrote this rig; recalibrate the rig.",
-                             file);
+      return Error::unusable(
+          message("Another version of Ostraka wrote this rig; recalibrate the rig."), file);
     for (const nlohmann::json& value : json->at("cameras")) {
       Result<RigCamera> camera = cameraFromJson(value, file);
       if (!camera) return camera.error();
       if (rig.find(camera->camera) != nullptr)
-        return Error::unusable(
-            "Camera " + std::to_string(camera->camera) + " appears twice in the rig.", file);
+        return Error::unusable(message("Camera %1 appears twice in the rig.", camera->camera),
+                               file);
       rig.cameras.push_back(std::move(*camera));
     }
     for (const nlohmann::json& value : json->at("stops")) {
@@ -95,9 +97,10 @@ Result<Rig> readRig(const std::filesystem::path& file) {
     }
     rig.reprojection_rms_px = numberOr(*json, "reprojection_rms_px", 0.0, 0);
   } catch (const nlohmann::json::exception& refused) {
-    return unusableJson(refused, "Not a rig file (RIG.json); recalibrate the rig.", file);
+    return unusableJson(refused, message("Not a rig file (RIG.json); recalibrate the rig."), file);
   }
-  if (rig.cameras.empty()) return Error::unusable("The rig has no camera; recalibrate it.", file);
+  if (rig.cameras.empty())
+    return Error::unusable(message("The rig has no camera; recalibrate it."), file);
   std::sort(rig.cameras.begin(), rig.cameras.end(),
             [](const RigCamera& a, const RigCamera& b) { return a.camera < b.camera; });
   return rig;
@@ -118,8 +121,8 @@ Result<void> writeRig(const std::filesystem::path& file, const Rig& rig) {
   if (std::filesystem::exists(file, absent)) {
     const Result<nlohmann::json> there = readJson(file);
     if (!there || !there->is_object())
-      return Error::unusable("This file already exists and is not a rig; choose another name.",
-                             file);
+      return Error::unusable(
+          message("This file already exists and is not a rig; choose another name."), file);
     for (const auto& [key, value] : there->items())
       if (!whole.contains(key)) whole[key] = value;
   }

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/median.h"
+#include "base/message.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
 #include "rig/marker_dictionary.h"
@@ -328,9 +329,10 @@ batch::Plate plateOf(const SheetBundle& sheet, const std::string& dictionary) {
 Error unread(std::size_t photographs) {
   return {
       ErrorCode::NotEnough,
-      "No sheet with at least " + std::to_string(kLeastMarkers) +
-          " markers of OpenCV's dictionaries was found in these " + std::to_string(photographs) +
-          " photographs; take photographs that show more of the sheet, or specify its plate.json.",
+      message(
+          "No sheet with at least %1 markers of OpenCV's dictionaries was found in these %2 "
+          "photographs; take photographs that show more of the sheet, or specify its plate.json.",
+          kLeastMarkers, photographs),
       {}};
 }
 
@@ -340,9 +342,9 @@ Result<SheetLayout> proposeSheet(const std::vector<fs::path>& photographs,
                                  const SheetLayoutOptions& options, Progress& progress,
                                  std::stop_token stop) {
   if (!(options.marker_mm > 0.5 && options.marker_mm < 1000))
-    return Error::unusable(
+    return Error::unusable(message(
         "The side of a marker must be between 0.5 and 1000 mm; measure a black square on the "
-        "paper.");
+        "paper."));
   const Result<Read> read = readMost(spread(photographs, static_cast<std::size_t>(options.probed)),
                                      options, progress, stop);
   if (!read) return read.error();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/message.h"
 #include "base/plate_order.h"
 #include "base/text.h"
 #include "cloud/nearest.h"
@@ -18,10 +19,6 @@ namespace ostraka::scan {
 namespace {
 
 constexpr std::size_t kFewest = 100;  // points; fewer are flying points, not even a crumb
-
-std::string at(const Eigen::Vector2d& place) {
-  return "at x " + fixed(place.x(), 0) + ", y " + fixed(place.y(), 0) + " mm";
-}
 
 // Where a sheet rises it may have given way under the sherd.
 double heightAbove(const rig::SheetBend& ground, const Eigen::Vector3f& p) {
@@ -172,12 +169,16 @@ Limits limitsOf(const PointCloud& cloud, const std::vector<std::vector<int>>& pi
 
 // Without a scale nobody can say that it is too small for a sherd.
 void leaveOutRelative(const Limits& limits, double longest, SplitResult& result) {
-  const double percent = 100 * longest / (limits.usual * kUsualSherd_mm);
-  const bool front = limits.side == batch::Side::Front;
-  result.warnings.push_back(
-      "An object of " + fixed(percent, 0) +
-      " % of the typical sherd's length was left out of the " + (front ? "front" : "back") +
-      " side; without a scale, it may be a sherd. If it is one, photograph it alone.");
+  const Decimal percent = decimal(100 * longest / (limits.usual * kUsualSherd_mm), 0);
+  result.warnings.push_back(inOne(
+      limits.side == batch::Side::Front
+          ? message("An object of %1 % of the typical sherd's length was left out of the front "
+                    "side; without a scale, it may be a sherd.",
+                    percent)
+          : message("An object of %1 % of the typical sherd's length was left out of the back "
+                    "side; without a scale, it may be a sherd.",
+                    percent),
+      message("If it is one, photograph it alone.")));
   result.doubtful.push_back(result.warnings.back());
 }
 
@@ -195,12 +196,16 @@ bool isSherd(const PointCloud& piece, const Limits& limits, SplitResult& result)
   if (limits.options.lengths == Lengths::Relative) {
     leaveOutRelative(limits, extent.longest_mm, result);
   } else if (small) {
-    result.warnings.push_back("A crumb of " + fixed(extent.longest_mm, 0) + " mm " +
-                              at(extent.middle) +
-                              " was left out; if it is a sherd, photograph it alone.");
+    result.warnings.push_back(
+        message("A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it "
+                "alone.",
+                decimal(extent.longest_mm, 0), decimal(extent.middle.x(), 0),
+                decimal(extent.middle.y(), 0)));
   } else {
-    result.warnings.push_back("A flat object " + at(extent.middle) +
-                              " was left out; it may be a marker or dirt on the plate.");
+    result.warnings.push_back(
+        message("A flat object at x %1, y %2 mm was left out; it may be a marker or dirt on the "
+                "plate.",
+                decimal(extent.middle.x(), 0), decimal(extent.middle.y(), 0)));
   }
   return false;
 }
@@ -251,8 +256,10 @@ void addParts(PointCloud piece, const Limits& limits, SplitResult& result) {
     return;
   }
   for (const Neck& neck : parts.necks)
-    result.warnings.push_back("Two sherds touch " + at(neck.place) +
-                              " and were split there; leave a finger's width between sherds.");
+    result.warnings.push_back(
+        message("Two sherds touch at x %1, y %2 mm and were split there; leave a finger's width "
+                "between sherds.",
+                decimal(neck.place.x(), 0), decimal(neck.place.y(), 0)));
   for (int k = 0; k < parts.count; ++k) {
     std::vector<int> indices;
     for (std::size_t i = 0; i < piece.size(); ++i)
@@ -267,7 +274,7 @@ void addParts(PointCloud piece, const Limits& limits, SplitResult& result) {
 Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                                const SplitOptions& options, Progress& progress) {
   if (!plate_cloud.empty() && !plate_cloud.hasNormals())
-    return Error::unusable("The plate's point cloud has no normals.");
+    return Error::unusable(message("The plate's point cloud has no normals."));
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));
   SplitResult result;
   std::size_t flying = 0;
@@ -284,8 +291,11 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
     if (isSherd(piece, limits, result)) addParts(std::move(piece), limits, result);
   if (result.scans.empty())
     return Error{ErrorCode::NotEnough,
-                 std::string("No sherd was found on the ") + batch::name(side) +
-                     " side; check its masks and photographs.",
+                 side == batch::Side::Front
+                     ? message("No sherd was found on the front side; check its masks and "
+                               "photographs.")
+                     : message("No sherd was found on the back side; check its masks and "
+                               "photographs."),
                  {}};
   std::stable_sort(result.scans.begin(), result.scans.end(), [&](const Scan& a, const Scan& b) {
     return comesBefore(extentOf(a.cloud, options.ground).middle,
@@ -298,7 +308,7 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
   progress.note(NoteLevel::Info, std::string("scans: ") + std::to_string(result.scans.size()) +
                                      " sherds on the " + batch::name(side) + " side, " +
                                      std::to_string(flying) + " outliers removed");
-  for (const std::string& warning : result.warnings) progress.note(NoteLevel::Warning, warning);
+  for (const Message& warning : result.warnings) progress.note(NoteLevel::Warning, warning);
   return result;
 }
 

@@ -38,10 +38,10 @@ struct SplitOptions {
 
 struct SplitResult {
   std::vector<Scan> scans;  ///< f001 ... or b001 ..., by rows from far (+y) to near, fracture found
-  std::vector<std::string> warnings;  ///< whole sentences with places on the plate in mm
+  std::vector<Message> warnings;  ///< whole sentences with places on the plate in mm
   /// With Lengths::Relative: the sentences about what was left out and, its true size unknown, may
   /// be a sherd.
-  std::vector<std::string> doubtful;
+  std::vector<Message> doubtful;
 };
 
 /// One cloud per sherd: connected pieces above the plate, with what hovers beside them and what

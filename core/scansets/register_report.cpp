@@ -87,8 +87,8 @@ std::string html(const RegisterSummary& summary, const decisions::PairTable& tab
           std::to_string(summary.ambiguous()) +
           " to review. Fronts without a back: " + listed(summary.unpaired_front) +
           ". Backs without a front: " + listed(summary.unpaired_back) + ".</p>";
-  for (const std::string& warning : summary.warnings) {
-    page += "<p class=\"ask\">" + markupText(warning) + "</p>";
+  for (const Message& warning : summary.warnings) {
+    page += "<p class=\"ask\">" + markupText(warning.english()) + "</p>";
   }
   page +=
       "<p>Blue: front. Red: back. Left: seen from above; right: a 1 mm slice through the "

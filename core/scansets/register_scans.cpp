@@ -8,6 +8,7 @@
 #include <span>
 #include <system_error>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "cloud/ply.h"
@@ -17,10 +18,10 @@
 #include "files/json.h"
 #include "files/output_place.h"
 #include "pairing/common_scale.h"
-#include "pipeline/output_folder.h"
-#include "pipeline/run_log.h"
 #include "scan/fracture.h"
 #include "scansets/register_report.h"
+#include "stages/output_folder.h"
+#include "stages/run_log.h"
 
 namespace ostraka::scansets {
 namespace {
@@ -117,9 +118,10 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
                                        " times the size of the backs");
     if (const double length = decisions::medianLength(fronts); !decisions::isSherdLength(length)) {
       factor = kUsual_mm / length;
-      progress.note(NoteLevel::Warning,
-                    "The fronts are not in mm: lengths in the result, although labelled mm, are in "
-                    "the fronts' own unit.");
+      progress.note(
+          NoteLevel::Warning,
+          message("The fronts are not in mm: lengths in the result, although labelled mm, are in "
+                  "the fronts' own unit."));
     }
     sized_fronts = pairing::scaled(fronts, factor);
     sized_backs = pairing::scaled(backs, scale * factor);
@@ -142,7 +144,7 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
 }  // namespace
 
 Result<void> RegisterOptions::check() const {
-  const auto bad = [](const char* what) { return Error::unusable(what); };
+  const auto bad = [](Message what) { return Error::unusable(std::move(what)); };
   if (front.empty()) return bad("Name the folder of the front scans (--front DIR).");
   if (back.empty()) return bad("Name the folder of the back scans (--back DIR).");
   if (output.empty()) return bad("Name the output folder (--output OUT).");
@@ -170,24 +172,24 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
       decisions::readScanFolder(options.back, options.threads);
   if (!backs) return backs.error();
   for (const decisions::ScanFolder* side : {&*fronts, &*backs})
-    for (const std::string& warning : side->warnings) progress.note(NoteLevel::Warning, warning);
+    for (const Message& warning : side->warnings) progress.note(NoteLevel::Warning, warning);
   if (options.scale == pairing::Scale::Fixed) {
     const Result<void> unit =
-        decisions::checkUnit(*fronts, *backs, "export them in mm, or use --scale free");
+        decisions::checkUnit(*fronts, *backs, message("export them in mm, or use --scale free"));
     if (!unit) return unit.error();
   }
   const std::string inputs_hash = sha256(fronts->hash + "back\n" + backs->hash);
-  const Result<FolderLock> held = pipeline::claimOutput(options.output, inputs_hash);
+  const Result<FolderLock> held = stages::claimOutput(options.output, inputs_hash);
   if (!held) return held.error();
-  pipeline::withdrawResults(options.output);
+  stages::withdrawResults(options.output);
   std::error_code ignored;
   fs::remove_all(options.output / "sherds", ignored);
 
-  pipeline::WarningsKept kept(progress);
+  stages::WarningsKept kept(progress);
   const Result<Paired> found = paired(options, fronts->scans, backs->scans, kept, stop);
   if (!found) return found.error();
   const decisions::PairTable* table = &found->table;
-  if (!held->stands()) return pipeline::outputGone(options.output);
+  if (!held->stands()) return stages::outputGone(options.output);
 
   RegisterSummary summary = summaryOf(*table, *fronts, *backs);
   summary.mm = found->mm;
@@ -212,8 +214,8 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
     return wrote.error();
   }
   if (!held->stands()) {
-    pipeline::leaveGoneOutput(options.output);
-    return pipeline::outputGone(options.output);
+    stages::leaveGoneOutput(options.output);
+    return stages::outputGone(options.output);
   }
   return summary;
 }

@@ -36,8 +36,8 @@ struct RegisterSummary {
   };
   std::vector<Pair> pairs;  ///< by front
   std::vector<std::string> unpaired_front, unpaired_back;
-  std::vector<std::string> warnings;  ///< whole sentences
-  int unusable = 0;                   ///< files that could not be read: the result is not whole
+  std::vector<Message> warnings;  ///< whole sentences
+  int unusable = 0;               ///< files that could not be read: the result is not whole
   double seconds = 0;
   std::filesystem::path pairs_file;
   /// A millimetre in the fronts' unit, by the usual size of sherds; 1 where they may well be in mm.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "files/files.h"
 #include "segmentation/shipped_network.h"
 
@@ -155,7 +156,7 @@ cv::Mat1f probabilityOf(const cv::Mat& output) {
 Result<cv::Mat1f> probability(const cv::Mat& photograph, std::string_view model,
                               const std::string& where) {
   if (photograph.type() != CV_8UC3 || photograph.empty())
-    return Error::unusable("The network needs an 8-bit colour photograph.");
+    return Error::unusable(message("The network needs an 8-bit colour photograph."));
   const Result<cv::Size> size = networkInputSize(model, photograph.size(), where);
   if (!size) return size.error();
   cv::Mat output;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/message.h"
 #include "catalogue/label_codes.h"
 #include "sherds/sherd_columns.h"
 #include "store/names.h"
@@ -41,7 +42,8 @@ Result<std::vector<Piece>> pieces(std::string_view line) {
         piece.operator_at = piece.plain.size();
       piece.plain += line[i];
     }
-    if (inside) return Error::unusable("The filter has an unclosed quotation mark.", piece.text);
+    if (inside)
+      return Error::unusable(message("The filter has an unclosed quotation mark."), piece.text);
     all.push_back(std::move(piece));
   }
   return all;
@@ -66,7 +68,8 @@ bool isComparison(Condition::Is is) {
 Result<Condition> conditionOfLabel(const std::string& code) {
   const std::optional<catalogue::LabelCode> label = catalogue::readLabelCode(code);
   if (!label || label->of != catalogue::LabelCode::Of::Sherd)
-    return Error::unusable("This is only part of a sherd's label; scan its code again.", code);
+    return Error::unusable(message("This is only part of a sherd's label; scan its code again."),
+                           code);
   Condition condition;
   const bool quoted = code.find(' ') != std::string::npos;
   condition.text = quoted ? "label:\"" + code + "\"" : "label:" + code;
@@ -102,12 +105,13 @@ Result<Condition> conditionOf(Piece piece) {
   }
   const SherdColumn* column = sherdColumn(name);
   if (!column)
-    return Error::unusable("The filter has no field '" + name +
-                               "'; enclose the word in quotation marks to search for it literally.",
+    return Error::unusable(message("The filter has no field '%1'; enclose the word in quotation "
+                                   "marks to search for it literally.",
+                                   name),
                            piece.text);
   condition.field = column->field.name;
   if (isComparison(condition.is) && !column->measure)
-    return Error::unusable("Only measurements accept < and >; write " + name + ":value.",
+    return Error::unusable(message("Only measurements accept < and >; write %1:value.", name),
                            piece.text);
   if (condition.is == Condition::Is::Equal && condition.value == "*")
     condition.is = Condition::Is::NotEmpty;
@@ -133,7 +137,7 @@ std::string Filter::text() const {
 
 Result<Filter> parseFilter(std::string_view line) {
   if (line.size() > 10'000 || !store::isUtf8(line))
-    return Error::unusable("The filter is not valid text.");
+    return Error::unusable(message("The filter is not valid text."));
   if (catalogue::beginsAsSherdLabel(store::trimmed(line)) &&
       catalogue::readLabelCode(line)) {  // its number may hold blanks
     Result<Condition> label = conditionOfLabel(store::trimmed(line));

@@ -1,3 +1,4 @@
+#include "base/message.h"
 #include "files/json_text.h"
 #include "sherds/filter.h"
 
@@ -149,7 +150,7 @@ std::string conditionSql(Query& query, const Condition& condition) {
   using Is = Condition::Is;
   if (condition.is == Is::Word) return wordSql(query, condition.value);
   const SherdColumn* column = sherdColumn(condition.field);
-  if (!column) store::refuse("There is no field '" + condition.field + "'.", condition.text);
+  if (!column) store::refuse(message("There is no field '%1'.", condition.field), condition.text);
   if (condition.is == Is::Empty) return emptySql(*column);
   if (condition.is == Is::NotEmpty) return "NOT (" + emptySql(*column) + ")";
   if (column->measure) {

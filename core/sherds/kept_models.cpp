@@ -3,8 +3,8 @@
 #include <set>
 #include <system_error>
 
+#include "base/message.h"
 #include "catalogue/catalogue.h"
-#include "files/cannot_write.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "files/open_folder.h"
@@ -70,7 +70,8 @@ Result<FolderLock> holdModels(const fs::path& project, const std::string& batch,
                               const std::stop_token& stop) {
   if (!store::isFolderName(batch))
     return Error::unusable(
-        "The number of a batch is also the name of its folder; use letters and digits.", batch);
+        message("The number of a batch is also the name of its folder; use letters and digits."),
+        batch);
   const std::string folder = folderOf(batch).generic_string();
   const std::string_view names[] = {"models", folder};
   if (const Result<void> own = checkNoLinkedFolder(project, names, LinkedFolders::OfTheseNames);
@@ -78,7 +79,8 @@ Result<FolderLock> holdModels(const fs::path& project, const std::string& batch,
     return own.error();
   return FolderLock::waitFor(
       project / folderOf(batch),
-      "Another program is entering results of this batch; this one waits until it has ended.",
+      message(
+          "Another program is entering results of this batch; this one waits until it has ended."),
       progress, stop);
 }
 
@@ -87,7 +89,7 @@ Result<std::string> keepModel(const fs::path& project, const std::string& batch,
   std::error_code failed;
   for (const char* name : kModelFiles)
     if (fs::symlink_status(from / name, failed).type() == fs::file_type::not_found)
-      return Error{ErrorCode::Missing, "This model is missing; reprocess its batch.",
+      return Error{ErrorCode::Missing, message("This model is missing; reprocess its batch."),
                    (from / name).string()};
   const fs::path all = project / folderOf(batch), unfinished = all / kUnfinished;
   if (const Result<void> ready = makeFolder(unfinished); !ready) return ready.error();
@@ -111,8 +113,9 @@ Result<std::string> keepModel(const fs::path& project, const std::string& batch,
   if (!name) return Error{name.error().code, name.error().what, from.string()};
   for (const char* file : kModelFiles)
     if (const auto hash = made.find(file); hash == made.end() || hash->second != kept[file])
-      return Error::unusable("These results of 'ostraka process' are incomplete; run it again.",
-                             (from / file).string());
+      return Error::unusable(
+          message("These results of 'ostraka process' are incomplete; run it again."),
+          (from / file).string());
   if (const Result<std::string> there = nameOf(all / *name, earlier); !there || *there != *name) {
     fs::remove_all(all / *name, failed);  // damaged since
     fs::rename(partial, all / *name, failed);
@@ -127,7 +130,8 @@ Result<void> dropUnusedModels(const catalogue::Catalogue& catalogue, const fs::p
                               const std::string& batch, const std::set<std::string>& kept) {
   if (!store::isFolderName(batch))
     return Error::unusable(
-        "The number of a batch is also the name of its folder; use letters and digits.", batch);
+        message("The number of a batch is also the name of its folder; use letters and digits."),
+        batch);
   std::set<std::string> unused;
   std::error_code failed;
   for (const fs::directory_entry& entry : fs::directory_iterator(project / folderOf(batch), failed))

@@ -32,8 +32,9 @@ Result<std::vector<records::FieldChange>> changeMany(const catalogue::Catalogue&
     while (!undo.empty()) {
       if (const auto done = SherdChanges(catalogue).apply(undo.back(), provenance); !done)
         return {done.error().code,
-                why.what + " Some of the changes remain because they could not be undone: " +
-                    done.error().what,
+                inOne(why.what,
+                      message("Some of the changes remain because they could not be undone: %1",
+                              done.error().what)),
                 done.error().where};
       undo.pop_back();
     }

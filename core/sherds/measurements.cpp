@@ -1,5 +1,6 @@
 #include "sherds/measurements.h"
 
+#include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/history.h"
 #include "records/sherd.h"
@@ -80,8 +81,8 @@ ComputedMeasures computedMeasures(const catalogue::Catalogue& catalogue, store::
 void setMeasure(const catalogue::Catalogue& catalogue, const records::Measurement& m,
                 const records::Provenance& provenance, MeasureRank rank) {
   const std::string unit = records::unitOf(m.kind);
-  if (unit.empty()) store::refuse("There is no measurement of this kind.", m.kind);
-  if (!(m.value >= 0)) store::refuse("A measurement cannot be less than 0.", m.kind);
+  if (unit.empty()) store::refuse(message("There is no measurement of this kind."), m.kind);
+  if (!(m.value >= 0)) store::refuse(message("A measurement cannot be less than 0."), m.kind);
   store::Database& database = catalogue.database();
   const Current old = currentOf(database, m.sherd, m.kind);
   if (old.row && old.value == m.value && old.by == m.by && old.method == m.method &&

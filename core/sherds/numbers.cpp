@@ -3,6 +3,7 @@
 #include <ctime>
 #include <map>
 
+#include "base/message.h"
 #include "catalogue/history.h"
 #include "catalogue/settings.h"
 #include "records/numbering.h"
@@ -110,7 +111,7 @@ void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord
   }
   const Taken taken = takenBy(database, number);
   if (taken.sherd && (taken.sherd != sherd.row || taken.slug_only))
-    store::refuse("The number " + number + " was assigned before; numbers are never reused.",
+    store::refuse(message("The number %1 was assigned before; numbers are never reused.", number),
                   number);
   if (!taken.sherd) {
     const Counted counted = countedIn(catalogue, schemeOf(catalogue), sherd, number);
@@ -153,8 +154,9 @@ Result<std::vector<std::string>> Numbers::propose(std::span<const store::SherdRo
       do {
         const std::int64_t n = next[counter]++;
         if (n > last)
-          store::refuse("The block of numbers up to " + std::to_string(last) +
-                            " is used up; assign this computer a new block in the settings.",
+          store::refuse(message("The block of numbers up to %1 is used up; assign this computer a "
+                                "new block in the settings.",
+                                last),
                         counter);
         number = store::valueOrThrow(scheme.number(tokens, static_cast<int>(n)));
         // Typed by hand in another form, or on a plate that is not computed yet.

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/history.h"
 #include "files/json.h"
@@ -39,7 +40,9 @@ void checkSide(store::Database& database, store::BatchRow batch, store::ScanRow 
   store::Statement row =
       database.sql("SELECT 1 FROM scan WHERE row = ? AND batch = ? AND side = ?");
   if (!row.with(scan, batch, side).next())
-    store::refuse(std::string("The scan is not a ") + side + " of this batch.");
+    store::refuse(side == std::string_view("front")
+                      ? message("The scan is not a front of this batch.")
+                      : message("The scan is not a back of this batch."));
 }
 
 store::DecisionRow insertDecision(store::Database& database, const records::PairDecision& d,
@@ -141,9 +144,13 @@ std::vector<Followed> sherdsOf(store::Database& database, store::BatchRow batch)
   return all;
 }
 
-constexpr const char* kNoPartner = "its front no longer has a back";
+constexpr auto kNoPartner = translatable<0>("its front no longer has a back");
 
 }  // namespace
+
+Message voidReason(const std::string& reason) {
+  return reason == kNoPartner.words() ? message(kNoPartner) : Message(reason);
+}
 
 void settleSherds(const catalogue::Catalogue& catalogue, store::BatchRow batch,
                   const records::Provenance& provenance) {
@@ -178,8 +185,8 @@ void settleSherds(const catalogue::Catalogue& catalogue, store::BatchRow batch,
     // A draft comes and goes with its pair; a number stays with its front.
     const bool draft = sherd.number.empty();
     if (draft && !back && sherd.state == records::SherdState::Draft)
-      store::valueOrThrow(Sherds(catalogue).voidSherd(sherd.row, kNoPartner, provenance));
-    if (draft && back && sherd.void_reason == kNoPartner) {
+      store::valueOrThrow(Sherds(catalogue).voidSherd(sherd.row, kNoPartner.words(), provenance));
+    if (draft && back && sherd.void_reason == kNoPartner.words()) {
       const records::FieldChange revived{sherd.row, "void_reason", ""};
       store::valueOrThrow(SherdChanges(catalogue).apply(std::span(&revived, 1), provenance));
     }
@@ -214,14 +221,14 @@ Result<store::DecisionRow> PairDecisions::add(const records::PairDecision& d,
     checkSide(*database_, d.batch, d.back, "back");
     const bool pair =
         d.verdict == records::Verdict::Accept || d.verdict == records::Verdict::Reject;
-    if (pair && !(d.front && d.back)) store::refuse("A pair needs a front and a back.");
+    if (pair && !(d.front && d.back)) store::refuse(message("A pair needs a front and a back."));
     if (d.verdict == records::Verdict::Withdraw) {
       store::Statement row = database_->sql(
           "SELECT 1 FROM pair_decision WHERE row = ? AND batch = ? AND (person IS NULL) = ?");
       if (!row.with(d.replaces, d.batch, !provenance.person).next())
-        store::refuse("The decision to undo is not in this batch.");
+        store::refuse(message("The decision to undo is not in this batch."));
     } else if (!d.front && !d.back) {
-      store::refuse("A decision needs a front, a back or both.");
+      store::refuse(message("A decision needs a front, a back or both."));
     }
     records::PairDecision decided = d;
     decided.at_ms = now();
@@ -239,7 +246,8 @@ Result<store::DecisionRow> restoreDecision(const catalogue::Catalogue& catalogue
     checkSide(database, d.batch, d.front, "front");
     checkSide(database, d.batch, d.back, "back");
     for (const std::string& given : {id, d.decision.empty() ? id : d.decision})
-      if (!isUuid(given)) store::refuse("The uuid of a decision is not well formed.", given);
+      if (!isUuid(given))
+        store::refuse(message("The uuid of a decision is not well formed."), given);
     return insertDecision(database, d, id);
   });
 }

@@ -19,4 +19,7 @@ class PairDecisions : public catalogue::Subject {
   Result<store::DecisionRow> add(const records::PairDecision&, const records::Provenance&);
 };
 
+/// Why a sherd is void, for a person: the program's own reason is translated, a typed one is not.
+Message voidReason(const std::string& reason);
+
 }  // namespace ostraka::sherds

@@ -1,5 +1,6 @@
 #include "sherds/restore.h"
 
+#include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/batches.h"
 #include "records/words.h"
@@ -26,7 +27,7 @@ std::map<Row, std::string> idsIn(store::Database& database, const char* query,
 }
 
 const std::string& wellFormed(const std::string& id) {
-  if (!isUuid(id)) store::refuse("A uuid of the export is not well formed.", id);
+  if (!isUuid(id)) store::refuse(message("A uuid of the export is not well formed."), id);
   return id;
 }
 

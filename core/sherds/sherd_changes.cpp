@@ -20,7 +20,7 @@
 
 namespace ostraka::sherds {
 namespace {
-
+using store::refuse;
 constexpr double kMostMillimetres = 1000, kMostGrams = 20'000;
 
 // A change that was looked at: what the preview shows, and what is needed to do it.
@@ -70,10 +70,9 @@ class Examination {
     value = store::valueOrThrow(store::checkedText(typed));
     if (field.starts_with("extra.") && field.size() > 6) return;
     change.column = sherdColumn(field);
-    if (!change.column) store::refuse("There is no field '" + field + "'.");
+    if (!change.column) refuse(message("There is no field '%1'.", field));
     const records::SherdField& known = change.column->field;
-    if (!known.editable)
-      store::refuse("The field " + field + " is read-only: the program sets it.");
+    if (!known.editable) refuse(message("The field %1 is read-only: the program sets it.", field));
     switch (known.kind) {
       case records::FieldKind::Text:
         if (field == "number") number(sherd, change);
@@ -107,24 +106,24 @@ class Examination {
   void number(const records::SherdRecord& sherd, Examined& change) {
     const std::string& value = change.shown.new_value;
     if (sherd.state == records::SherdState::Void && value != sherd.number)
-      store::refuse("A void sherd keeps its number.");
+      refuse(message("A void sherd keeps its number."));
     if (value.empty() || value == sherd.number) return;
     store::valueOrThrow(store::checkedNumber(value));
     const Taken taken = takenBy(catalogue_.database(), value);
     const std::string key = store::uniqueKey(value);
     const auto [earlier, first] = numbers_.emplace(key, sherd.row);
     if (!first && earlier->second != sherd.row)
-      store::refuse("The number " + value + " would be assigned twice.");
+      refuse(message("The number %1 would be assigned twice.", value));
     if (!taken.sherd) return notOnAPlate(sherd, value);
     if (taken.sherd == sherd.row && !taken.slug_only) return;
     change.shown.in_the_way = taken.sherd;
     const Result<records::SherdRecord> other = Sherds(catalogue_).get(taken.sherd);
     if (taken.slug_only)
-      store::refuse("The files of " + value + " would have the same names as those of " +
-                    taken.number + ".");
+      refuse(message("The files of %1 would have the same names as those of %2.", value,
+                     taken.number));
     if (other && other->number != taken.number)
-      store::refuse("The number " + value + " was assigned before and is never reused.");
-    store::refuse("The number " + value + " belongs to another sherd.");
+      refuse(message("The number %1 was assigned before and is never reused.", value));
+    refuse(message("The number %1 belongs to another sherd.", value));
   }
 
   // Else it would be written on two sherds.
@@ -132,8 +131,8 @@ class Examination {
     if (!waiting_) waiting_ = typedAndWaiting(catalogue_);
     const auto plate = waiting_->find(store::uniqueKey(number));
     if (plate != waiting_->end() && plate->second != sherd.batch_number)
-      store::refuse("The number " + number + " was entered for a sherd of " + plate->second +
-                    ", which is not processed yet.");
+      refuse(message("The number %1 was entered for a sherd of %2, which is not processed yet.",
+                     number, plate->second));
   }
 
   // The term itself, also when a label of another language or capitals were typed.
@@ -148,8 +147,9 @@ class Examination {
       }
     const auto found = known.find(store::uniqueKey(typed));
     if (found != known.end()) return found->second;
-    store::refuse("'" + typed + "' is not a term of the vocabulary '" + vocabulary +
-                  "'; choose another or add it in the settings.");
+    refuse(message(
+        "'%1' is not a term of the vocabulary '%2'; choose another or add it in the settings.",
+        typed, vocabulary));
   }
 
   void terms(const std::string& vocabulary, std::string& value) {
@@ -175,13 +175,13 @@ class Examination {
     change.number = store::valueOrThrow(store::parsedNumber(value));
     if (half) change.uncertainty = store::valueOrThrow(store::parsedNumber(*half));
     if (change.uncertainty.value_or(0) < 0)
-      store::refuse("Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.");
-    if (!(change.number > 0)) store::refuse("Enter a value greater than 0.");
+      refuse(message("Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown."));
+    if (!(change.number > 0)) refuse(message("Enter a value greater than 0."));
     if (unit == "mm" && change.number > kMostMillimetres)
-      store::refuse("No sherd is larger than 1000 mm; check that the value is in millimetres.");
+      refuse(message("No sherd is larger than 1000 mm; check that the value is in millimetres."));
     if (unit == "g" && change.number > kMostGrams)
-      store::refuse("No sherd is heavier than 20 kg; check that the value is in grams.");
-    if (unit == "pct" && change.number > 100) store::refuse("A share cannot exceed 100 %.");
+      refuse(message("No sherd is heavier than 20 kg; check that the value is in grams."));
+    if (unit == "pct" && change.number > 100) refuse(message("A share cannot exceed 100 %."));
     change.shown.new_value = store::numberText(change.number);
     if (change.uncertainty) showUncertainty(sherd, change);
   }
@@ -230,8 +230,9 @@ class Examination {
       if (computed.current.contains(kind))
         findings.push_back({doubt, kind, change->number, {}, computed.values.at(kind)});
       for (const records::MeasureFinding& finding : findings)
-        change->shown.question +=
-            (change->shown.question.empty() ? "" : " ") + records::sentenceOf(finding);
+        change->shown.question = change->shown.question.empty()
+                                     ? records::sentenceOf(finding)
+                                     : inOne(change->shown.question, records::sentenceOf(finding));
     }
   }
 
@@ -240,8 +241,8 @@ class Examination {
     for (const std::string& typed : store::splitTerms(change.shown.new_value)) {
       store::SherdRow other = store::valueOrThrow(Sherds(catalogue_).byNumber(typed));
       if (!other) other = store::valueOrThrow(Sherds(catalogue_).byId(typed));
-      if (!other) store::refuse("There is no sherd " + typed + " to join.");
-      if (other == sherd.row) store::refuse("A sherd cannot join itself.");
+      if (!other) refuse(message("There is no sherd %1 to join.", typed));
+      if (other == sherd.row) refuse(message("A sherd cannot join itself."));
       change.joins.push_back(other);
     }
     std::sort(change.joins.begin(), change.joins.end());
@@ -270,28 +271,28 @@ class Examination {
     store::BagRow bag;
     if (!wanted["context"].empty()) {
       if (wanted["site"].empty())
-        store::refuse("The context " + wanted["context"] + " needs its site; enter both.");
+        refuse(message("The context %1 needs its site; enter both.", wanted["context"]));
       context = store::valueOrThrow(
           catalogue::Places(catalogue_)
               .contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
       if (!context)
-        store::refuse("There is no context " + wanted["context"] + " in " + wanted["site"] +
-                      (wanted["trench"].empty() ? "" : " " + wanted["trench"]) + "; add it first.");
+        refuse(message("There is no context %1 in %2; add it first.", wanted["context"],
+                       wanted["site"] + (wanted["trench"].empty() ? "" : " " + wanted["trench"])));
     } else if (sherd.state == records::SherdState::Numbered && !losesNumber(changes)) {
-      store::refuse("A numbered sherd needs its context.");
+      refuse(message("A numbered sherd needs its context."));
     }
     if (!wanted["bag"].empty()) {
       store::Statement rows =
           catalogue_.database().sql("SELECT row FROM bag WHERE context = ? AND number_key = ?");
       if (!rows.with(context, store::uniqueKey(wanted["bag"])).next())
-        store::refuse(!context ? "A bag belongs to a context; enter the context first."
-                      : wanted["bag"] == sherd.bag_number
-                          ? "Context " + wanted["context"] + " has no bag " + wanted["bag"] +
-                                "; change or empty the bag at the same time."
-                          : "There is no bag " + wanted["bag"] + " in context " +
-                                wanted["context"] +
-                                " yet; enter it during capture or import a table of contexts that "
-                                "contains it.");
+        refuse(
+            !context ? message("A bag belongs to a context; enter the context first.")
+            : wanted["bag"] == sherd.bag_number
+                ? message("Context %1 has no bag %2; change or empty the bag at the same time.",
+                          wanted["context"], wanted["bag"])
+                : message("There is no bag %1 in context %2 yet; enter it during capture or import "
+                          "a table of contexts that contains it.",
+                          wanted["bag"], wanted["context"]));
       rows >> bag;
     }
     for (Examined* change : changes)
@@ -427,7 +428,7 @@ void write(const catalogue::Catalogue& catalogue, const Examined& change,
     sherd.bag = change.bag;
   } else if (field == "number") {
     if (!value.empty() && !sherd.context)
-      store::refuse("A sherd needs its context before it gets a number.", value);
+      refuse(message("A sherd needs its context before it gets a number."), value);
     setNumber(catalogue, store::valueOrThrow(Sherds(catalogue).get(row)), value);
     sherd.number = value;
   } else if (field == "void_reason") {
@@ -475,9 +476,9 @@ Result<std::vector<records::FieldChange>> SherdChanges::apply(
       return all.sherds.at(change.shown.change.sherd.value).number;
     };
     for (const Examined& change : all.changes)
-      if (!change.shown.refusal.empty()) store::refuse(change.shown.refusal, numberOf(change));
+      if (!change.shown.refusal.empty()) refuse(change.shown.refusal, numberOf(change));
     for (const Examined& change : all.changes)
-      if (change.shown.asks()) store::refuse(change.shown.question, numberOf(change));
+      if (change.shown.asks()) refuse(change.shown.question, numberOf(change));
     std::vector<records::FieldChange> undo;
     std::map<std::int64_t, Plain> touched;
     for (const int turn : {0, 1, 2})

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <string>
 
+#include "base/message.h"
 #include "sherds/sherd_columns.h"
 
 namespace ostraka::sherds {
@@ -88,7 +89,7 @@ Values valuesOf(store::Database& database, const std::string& field) {
   if (field == "updated")
     return sweep<std::int64_t>(database, "SELECT updated_at, row FROM sherd ORDER BY updated_at");
   const SherdColumn* column = sherdColumn(field);
-  if (!column || !column->sql) store::refuse("The table cannot be sorted by '" + field + "'.");
+  if (!column || !column->sql) store::refuse(message("The table cannot be sorted by '%1'.", field));
   const std::string name = column->field.name;
   if (column->measure) {
     const std::string measure = column->measure;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <unordered_map>
 
+#include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/history.h"
 #include "catalogue/search.h"
@@ -135,7 +136,7 @@ Result<std::vector<records::SherdRecord>> Sherds::of(std::span<const store::Sher
     page.reserve(rows.size());
     for (const store::SherdRow& row : rows) {
       const auto sherd = found.find(row.value);
-      if (sherd == found.end()) store::refuse("A sherd is no longer in the catalogue.");
+      if (sherd == found.end()) store::refuse(message("A sherd is no longer in the catalogue."));
       page.push_back(sherd->second);
     }
     return page;
@@ -193,9 +194,9 @@ Result<store::SherdRow> Sherds::add(const records::SherdRecord& s,
                                     const records::Provenance& provenance) {
   return database_->inTransaction([&] {
     const std::string id = s.id.empty() ? newId(now()) : s.id;
-    if (!isUuid(id)) store::refuse("The uuid of a sherd is not well formed.", id);
+    if (!isUuid(id)) store::refuse(message("The uuid of a sherd is not well formed."), id);
     store::Statement same = database_->sql("SELECT 1 FROM sherd WHERE id = ?");
-    if (same.with(id).next()) store::refuse("A sherd with this uuid already exists.", id);
+    if (same.with(id).next()) store::refuse(message("A sherd with this uuid already exists."), id);
     const store::SherdRow row{catalogue::addRow(
         catalogue_, provenance, "sherd", id, "number_sort context bag batch front back extra",
         kBehindAllNumbers, s.context, s.bag, s.batch, s.front, s.back, s.extra_json)};
@@ -230,7 +231,7 @@ Result<void> Sherds::setModel(store::SherdRow sherd, const std::string& model_pa
 Result<void> Sherds::voidSherd(store::SherdRow sherd, const std::string& reason,
                                const records::Provenance& provenance) {
   if (store::trimmed(reason).empty())
-    return Error::unusable("A void sherd needs a reason; enter it.");
+    return Error::unusable(message("A void sherd needs a reason; enter it."));
   const records::FieldChange voided{sherd, "void_reason", reason};
   const Result<std::vector<records::FieldChange>> done =
       SherdChanges(catalogue_).apply(std::span(&voided, 1), provenance);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/message.h"
 #include "catalogue/batches.h"
 #include "catalogue/label_codes.h"
 #include "catalogue/places.h"
@@ -102,14 +103,15 @@ records::SherdRecord placeOnPlate(const catalogue::Catalogue& catalogue, store::
 // Its number may be another, or there be one at all, since the label was printed.
 std::string numberOfLabel(const catalogue::Catalogue& catalogue, const std::string& code) {
   const std::optional<catalogue::LabelCode> label = catalogue::readLabelCode(code);
-  if (!label) store::refuse("This is only part of a sherd's label; scan its code again.", code);
+  if (!label)
+    store::refuse(message("This is only part of a sherd's label; scan its code again."), code);
   std::string number = namesNoNumber(catalogue, *label) ? std::string() : label->number;
   if (const store::SherdRow known =
           store::valueOrThrow(catalogue::sherdOfLabel(catalogue, *label))) {
     const records::SherdRecord sherd = store::valueOrThrow(Sherds(catalogue).get(known));
     if (!sherd.number.empty() || label->isPlaceOnPlate()) number = sherd.number;
   }
-  if (number.empty()) store::refuse("The sherd of this label has no number yet.", code);
+  if (number.empty()) store::refuse(message("The sherd of this label has no number yet."), code);
   return number;
 }
 
@@ -119,7 +121,7 @@ std::string wholeOf(const catalogue::Catalogue& catalogue, const records::SherdR
   if (catalogue::beginsAsSherdLabel(text)) return numberOfLabel(catalogue, text);
   if (text.starts_with('=')) {
     const std::string itself = store::trimmed(std::string_view(text).substr(1));
-    if (itself.empty()) store::refuse("Enter a number after =.", text);
+    if (itself.empty()) store::refuse(message("Enter a number after =."), text);
     return itself;
   }
   if (text.empty() || text.size() > kMostDigits ||
@@ -177,12 +179,13 @@ Result<void> setTypedNumbers(const catalogue::Catalogue& catalogue, store::Batch
     for (const TypedNumber& typed : numbers) {
       const std::string number = store::uniqueKey(typed.number);
       if (!seen.insert(number).second)
-        store::refuse("The number " + typed.number + " appears on two sherds of this plate.",
+        store::refuse(message("The number %1 appears on two sherds of this plate.", typed.number),
                       typed.number);
       if (stood.contains(number)) continue;  // what is wrong with it hinders no other
       if (store::hasInvisible(typed.number))
-        store::refuse("A number or code cannot contain invisible characters; type it again.",
-                      typed.number);
+        store::refuse(
+            message("A number or code cannot contain invisible characters; type it again."),
+            typed.number);
       const Taken taken = takenBy(database, typed.number);
       const records::SherdRecord holder =
           taken.sherd ? store::valueOrThrow(Sherds(catalogue).get(taken.sherd))
@@ -192,7 +195,7 @@ Result<void> setTypedNumbers(const catalogue::Catalogue& catalogue, store::Batch
           (waitsForPhotographs(catalogue, holder) && store::uniqueKey(holder.number) == number);
       const auto elsewhere = waiting.find(number);
       if (!may || (elsewhere != waiting.end() && elsewhere->second != own))
-        store::refuse("The number " + typed.number + " already belongs to another sherd.",
+        store::refuse(message("The number %1 already belongs to another sherd.", typed.number),
                       typed.number);
     }
     store::valueOrThrow(

@@ -2,9 +2,9 @@
 
 #include <string>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "colmap/colmap_program.h"
-#include "files/cannot_write.h"
 #include "files/files.h"
 #include "stereo/outside_adapter.h"
 
@@ -56,10 +56,11 @@ Result<PointCloud> reconstructWithColmap(std::span<const View> views, const Dens
           log, stop);
       !r) {
     if (r.error().code == ErrorCode::Failed && saysThatCudaIsMissing(log))
-      return Error{ErrorCode::Missing,
-                   "This COLMAP was built without CUDA, which its dense stereo needs; install one "
-                   "with CUDA, or use --dense builtin, which needs neither.",
-                   program->string()};
+      return Error{
+          ErrorCode::Missing,
+          message("This COLMAP was built without CUDA, which its dense stereo needs; install one "
+                  "with CUDA, or use --dense builtin, which needs neither."),
+          program->string()};
     return r.error();
   }
   progress.report(8, 10);

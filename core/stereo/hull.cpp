@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/message.h"
 #include "base/parallel.h"
 
 namespace ostraka::stereo {
@@ -134,9 +135,10 @@ Result<Hull> carveHull(std::span<const Frame* const> frames, const DenseOptions&
     Hull hull = carve(frames, box, kMaxCubes, threads);
     if (!boundsOf(hull).isEmpty()) return hull;
   }
-  return Error{ErrorCode::NotEnough,
-               "The masks of the views show no common object; check masks, cameras and bounds.",
-               {}};
+  return Error{
+      ErrorCode::NotEnough,
+      message("The masks of the views show no common object; check masks, cameras and bounds."),
+      {}};
 }
 
 std::vector<DepthRange> depthRanges(const Hull& hull, const Frame& frame) {

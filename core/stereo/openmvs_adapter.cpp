@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "colmap/colmap_program.h"
 #include "stereo/outside_adapter.h"
@@ -34,7 +35,8 @@ Result<PointCloud> reconstructWithOpenMvs(std::span<const View> views, const Den
     return r.error();
   std::error_code failed;
   if (!fs::is_regular_file(scene, failed))
-    return Error{ErrorCode::Failed, "InterfaceCOLMAP wrote no scene; its output is in this file.",
+    return Error{ErrorCode::Failed,
+                 message("InterfaceCOLMAP wrote no scene; its output is in this file."),
                  log.string()};
   progress.report(2, 10);
   progress.note(NoteLevel::Info, "stereo: OpenMVS's DensifyPointCloud");

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "cloud/ply.h"
 #include "colmap/colmap_files.h"
@@ -39,16 +40,18 @@ Result<void> writePicture(const fs::path& file, const cv::Mat& picture) {
 
 Result<void> check(std::span<const View> views) {
   if (views.size() < 3)
-    return Error{
-        ErrorCode::NotEnough, "Stereo needs at least 3 photographs with known cameras.", {}};
+    return Error{ErrorCode::NotEnough,
+                 message("Stereo needs at least 3 photographs with known cameras."),
+                 {}};
   for (const View& v : views)
     if (v.photograph.type() != CV_8UC3 || v.photograph.cols != v.camera.intrinsics.width ||
         v.photograph.rows != v.camera.intrinsics.height ||
         (!v.mask.empty() && v.mask.size() != v.photograph.size()))
-      return Error{ErrorCode::UnusableInput,
-                   "The photograph or its mask differs in size from its camera's images; use "
-                   "photographs of the size that the camera was calibrated with.",
-                   v.camera.file};
+      return Error{
+          ErrorCode::UnusableInput,
+          message("The photograph or its mask differs in size from its camera's images; use "
+                  "photographs of the size that the camera was calibrated with."),
+          v.camera.file};
   return {};
 }
 
@@ -209,9 +212,9 @@ Result<PointCloud> readOutsideCloud(const fs::path& file, const std::string& pro
                                     const fs::path& log, std::span<const View> views,
                                     const DenseOptions& options) {
   const Error nothing{ErrorCode::NotEnough,
-                      program +
-                          " found no points of the object; its output is in this file, and --dense "
-                          "builtin needs no other program.",
+                      message("%1 found no points of the object; its output is in this file, and "
+                              "--dense builtin needs no other program.",
+                              program),
                       log.string()};
   std::error_code failed;
   if (!fs::is_regular_file(file, failed)) return nothing;
@@ -223,11 +226,11 @@ Result<PointCloud> readOutsideCloud(const fs::path& file, const std::string& pro
   cloud.colors = contents->mesh.colors;
   if (cloud.empty()) return nothing;
   if (!cloud.hasNormals())
-    return Error{ErrorCode::Failed,
-                 program +
-                     " wrote points without normals; install a newer version, or use "
-                     "--dense builtin.",
-                 file.string()};
+    return Error{
+        ErrorCode::Failed,
+        message("%1 wrote points without normals; install a newer version, or use --dense builtin.",
+                program),
+        file.string()};
   std::vector<cv::Mat1b> wide(views.size());
   parallelFor(views.size(), options.threads, [&](std::size_t i) {
     if (!views[i].mask.empty()) cv::dilate(views[i].mask, wide[i], cv::Mat());
@@ -259,8 +262,9 @@ Result<fs::path> outsideProgram(const std::string& name, const std::string& opti
   const std::optional<fs::path> program = colmap::findProgram(name);
   if (program) return *program;
   return Error{ErrorCode::Missing,
-               "The program " + name + " is not on the PATH, but --dense " + option +
-                   " needs it; install it, or use --dense builtin, which needs no other program.",
+               message("The program %1 is not on the PATH, but --dense %2 needs it; install it, or "
+                       "use --dense builtin, which needs no other program.",
+                       name, option),
                {}};
 }
 

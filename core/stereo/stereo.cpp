@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "stereo/frame.h"
 #include "stereo/fusion.h"
@@ -50,18 +51,20 @@ struct Matching {
 
 Result<void> Matching::check() const {
   if (views.size() < 3)
-    return Error{
-        ErrorCode::NotEnough, "Stereo needs at least 3 photographs with known cameras.", {}};
+    return Error{ErrorCode::NotEnough,
+                 message("Stereo needs at least 3 photographs with known cameras."),
+                 {}};
   for (const View& v : views) {
     if (v.photograph.empty() || v.photograph.type() != CV_8UC3 ||
         v.photograph.cols != v.camera.intrinsics.width ||
         v.photograph.rows != v.camera.intrinsics.height)
-      return Error{ErrorCode::UnusableInput,
-                   "The photograph differs in size from the images that its camera was calibrated "
-                   "with; use the original photograph.",
-                   v.camera.file};
+      return Error{
+          ErrorCode::UnusableInput,
+          message("The photograph differs in size from the images that its camera was calibrated "
+                  "with; use the original photograph."),
+          v.camera.file};
     if (!v.mask.empty() && v.mask.size() != v.photograph.size())
-      return Error{ErrorCode::UnusableInput, "The mask and its photograph differ in size.",
+      return Error{ErrorCode::UnusableInput, message("The mask and its photograph differ in size."),
                    v.camera.file};
   }
   return {};
@@ -239,7 +242,7 @@ Result<Reconstruction> reconstruct(std::span<const View> views, const DenseOptio
   tell(std::to_string(points.size()) + " points on the smoothed surface");
   if (points.empty())
     return Error{ErrorCode::NotEnough,
-                 "No two views agree on any surface point; check cameras and masks.",
+                 message("No two views agree on any surface point; check cameras and masks."),
                  {}};
   return Reconstruction{work.coloured(points), agreement};
 }

@@ -9,6 +9,7 @@
 #include <list>
 #include <thread>
 
+#include "base/message.h"
 #include "files/files.h"
 #include "store/file_header.h"
 #include "store/page_checksums.h"
@@ -18,7 +19,7 @@ namespace ostraka::store {
 
 namespace fs = std::filesystem;
 
-void refuse(std::string what, std::string where) {
+void refuse(Message what, std::string where) {
   throw Refused(Error::unusable(std::move(what), std::move(where)));
 }
 
@@ -128,9 +129,10 @@ static int lookAgain(void* of, int times) {
   const Waiting& waiting = *static_cast<const Waiting*>(of);
   if (times >= kTimes || waiting.stop.stop_requested()) return 0;
   if (times == kTimesUnsaid && waiting.progress != nullptr)
-    waiting.progress->note(NoteLevel::Warning,
-                           "Another program is repairing or using the catalogue; this one waits "
-                           "up to 10 seconds.");
+    waiting.progress->note(
+        NoteLevel::Warning,
+        message("Another program is repairing or using the catalogue; this one waits "
+                "up to 10 seconds."));
   std::this_thread::sleep_for(kPause);
   return 1;
 }
@@ -164,7 +166,7 @@ Result<void> Database::connect(const std::string& name, int flags) {
     return {};
   }
   return Error::unusable(
-      "The catalogue cannot be opened; check that the folder exists and is writable.",
+      message("The catalogue cannot be opened; check that the folder exists and is writable."),
       file_.string());
 }
 
@@ -193,10 +195,11 @@ Result<void> Database::connectToCopy() {
                       (scratch_->path() / "catalogue.sqlite").string() + part, failed);
   }
   if (!made || failed)
-    return Error{ErrorCode::CannotWrite,
-                 "This project is read-only, and there is no space for the copy that Ostraka "
-                 "reads; free some space in the folder for temporary files.",
-                 file_.string()};
+    return Error{
+        ErrorCode::CannotWrite,
+        message("This project is read-only, and there is no space for the copy that Ostraka "
+                "reads; free some space in the folder for temporary files."),
+        file_.string()};
   if (Result<void> opened = connect(scratch_->path() / "catalogue.sqlite", SQLITE_OPEN_READWRITE);
       !opened)
     return opened;
@@ -243,7 +246,7 @@ Result<void> Database::writeAhead() {
 // Asked for once this connection keeps a repair from beginning: with a WAL, as long as it lives.
 Result<void> Database::notUnderRepair() const {
   if (std::error_code none; fs::exists(fs::symlink_status(repairedBeside(file_), none)))
-    return damagedCatalogue("its repair was interrupted", file_);
+    return damagedCatalogue(message("its repair was interrupted"), file_);
   return {};
 }
 
@@ -314,37 +317,41 @@ static bool isFullAt(const fs::path& folder) {
 }
 
 static Error errorAt(const SqlFailure& failure, const fs::path& file) {
-  if (failure.code == SQLITE_IOERR_DATA) return damagedCatalogue("a page was changed", file);
+  if (failure.code == SQLITE_IOERR_DATA)
+    return damagedCatalogue(message("a page was changed"), file);
   // A repair has put another file in its place.
   if (failure.code == SQLITE_READONLY_DBMOVED)
-    return {ErrorCode::Failed, "Another program is using the catalogue; close it, then try again.",
+    return {ErrorCode::Failed,
+            message("Another program is using the catalogue; close it, then try again."),
             file.string()};
   const int kind = failure.code & 0xFF;
   if (kind == SQLITE_FULL ||
       ((kind == SQLITE_CANTOPEN || kind == SQLITE_IOERR) && isFullAt(file.parent_path())))
     return {ErrorCode::CannotWrite,
-            "The disk is full; free some space, then try again. No data was lost.", file.string()};
+            message("The disk is full; free some space, then try again. No data was lost."),
+            file.string()};
   switch (kind) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
       return {ErrorCode::Failed,
-              "Another program is using the catalogue; close it, then try again.", file.string()};
+              message("Another program is using the catalogue; close it, then try again."),
+              file.string()};
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_CANTOPEN:
       return {ErrorCode::CannotWrite,
-              "The catalogue cannot be written to; check the permissions of the folder.",
+              message("The catalogue cannot be written to; check the permissions of the folder."),
               file.string()};
     case SQLITE_IOERR:
-      return {ErrorCode::CannotWrite, "The disk reports errors; check it, then reopen the project.",
+      return {ErrorCode::CannotWrite,
+              message("The disk reports errors; check it, then reopen the project."),
               file.string()};
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
-      return damagedCatalogue("its pages are inconsistent", file);
+      return damagedCatalogue(message("its pages are inconsistent"), file);
     default:
-      return Error::unusable(
-          std::string("The catalogue rejects this operation (") + failure.what() + ").",
-          file.string());
+      return Error::unusable(message("The catalogue rejects this operation (%1).", failure.what()),
+                             file.string());
   }
 }
 

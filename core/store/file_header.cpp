@@ -7,6 +7,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "base/message.h"
 #include "store/page_checksums.h"
 
 namespace ostraka::store {
@@ -67,11 +68,11 @@ Beginning beginningOf(const fs::path& file) {
 
 }  // namespace
 
-Error damagedCatalogue(const std::string& why, const fs::path& file) {
+Error damagedCatalogue(const Message& why, const fs::path& file) {
   return {ErrorCode::Damaged,
-          "The catalogue is damaged (" + why +
-              "); nothing was changed, and no backup was deleted. Restore it with 'ostraka "
-              "catalogue repair PROJECT'.",
+          message("The catalogue is damaged (%1); nothing was changed, and no backup was deleted. "
+                  "Restore it with 'ostraka catalogue repair PROJECT'.",
+                  why),
           file.string()};
 }
 
@@ -84,22 +85,22 @@ Result<void> checkHeader(const fs::path& file) {
   const Header& header = found.header;
   if (found.code != SQLITE_OK)
     return Error::unusable(
-        "The catalogue cannot be read; check that it exists and check its permissions.",
+        message("The catalogue cannot be read; check that it exists and check its permissions."),
         file.string());
-  if (found.bytes == 0) return damagedCatalogue("the file is empty", file);
+  if (found.bytes == 0) return damagedCatalogue(message("the file is empty"), file);
   if (std::memcmp(header.data(), kMagic.data(), kMagic.size()) != 0)
-    return damagedCatalogue("the file is not a database", file);
+    return damagedCatalogue(message("the file is not a database"), file);
   if (bigEndianAt(header, kApplication) != kOstraka)
-    return damagedCatalogue("the file belongs to another program", file);
+    return damagedCatalogue(message("the file belongs to another program"), file);
   if (bigEndianAt(header, kVersion) == 0)
-    return damagedCatalogue("the file contains no catalogue", file);
+    return damagedCatalogue(message("the file contains no catalogue"), file);
   const std::size_t page_bytes = std::size_t{header[kPageSize]} << 8 | header[kPageSize + 1];
   if (page_bytes != kPageBytes || header[kReserved] != kReservedBytes)
-    return damagedCatalogue("the header is inconsistent", file);
+    return damagedCatalogue(message("the header is inconsistent"), file);
   if (found.isBesideWalOfAnother())
-    return damagedCatalogue(
-        "it is a backup, but the -wal file beside it belongs to the catalogue that it replaced",
-        file);
+    return damagedCatalogue(message("it is a backup, but the -wal file beside it belongs to the "
+                                    "catalogue that it replaced"),
+                            file);
   return {};
 }
 

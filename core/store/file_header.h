@@ -16,7 +16,7 @@ Result<void> checkHeader(const std::filesystem::path& file);
 bool hasWalOfAnother(const std::filesystem::path& file);
 
 /// why: an English clause that ui/words knows.
-Error damagedCatalogue(const std::string& why, const std::filesystem::path& file);
+Error damagedCatalogue(const Message& why, const std::filesystem::path& file);
 
 /// Where a repair puts the whole catalogue before it removes the WAL and replaces the damaged file.
 /// While it lies there, it alone is the catalogue: the repair that was interrupted is to be ended.

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "base/message.h"
+
 namespace ostraka::store {
 
 int schemaVersion(Database& database) {
@@ -17,11 +19,11 @@ Result<void> migrate(Database& database, std::span<const Migration> steps,
   if (!found) return found.error();
   const int newest = steps.empty() ? 0 : steps.back().number;
   if (*found > newest)
-    return Error::unusable("A newer Ostraka made this project (catalogue version " +
-                               std::to_string(*found) + ", this program supports " +
-                               std::to_string(newest) +
-                               "). Nothing was changed. Install the newer version.",
-                           database.file().string());
+    return Error::unusable(
+        message("A newer Ostraka made this project (catalogue version %1, this program supports "
+                "%2). Nothing was changed. Install the newer version.",
+                *found, newest),
+        database.file().string());
   if (*found == newest) return {};
   if (*found > 0)
     if (Result<void> saved = backup(); !saved) return saved;

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <utility>
 
-#include "files/cannot_write.h"
 #include "files/files.h"
 
 namespace ostraka::store {

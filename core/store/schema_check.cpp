@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/message.h"
 #include "store/file_header.h"
 #include "store/migrations.h"
 #include "store/page_checksums.h"
@@ -112,16 +113,16 @@ Result<OurSchema> ourSchema(int version) {
     code = eachRow(opened, "SELECT name FROM pragma_table_list WHERE type = 'shadow'",
                    [&](sqlite3_stmt* row) { ours.shadows.insert(columnText(row, 0)); });
   if (code == SQLITE_OK) return ours;
-  return Error{
-      ErrorCode::Failed,
-      std::string("The catalogue rejects this operation (") + sqlite3_errmsg(opened) + ").",
-      {}};
+  return Error{ErrorCode::Failed,
+               message("The catalogue rejects this operation (%1).", sqlite3_errmsg(opened)),
+               {}};
 }
 
 Error notOurs(const std::string& part) {
   return Error::unusable(
-      "The catalogue's tables, indexes and triggers are not as Ostraka makes them; nothing was "
-      "written.",
+      message(
+          "The catalogue's tables, indexes and triggers are not as Ostraka makes them; nothing was "
+          "written."),
       part);
 }
 
@@ -148,11 +149,11 @@ Result<Found> foreignSchema(const fs::path& file) {
                    [&](sqlite3_stmt* row) { found.version = sqlite3_column_int(row, 0); });
   if (code == SQLITE_OK) code = readSchema(opened, found.schema);
   if (code == SQLITE_OK) return found;
-  if (code == SQLITE_IOERR_DATA) return damagedCatalogue("a page was changed", file);
+  if (code == SQLITE_IOERR_DATA) return damagedCatalogue(message("a page was changed"), file);
   // SQLite calls a schema corrupt whose SQL it cannot read.
   if ((code & 0xFF) == SQLITE_CORRUPT || (code & 0xFF) == SQLITE_ERROR)
     return notOurs(file.string());
-  return damagedCatalogue("its pages are inconsistent", file);
+  return damagedCatalogue(message("its pages are inconsistent"), file);
 }
 
 Result<void> compared(const Found& found, const fs::path& file) {

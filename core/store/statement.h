@@ -20,10 +20,11 @@ struct SqlFailure : std::runtime_error {
 };
 /// An expected refusal met in the middle of a transaction, which it rolls back.
 struct Refused : std::runtime_error {
-  explicit Refused(Error error_) : std::runtime_error(error_.what), error(std::move(error_)) {}
+  explicit Refused(Error error_)
+      : std::runtime_error(error_.what.english()), error(std::move(error_)) {}
   Error error;
 };
-[[noreturn]] void refuse(std::string what, std::string where = {});
+[[noreturn]] void refuse(Message what, std::string where = {});
 
 /// A prepared statement in use. Values go in by call, columns come out with >>, left to right.
 class Statement {

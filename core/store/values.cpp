@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "base/text.h"
 #include "files/contained_path.h"
 #include "files/json_text.h"
@@ -73,12 +74,13 @@ bool isEdtfDate(std::string_view text) {
 }  // namespace
 
 Result<std::string> checkedText(std::string_view text) {
-  if (text.size() > kMostBytes) return Error::unusable("The text is longer than 1 MB.");
-  if (!isUtf8(text)) return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");
+  if (text.size() > kMostBytes) return Error::unusable(message("The text is longer than 1 MB."));
+  if (!isUtf8(text))
+    return Error::unusable(message("The text is not valid UTF-8 or contains a zero byte."));
   for (std::size_t i = 0; i < text.size(); ++i)
     if (forbiddenInXml(text, i) > 0)
-      return Error::unusable(
-          "The text contains control characters, which documents cannot hold; type it again.");
+      return Error::unusable(message(
+          "The text contains control characters, which documents cannot hold; type it again."));
   return composed(trimmed(text));
 }
 
@@ -93,7 +95,7 @@ Result<std::string> checkedDay(std::string_view typed) {
     const int day = number(std::string_view(text).substr(8, 2));
     if (month >= 1 && month <= 12 && day >= 1 && day <= daysIn(year, month)) return text;
   }
-  return Error::unusable("Write the day as 2026-07-14 (year-month-day).");
+  return Error::unusable(message("Write the day as 2026-07-14 (year-month-day)."));
 }
 
 Result<std::string> checkedEdtf(std::string_view typed) {
@@ -112,9 +114,9 @@ Result<std::string> checkedEdtf(std::string_view typed) {
     good = isEnd(from) && isEnd(to) && (isEdtfDate(from) || isEdtfDate(to));
   }
   if (good) return text;
-  return Error::unusable(
+  return Error::unusable(message(
       "Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; "
-      "years have four digits.");
+      "years have four digits."));
 }
 
 Result<std::string> checkedMunsell(std::string_view typed) {
@@ -136,7 +138,7 @@ Result<std::string> checkedMunsell(std::string_view typed) {
     const bool known = std::find(std::begin(kHues), std::end(kHues), name) != std::end(kHues);
     if ((hue == "N" || (letters > 0 && known)) && numeric(value) && numeric(chroma)) return text;
   }
-  return Error::unusable("Write the Munsell colour as 10YR 3/1 or N 4/.");
+  return Error::unusable(message("Write the Munsell colour as 10YR 3/1 or N 4/."));
 }
 
 namespace {
@@ -179,7 +181,8 @@ Result<double> parsedNumber(std::string_view typed) {
   const auto [end, code] = std::from_chars(begin, text.data() + text.size(), value);
   if (text.empty() || code != std::errc() || end != text.data() + text.size() ||
       !std::isfinite(value))
-    return Error::unusable("'" + whole + "' is not a number; write 12.5 or 12,5, without a unit.");
+    return Error::unusable(
+        message("'%1' is not a number; write 12.5 or 12,5, without a unit.", whole));
   return value;
 }
 
@@ -225,10 +228,11 @@ std::vector<std::string> termsFromJson(std::string_view text) {
 
 Result<std::string> checkedNumber(std::string_view number) {
   if (number.find_first_of("\r\n\t%") != std::string_view::npos)
-    return Error::unusable("A number cannot contain a line break, a tab or '%'.");
+    return Error::unusable(message("A number cannot contain a line break, a tab or '%'."));
   if (hasInvisible(number))
-    return Error::unusable("A number or code cannot contain invisible characters; type it again.");
-  if (number.size() > 120) return Error::unusable("A number has at most 120 characters.");
+    return Error::unusable(
+        message("A number or code cannot contain invisible characters; type it again."));
+  if (number.size() > 120) return Error::unusable(message("A number has at most 120 characters."));
   return std::string(number);
 }
 
@@ -251,13 +255,13 @@ Result<std::string> checkedBatchNumber(std::string_view number) {
       counted <= kBatchDigits)
     return std::string(number);
   return Error::unusable(
-      "The number of a batch is also the name of its folder; use letters and digits.",
+      message("The number of a batch is also the name of its folder; use letters and digits."),
       std::string(number));
 }
 
 Result<std::string> checkedPath(std::string_view typed) {
   if (!isUtf8(typed))
-    return Error::unusable("The text is not valid UTF-8 or contains a zero byte.");
+    return Error::unusable(message("The text is not valid UTF-8 or contains a zero byte."));
   const Result<ContainedPath> path = ContainedPath::parse(typed);
   if (!path) return path.error();
   return path->text();

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/message.h"
 #include "catalogue/settings.h"
 #include "files/files.h"
 #include "files/json_text.h"
@@ -118,8 +119,8 @@ class Mapper {
       if (choice.by == ChosenBy::Nobody) byName(choice);
     if (mapping_.of_contexts && !(isTaken("site") && isTaken("context")))
       return Error::unusable(
-          "The table needs a column for the sherds' numbers, or columns for site and "
-          "context (contexts); select them.",
+          message("The table needs a column for the sherds' numbers, or columns for site and "
+                  "context (contexts); select them."),
           where_);
     for (std::size_t i = 0; i < mapping_.columns.size(); ++i)
       if (Result<void> good = settle(mapping_.columns[i], i); !good) return good.error();
@@ -176,7 +177,7 @@ class Mapper {
     if (choice.field.empty()) return {};
     const bool known = choice.isOwn() || choice.field == kByHand ||
                        holds(fieldsOfTables(mapping_.of_contexts), choice.field);
-    if (!known) return Error::unusable("There is no field '" + choice.field + "'.", where_);
+    if (!known) return Error::unusable(message("There is no field '%1'.", choice.field), where_);
     for (std::size_t i = 0; i < at; ++i)
       if (mapping_.columns[i].field == choice.field)
         return Error::unusable("The columns '" + mapping_.columns[i].column + "' and '" +
@@ -333,7 +334,7 @@ Result<ColumnChoice> parseColumnChoice(std::string_view text) {
       choice.field = field;
       return choice;
     }
-  return Error::unusable("There is no field '" + choice.field + "'.");
+  return Error::unusable(message("There is no field '%1'.", choice.field));
 }
 
 }  // namespace ostraka::tables

@@ -40,7 +40,7 @@ Result<TableMapping> mapColumns(const catalogue::Catalogue& catalogue, const Csv
                                 const std::vector<ColumnChoice>& chosen, const std::string& where);
 
 /// Sentences about values of a table: line -> field -> sentence.
-using NumberRemarks = std::map<int, std::map<std::string, std::string>>;
+using NumberRemarks = std::map<int, std::map<std::string, Message>>;
 
 /// The table with the fields' names as columns and all values in the fields' own units; what is
 /// left out is gone. Texts that are no numbers, and the unclear ones, stay as they are. Each row

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "base/message.h"
 #include "store/names.h"
 #include "store/values.h"
 #include "tables/column_names.h"
@@ -99,10 +100,10 @@ void doubtColumn(const std::vector<MeasuredRow>& rows, const std::string& field,
   for (const MeasuredRow& row : rows) {
     const std::string value = store::numberText(row.value) + " " + unitsOf(field).front();
     if (row.value < usual.least || row.value > usual.most)
-      doubts[row.line][field] = "Check the unit: " + value + " is unusual for a sherd.";
+      doubts[row.line][field] = message("Check the unit: %1 is unusual for a sherd.", value);
     else if (isFarFromOthers(sorted, row.value, usual.factor))
       doubts[row.line][field] =
-          "Check the unit: " + value + " is far from the other values of this column.";
+          message("Check the unit: %1 is far from the other values of this column.", value);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "catalogue/history.h"
 #include "catalogue/places.h"
@@ -19,9 +20,13 @@ namespace {
 
 using namespace catalogue;
 
-Error unknown(const std::string& what, const std::string& code) {
-  return Error::unusable("There is no " + what + " " + code +
-                         "; create it or let the import create it.");
+Error unknownContext(const std::string& number) {
+  return Error::unusable(
+      message("There is no context %1; create it or let the import create it.", number));
+}
+Error unknownBag(const std::string& number) {
+  return Error::unusable(
+      message("There is no bag %1; create it or let the import create it.", number));
 }
 
 // Sets a text from a column: blank keeps, <clear> empties.
@@ -141,7 +146,7 @@ Result<std::vector<ChangedValue>> enterRow(Catalogue& catalogue, Places& places,
   values.text("note", context.note);
   const std::string closed = store::uniqueKey(values.raw("closed"));
   if (!closed.empty() && closed != "yes" && closed != "no" && closed != "<clear>")
-    return Error::unusable("The column closed accepts yes or no.");
+    return Error::unusable(message("The column closed accepts yes or no."));
   if (!closed.empty()) context.closed = closed == "yes";
   context.extra_json = values.extra(context.extra_json);
   if (const auto saved = catalogue::Places(catalogue).save(context, provenance); !saved)
@@ -163,7 +168,7 @@ Result<std::vector<ChangedValue>> enterRow(Catalogue& catalogue, Places& places,
   if (Result<void> counted = values.number("count_written", count); !counted)
     return counted.error();
   if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count)))
-    return Error::unusable("The column count_written accepts a whole number.");
+    return Error::unusable(message("The column count_written accepts a whole number."));
   bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
   if (const auto saved = catalogue::Places(catalogue).save(bag, provenance); !saved)
     return saved.error();
@@ -257,7 +262,7 @@ Result<store::ContextRow> Places::context(const std::string& site_code,
     return there;
   }
   if (unknown_ == UnknownPlaces::Refuse)
-    return unknown("context", site_code + " " + trench_code + " " + number);
+    return unknownContext(site_code + " " + trench_code + " " + number);
   store::SiteRow site;
   const Result<std::vector<records::SiteRecord>> sites = catalogue::Places(catalogue_).sites();
   if (!sites) return sites.error();
@@ -309,7 +314,7 @@ Result<store::BagRow> Places::bag(store::ContextRow context, const std::string& 
       known_[key] = bag.row.value;
       return bag.row;
     }
-  if (unknown_ == UnknownPlaces::Refuse) return unknown("bag", number);
+  if (unknown_ == UnknownPlaces::Refuse) return unknownBag(number);
   records::BagRecord record;
   record.context = context;
   record.number = number;
@@ -330,8 +335,8 @@ Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
   if (!entered) return entered.error();
   report.not_reached = static_cast<int>(table.rows.size() - *entered);
   if (const std::vector<std::string> made = entering.madePlaces(); !made.empty())
-    report.warnings.push_back("New sites and trenches: " + joined(made, ", ") +
-                              "; check for typos.");
+    report.warnings.push_back(
+        message("New sites and trenches: %1; check for typos.", joined(made, ", ")));
   return report;
 }
 

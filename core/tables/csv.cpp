@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "store/names.h"
 
 namespace ostraka::tables {
@@ -71,8 +72,8 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
     text = bytes;
   text.erase(0, marksBefore(text));
   if (text.find('\0') != std::string::npos)
-    return Error::unusable("Not a text file: it contains binary data, which a table never does.",
-                           where);
+    return Error::unusable(
+        message("Not a text file: it contains binary data, which a table never does."), where);
   if (!store::isUtf8(text)) {
     std::size_t good = 0;
     int line = 1;
@@ -81,9 +82,9 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
       if (!store::isUtf8(std::string_view(text).substr(good, end - good))) break;
       good = end + 1;
     }
-    return Error::unusable("Line " + std::to_string(line) +
-                               " is not in UTF-8; save the table as 'CSV UTF-8' and try again.",
-                           where);
+    return Error::unusable(
+        message("Line %1 is not in UTF-8; save the table as 'CSV UTF-8' and try again.", line),
+        where);
   }
   return text;
 }
@@ -132,9 +133,10 @@ class Parser {
       endOfLine();
       if (row.values.size() == 1 && row.values[0].empty()) continue;
       if (all.empty() && row.values.size() > kMostColumns)
-        return Error::unusable("The table has more than 1,000 columns; split it.", where_);
+        return Error::unusable(message("The table has more than 1,000 columns; split it."), where_);
       if (all.size() > kMostRows)
-        return Error::unusable("The table has more than 1,000,000 rows; split it.", where_);
+        return Error::unusable(message("The table has more than 1,000,000 rows; split it."),
+                               where_);
       all.push_back(std::move(row));
     }
     return all;
@@ -148,8 +150,7 @@ class Parser {
       ++at_;
       while (true) {
         if (at_ >= text_.size())
-          return Error::unusable(
-              "Line " + std::to_string(begin) + " has an unclosed quotation mark.", where_);
+          return Error::unusable(message("Line %1 has an unclosed quotation mark.", begin), where_);
         if (text_[at_] == '"') {
           if (at_ + 1 >= text_.size() || text_[at_ + 1] != '"') break;
           ++at_;
@@ -162,8 +163,7 @@ class Parser {
       if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\n' &&
           text_[at_] != '\r')
         return Error::unusable(
-            "Line " + std::to_string(line_) + " has characters after a closing quotation mark.",
-            where_);
+            message("Line %1 has characters after a closing quotation mark.", line_), where_);
       return value;
     }
     const std::size_t end =
@@ -181,8 +181,7 @@ class Parser {
   }
 
   Error tooLong(int line) const {
-    return Error::unusable("Line " + std::to_string(line) + " has a value longer than 1 MB.",
-                           where_);
+    return Error::unusable(message("Line %1 has a value longer than 1 MB.", line), where_);
   }
 
   std::string_view text_;
@@ -202,7 +201,8 @@ Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where) {
   Result<std::vector<CsvRow>> rows = Parser(*text, table.separator, where).rows();
   if (!rows) return rows.error();
   if (rows->empty())
-    return Error::unusable("The table is empty; its first line must name the columns.", where);
+    return Error::unusable(message("The table is empty; its first line must name the columns."),
+                           where);
   for (const std::string& column : rows->front().values)
     table.columns.push_back(columnNamed(column));
   rows->erase(rows->begin());
@@ -252,8 +252,8 @@ namespace {
 // With a fourth digit behind the mark: what is offered can be read in one way.
 Error inTwoWays(const std::string& whole, char mark, const std::string& rest) {
   const char decimal = mark == ',' ? '.' : ',';
-  return Error::unusable("'" + whole + mark + rest + "' can be read as " + whole + rest +
-                         " or as " + whole + decimal + rest + "0; write one of the two.");
+  return Error::unusable(message("'%1' can be read as %2 or as %3; write one of the two.",
+                                 whole + mark + rest, whole + rest, whole + decimal + rest + "0"));
 }
 
 }  // namespace

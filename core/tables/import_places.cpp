@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <set>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "store/values.h"
 
@@ -36,8 +37,9 @@ bool isOfTheProgram(const std::string& part) {
 Result<ContainedPath> importPlace(const std::string& path, const std::string& batch) {
   const auto refused = [&] {
     return Error::unusable(
-        "The export names a location in the project where no such file belongs; nothing was "
-        "imported.",
+        message(
+            "The export names a location in the project where no such file belongs; nothing was "
+            "imported."),
         path.substr(0, 255));
   };
   const Result<std::string> text = store::checkedPath(path);

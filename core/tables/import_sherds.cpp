@@ -3,6 +3,7 @@
 #include <set>
 #include <span>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "base/uuid.h"
 #include "catalogue/places.h"
@@ -43,12 +44,16 @@ std::string valueOf(const ImportRow& row, const std::string& name) {
 }
 
 // A sentence a row: one that named all rows would make them grow with the square.
-std::string inTheLines(const std::vector<std::string>& lines) {
+Message inTheLines(const std::vector<std::string>& lines) {
   constexpr std::size_t kMostNamed = 10;
   const std::size_t named = std::min(lines.size(), kMostNamed);
   const std::string first = joined(std::span(lines).first(named), ", ");
-  return named == lines.size() ? first
-                               : first + " and " + std::to_string(lines.size() - named) + " more";
+  return named == lines.size()
+             ? message("This appears in more than one row of the table, in the lines %1.", first)
+             : message(
+                   "This appears in more than one row of the table, in the lines %1 and %2 "
+                   "more.",
+                   first, lines.size() - named);
 }
 
 class Importing {
@@ -117,13 +122,14 @@ class Importing {
     if (!lost) return lost.error();
     if (!lost->empty())
       report_.warnings.push_back(
-          "Joins with rows that were not imported are left out: " + joined(*lost, ", ") +
-          "; correct these rows, then import the table again.");
+          message("Joins with rows that were not imported are left out: %1; correct these rows, "
+                  "then import the table again.",
+                  joined(*lost, ", ")));
     return {};
   }
 
  private:
-  static Error refuse(Refusal& refusal, std::string column, std::string value, std::string reason) {
+  static Error refuse(Refusal& refusal, std::string column, std::string value, Message reason) {
     refusal.column = std::move(column);
     refusal.value = std::move(value);
     refusal.reason = reason;
@@ -133,16 +139,14 @@ class Importing {
   Result<SherdRow> find(const ImportRow& row, Refusal& refusal) {
     const std::string number = valueOf(row, "number"), uuid = valueOf(row, "uuid");
     if (number.empty() && uuid.empty())
-      return refuse(refusal, "number", "", "The row has neither a number nor a uuid.");
+      return refuse(refusal, "number", "", message("The row has neither a number nor a uuid."));
     for (const auto& [column, value] : {std::pair("number", number), std::pair("uuid", uuid)})
       if (const auto same = lines_.find({column, store::uniqueKey(value)});
           same != lines_.end() && same->second.size() > 1)
-        return refuse(refusal, column, value,
-                      "This appears in more than one row of the table, in the lines " +
-                          inTheLines(same->second) + ".");
+        return refuse(refusal, column, value, inTheLines(same->second));
     SherdRow by_uuid, by_number;
     if (!uuid.empty()) {
-      if (!isUuid(uuid)) return refuse(refusal, "uuid", uuid, "Not a uuid.");
+      if (!isUuid(uuid)) return refuse(refusal, "uuid", uuid, message("Not a uuid."));
       const Result<SherdRow> found = sherds::Sherds(catalogue_).byId(uuid);
       if (!found) return found.error();
       by_uuid = *found;
@@ -154,13 +158,13 @@ class Importing {
     }
     if (by_number && !uuid.empty() && by_uuid != by_number)
       return refuse(refusal, "number", number,
-                    "The number and the uuid belong to different sherds.");
+                    message("The number and the uuid belong to different sherds."));
     return by_uuid ? by_uuid : by_number;
   }
 
   Result<SherdRow> add(const ImportRow& row, Refusal& refusal) {
     if (valueOf(row, "context").empty() && !valueOf(row, "number").empty())
-      return refuse(refusal, "context", "", "A new sherd needs its context.");
+      return refuse(refusal, "context", "", message("A new sherd needs its context."));
     SherdRecord record;
     record.id = store::uniqueKey(valueOf(row, "uuid"));
     record.batch = row.batch;
@@ -267,12 +271,12 @@ class Importing {
     });
     return found == changes.end() ? nullptr : &*found;
   }
-  static std::string questionOf(const std::vector<FieldChange>& changes, const ImportRow& row) {
-    std::vector<std::string> sentences;
+  static Message questionOf(const std::vector<FieldChange>& changes, const ImportRow& row) {
+    Message question;
     for (const FieldChange& change : changes)
       if (const auto doubt = row.doubtful.find(change.field); doubt != row.doubtful.end())
-        sentences.push_back(doubt->second);
-    return joined(sentences, " ");
+        question = question.empty() ? doubt->second : inOne(question, doubt->second);
+    return question;
   }
 
   static std::string kindOf(const std::string& field) {  // rim_pct, beside length_mm
@@ -316,9 +320,9 @@ class Importing {
     for (const records::ChangePreview& change : *shown)
       if (change.asks()) {
         asks_ = true;
-        const std::string more = questionOf(changes, row);
+        const Message more = questionOf(changes, row);
         return refuse(refusal, change.change.field, change.change.value,
-                      change.question + (more.empty() ? "" : " " + more));
+                      more.empty() ? change.question : inOne(change.question, more));
       }
     return error;
   }
@@ -347,7 +351,7 @@ Result<void> previewOrEnter(Catalogue& catalogue, ImportMode mode,
     if (Result<void> worked = work(); !worked) return worked;
     whole = true;
     if (mode == ImportMode::Enter) return {};
-    return Error{ErrorCode::Cancelled, "The preview was undone.", {}};
+    return Error{ErrorCode::Cancelled, message("The preview was undone."), {}};
   });
   return whole && mode == ImportMode::Preview ? Result<void>() : done;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/message.h"
 #include "store/values.h"
 #include "tables/column_names.h"
 #include "tables/column_numbers.h"
@@ -17,16 +18,17 @@ using records::Provenance;
 Result<void> checkColumns(const CsvTable& table, const std::string& where) {
   std::set<std::string> seen;
   for (const std::string& column : table.columns) {
-    if (column.empty()) return Error::unusable("A column of the table has no name.", where);
+    if (column.empty())
+      return Error::unusable(message("A column of the table has no name."), where);
     if (!seen.insert(column).second)
-      return Error::unusable("The column '" + column + "' appears twice.", where);
+      return Error::unusable(message("The column '%1' appears twice.", column), where);
   }
   return {};
 }
 
-std::map<std::string, std::string> ofLine(const NumberRemarks& remarks, int line) {
+std::map<std::string, Message> ofLine(const NumberRemarks& remarks, int line) {
   const auto found = remarks.find(line);
-  return found == remarks.end() ? std::map<std::string, std::string>() : found->second;
+  return found == remarks.end() ? std::map<std::string, Message>() : found->second;
 }
 
 std::vector<ImportRow> sherdRowsOf(const CsvTable& table, const NumberRemarks& unclear) {
@@ -58,9 +60,8 @@ std::vector<Refusal> takeBroken(CsvTable& table) {
     broken.push_back({row.line,
                       {},
                       {},
-                      "The row has " + std::to_string(row.values.size()) +
-                          " values, but the header has " + std::to_string(table.columns.size()) +
-                          "."});
+                      message("The row has %1 values, but the header has %2.", row.values.size(),
+                              table.columns.size())});
     return true;
   });
   return broken;
@@ -86,14 +87,16 @@ void nameColumns(std::vector<Refusal>& refusals, const TableMapping& mapping) {
 }
 
 // A column that has no field: its name says nothing, or another one has its field.
-std::string ownField(const ColumnChoice& choice, const TableMapping& mapping) {
+Message ownField(const ColumnChoice& choice, const TableMapping& mapping) {
   std::string field = fieldOfColumn(choice.column, mapping.of_contexts);
   if (field.empty()) field = fieldOfColumn(nameAndUnit(choice.column).name, mapping.of_contexts);
   for (const ColumnChoice& other : mapping.columns)
     if (!field.empty() && other.field == field && other.column != choice.column)
-      return "The column '" + choice.column + "' means the same as '" + other.column +
-             "'; its values are kept as a custom field.";
-  return "The column '" + choice.column + "' is unknown; its values are kept as a custom field.";
+      return message(
+          "The column '%1' means the same as '%2'; its values are kept as a custom field.",
+          choice.column, other.column);
+  return message("The column '%1' is unknown; its values are kept as a custom field.",
+                 choice.column);
 }
 
 }  // namespace
@@ -138,7 +141,7 @@ std::string refusalsCsv(const ImportReport& report) {
   for (const auto* list : {&report.refusals, &report.questions})
     for (const Refusal& refusal : *list)
       text += csvLine({std::to_string(refusal.line), guarded(refusal.column),
-                       guarded(refusal.value), refusal.reason});
+                       guarded(refusal.value), refusal.reason.english()});
   return text;
 }
 

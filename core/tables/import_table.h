@@ -48,12 +48,13 @@ struct ImportRow {
   /// Columns of numbers that persons took, the others are a program's; none: nothing is said.
   std::optional<std::set<std::string>> by_hand = {};
   /// Field -> why its value is not read, or why a person is asked about it, if it changes anything.
-  std::map<std::string, std::string> unclear = {}, doubtful = {};
+  std::map<std::string, Message> unclear = {}, doubtful = {};
 };
 
 struct Refusal {
   int line = 0;
-  std::string column, value, reason;
+  std::string column, value;
+  Message reason;
 };
 /// A value that was there, and what takes its place; as texts of sherdFields().
 struct ChangedValue {
@@ -66,7 +67,7 @@ struct ImportReport {
   int asked = 0;        ///< rows that did not enter: a person has to confirm a value
   int not_reached = 0;  ///< rows of which nothing is entered, since the import was stopped
   std::vector<Refusal> refusals, questions;
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
   TableMapping mapping = {};  ///< of a table
   bool held = false;          ///< nothing is entered before a person states the guessed units
   std::vector<std::pair<int, RowFate>> rows;  ///< line of a table, and what becomes of it

@@ -67,8 +67,10 @@ Result<std::size_t> enterInPortions(Catalogue& catalogue, std::size_t count,
     if (const Result<void> done = catalogue.together(portion); !done) {
       Error error = done.error();
       if (error.code != ErrorCode::Cancelled)
-        error.what += " " + std::to_string(count) + " rows in total, " + std::to_string(entered) +
-                      " read; run the same import again for the others.";
+        error.what =
+            inOne(error.what,
+                  message("%1 rows in total, %2 read; run the same import again for the others.",
+                          count, entered));
       return error;
     }
     if (next < count) std::this_thread::sleep_for(kForOthers);

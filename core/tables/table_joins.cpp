@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/message.h"
 #include "records/sherd.h"
 #include "sherds/sherds.h"
 #include "store/names.h"
@@ -68,11 +69,12 @@ Result<std::optional<std::vector<SherdRow>>> TableJoins::of(std::size_t i, const
     const std::optional<std::size_t> other = rowOf(name);
     const Result<SherdRow> partner = other ? sherdOf(*other, catalogue) : byName(name, catalogue);
     if (!partner) return partner.error();
-    if (other == i || *partner == now.row) return Error::unusable("A sherd cannot join itself.");
+    if (other == i || *partner == now.row)
+      return Error::unusable(message("A sherd cannot join itself."));
     if (*partner)
       joins.push_back(*partner);
     else if (!other)
-      return Error::unusable("There is no sherd " + name + " to join.");
+      return Error::unusable(message("There is no sherd %1 to join.", name));
   }
   for (const std::size_t other : row.named_by) {
     const Result<SherdRow> partner = sherdOf(other, catalogue);

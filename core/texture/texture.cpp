@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "batch/image_header.h"
 #include "batch/photograph.h"
 #include "files/files.h"
@@ -14,7 +15,7 @@ namespace ostraka::texture {
 namespace {
 
 Error nothingShown() {
-  return {ErrorCode::NotEnough, "No photograph shows the sherd.", {}};
+  return {ErrorCode::NotEnough, message("No photograph shows the sherd."), {}};
 }
 
 Result<cv::Mat> decoded(const std::string& file, const std::string& where) {
@@ -22,10 +23,10 @@ Result<cv::Mat> decoded(const std::string& file, const std::string& where) {
   if (!size) return size.error();
   if (static_cast<std::uint64_t>(size->width) * static_cast<std::uint64_t>(size->height) >
       limits::kTexturePixels.most)
-    return Error::unusable(
-        "The texture of this model has more than 67,108,864 pixels, so the model is used without "
-        "it; export the model with a smaller one.",
-        where);
+    return Error::unusable(message("The texture of this model has more than 67,108,864 pixels, so "
+                                   "the model is used without "
+                                   "it; export the model with a smaller one."),
+                           where);
   return batch::decodePhotograph(file, where);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "turntables/line_turntable.h"
 
@@ -49,10 +50,11 @@ class ComXimTurntable final : public LineTurntable {
       answered = answered || reply->kind != Kind::Other || heard_;
     }
     if (!answered)
-      return Error{ErrorCode::Missing,
-                   "The turntable does not answer like a ComXim; check that it is switched on and "
-                   "of this type.",
-                   where_};
+      return Error{
+          ErrorCode::Missing,
+          message("The turntable does not answer like a ComXim; check that it is switched on and "
+                  "of this type."),
+          where_};
     if (brackets()) {
       // Two spellings are about. An argument that is no number moves nothing: error 71 means that
       // the name was understood.
@@ -83,10 +85,10 @@ class ComXimTurntable final : public LineTurntable {
       const Result<std::optional<double>> angle = restingAngle(stop);
       if (!angle) return angle.error();
       if (!*angle || std::abs(std::remainder(**angle, 360)) > kTolerance_deg)
-        return gone("The turntable did not reach its zero.");
+        return gone(message("The turntable did not reach its zero."));
       base_deg_ = **angle;
     } else if (!*arrived && reply->kind == Kind::Other) {
-      return gone("The turntable did not answer.");
+      return gone(message("The turntable did not answer."));
     }
     setPosition(0);
     return {};
@@ -96,7 +98,7 @@ class ComXimTurntable final : public LineTurntable {
     if (tells_angle_) {
       const Result<std::optional<double>> angle = restingAngle(stop);
       if (!angle) return angle.error();
-      if (!*angle) return gone("The turntable does not report its position.");
+      if (!*angle) return gone(message("The turntable does not report its position."));
       base_deg_ = **angle;
     }
     setPosition(0);
@@ -114,16 +116,18 @@ class ComXimTurntable final : public LineTurntable {
     if (std::abs(degrees - *position_deg()) <= kTolerance_deg) return {};
     setPosition(std::nullopt);
     return Error{ErrorCode::Failed,
-                 "The turntable does not reach its angle; check that nothing blocks it.", where_};
+                 message("The turntable does not reach its angle; check that nothing blocks it."),
+                 where_};
   }
 
  private:
   bool brackets() const { return dialect_ == ComXimDialect::Brackets; }
   Error refused(const ComXimReply& reply) const {
-    return {ErrorCode::Failed,
-            "The turntable rejected a command (error " + std::to_string(reply.error) +
-                "): wrong turntable type or bad cable.",
-            where_};
+    return {
+        ErrorCode::Failed,
+        message("The turntable rejected a command (error %1): wrong turntable type or bad cable.",
+                reply.error),
+        where_};
   }
   // Sends it and gives the first reply of one of these kinds; Other: none came in time.
   Result<ComXimReply> ask(const std::string& text, std::initializer_list<Kind> wanted,
@@ -133,13 +137,13 @@ class ComXimTurntable final : public LineTurntable {
     if (Result<void> r = drain(); !r) return r.error();
     if (Result<void> r = line_.send(text + ";"); !r) return r.error();
     for (const double deadline_s = now_s() + kComXimReply_s; now_s() < deadline_s;) {
-      const auto message = line_.next(deadline_s - now_s(), stop);
-      if (!message) return message.error();
+      const auto heard = line_.next(deadline_s - now_s(), stop);
+      if (!heard) return heard.error();
       if (stop.stop_requested()) return Error::cancelled();
-      if (!*message) break;
-      const ComXimReply reply = parseComXimReply(**message, dialect_);
-      heard_ = heard_ || (*message)->starts_with("CR+") || (*message)->starts_with("+DATA") ||
-               (*message)->starts_with("+OK") || (*message)->starts_with("+FAIL");
+      if (!*heard) break;
+      const ComXimReply reply = parseComXimReply(**heard, dialect_);
+      heard_ = heard_ || (*heard)->starts_with("CR+") || (*heard)->starts_with("+DATA") ||
+               (*heard)->starts_with("+OK") || (*heard)->starts_with("+FAIL");
       if (std::find(wanted.begin(), wanted.end(), reply.kind) != wanted.end()) return reply;
     }
     return ComXimReply{};
@@ -152,15 +156,16 @@ class ComXimTurntable final : public LineTurntable {
   // True: it said that it arrived. False: it said nothing.
   Result<bool> awaitArrival(double within_s, std::stop_token stop) {
     for (const double deadline_s = now_s() + within_s; now_s() < deadline_s;) {
-      const auto message = line_.next(std::min(0.2, deadline_s - now_s()), stop);
-      if (!message) return message.error();
+      const auto heard = line_.next(std::min(0.2, deadline_s - now_s()), stop);
+      if (!heard) return heard.error();
       if (stop.stop_requested() || halt_) return halt();
-      if (!*message) continue;
-      const ComXimReply reply = parseComXimReply(**message, dialect_);
+      if (!*heard) continue;
+      const ComXimReply reply = parseComXimReply(**heard, dialect_);
       if (reply.kind == Kind::Arrived) return true;
       if (reply.kind == Kind::Paused) {
         setPosition(std::nullopt);
-        return Error{ErrorCode::Failed, "The turntable was paused with its own button.", where_};
+        return Error{ErrorCode::Failed, message("The turntable was paused with its own button."),
+                     where_};
       }
     }
     return false;
@@ -208,10 +213,11 @@ class ComXimTurntable final : public LineTurntable {
     if (!arrived) return arrived.error();
     if (tells_angle_) return readPosition(start + by, stop);
     if (!*arrived || reply->kind != Kind::Accepted)
-      return Error{ErrorCode::NotEnough,
-                   "A reply from the turntable was lost, and it cannot report its position: home "
-                   "it or align it.",
-                   where_};
+      return Error{
+          ErrorCode::NotEnough,
+          message("A reply from the turntable was lost, and it cannot report its position: home "
+                  "it or align it."),
+          where_};
     setPosition(start + by);
     return {};
   }
@@ -220,7 +226,7 @@ class ComXimTurntable final : public LineTurntable {
   Result<void> readPosition(double near, std::stop_token stop) {
     const Result<std::optional<double>> angle = restingAngle(stop);
     if (!angle) return angle.error();
-    if (!*angle) return gone("The turntable does not report its position.");
+    if (!*angle) return gone(message("The turntable does not report its position."));
     const double within = **angle - base_deg_;
     setPosition(within + 360 * std::round((near - within) / 360));
     return {};

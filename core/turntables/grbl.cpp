@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "turntables/line_turntable.h"
 
@@ -21,7 +22,7 @@ enum class Reply { Ok, Refused, Lost, Restarted, Alarm };
 
 struct Answer {
   Reply reply = Reply::Lost;
-  std::string words;  // of Refused and Alarm
+  Message words;  // of Refused and Alarm
 };
 
 class GrblTurntable final : public LineTurntable {
@@ -42,36 +43,38 @@ class GrblTurntable final : public LineTurntable {
       const double deadline_s = now_s() + kBoot_s;
       bool asked = false;
       while (now_s() < deadline_s) {
-        const auto message = line_.next(0.5, stop);
-        if (!message) return message.error();
+        const auto heard = line_.next(0.5, stop);
+        if (!heard) return heard.error();
         if (stop.stop_requested()) return Error::cancelled();
-        if (*message && isBanner(**message)) return prepare(stop);
-        if (*message && (*message)->starts_with("[VER:")) return prepare(stop);
-        if (!*message && !asked) {
+        if (*heard && isBanner(**heard)) return prepare(stop);
+        if (*heard && (*heard)->starts_with("[VER:")) return prepare(stop);
+        if (!*heard && !asked) {
           asked = true;
           if (Result<void> r = line_.send("$I\n"); !r) return r;
         }
       }
     }
-    return Error{ErrorCode::Missing,
-                 "The turntable does not answer like a GRBL controller; check that it is switched "
-                 "on and of this type.",
-                 where_};
+    return Error{
+        ErrorCode::Missing,
+        message("The turntable does not answer like a GRBL controller; check that it is switched "
+                "on and of this type."),
+        where_};
   }
 
   Result<void> home(std::stop_token stop) override {
-    if (!has_switch_) return Error{ErrorCode::Missing, "The turntable has no zero switch.", where_};
+    if (!has_switch_)
+      return Error{ErrorCode::Missing, message("The turntable has no zero switch."), where_};
     setPosition(std::nullopt);
     // An old 'ok' would pass for the end of a homing that never began: the line must be quiet.
     for (int k = 0; k < 10; ++k) {
-      const auto message = line_.next(kQuiet_s, stop);
-      if (!message) return message.error();
+      const auto heard = line_.next(kQuiet_s, stop);
+      if (!heard) return heard.error();
       if (stop.stop_requested()) return Error::cancelled();
-      if (!*message) break;
+      if (!*heard) break;
     }
     const Result<Answer> answer = command("$H", kHoming_s, stop);
     if (!answer) return answer.error();
-    if (Result<void> r = judge(*answer, "It did not answer while homing."); !r) return r;
+    if (Result<void> r = judge(*answer, message("It did not answer while homing.")); !r) return r;
     return zeroHere(stop);
   }
 
@@ -81,7 +84,7 @@ class GrblTurntable final : public LineTurntable {
     if (report->state.starts_with("Alarm")) {  // where it is, we say
       const Result<Answer> unlocked = command("$X", kReply_s, stop);
       if (!unlocked) return unlocked.error();
-      if (Result<void> r = judge(*unlocked, "It did not unlock."); !r) return r;
+      if (Result<void> r = judge(*unlocked, message("It did not unlock.")); !r) return r;
     }
     return count(0, stop);
   }
@@ -103,7 +106,7 @@ class GrblTurntable final : public LineTurntable {
     for (const std::string& step : {shutterOn(), std::string("G4 P0.2")}) {
       const Result<Answer> answer = command(step, kReply_s, stop);
       if (!answer) return answer.error();
-      fired = judge(*answer, "It did not answer the shutter command.");
+      fired = judge(*answer, message("It did not answer the shutter command."));
       if (!fired) break;
     }
     const Result<Answer> off = command(shutterOff(), kReply_s, {});
@@ -137,10 +140,10 @@ class GrblTurntable final : public LineTurntable {
     if (Result<void> r = line_.send("$$\n"); !r) return r;
     const double deadline_s = now_s() + 2 * kReply_s;
     while (now_s() < deadline_s) {
-      const auto message = line_.next(deadline_s - now_s(), stop);
-      if (!message) return message.error();
-      if (!*message || **message == "ok" || grblTrouble(**message)) break;
-      readSetting(**message);
+      const auto heard = line_.next(deadline_s - now_s(), stop);
+      if (!heard) return heard.error();
+      if (!*heard || **heard == "ok" || grblTrouble(**heard)) break;
+      readSetting(**heard);
     }
     const Result<Answer> units = command("G21 G90 G94", kReply_s, stop);
     if (!units) return units.error();
@@ -176,10 +179,10 @@ class GrblTurntable final : public LineTurntable {
   Result<Answer> answer(double timeout_s, std::stop_token stop) {
     const double deadline_s = now_s() + timeout_s;
     while (true) {
-      const auto message = line_.next(std::min(0.1, std::max(0.0, deadline_s - now_s())), stop);
-      if (!message) return message.error();
-      if (*message) {
-        const std::string& line = **message;
+      const auto heard = line_.next(std::min(0.1, std::max(0.0, deadline_s - now_s())), stop);
+      if (!heard) return heard.error();
+      if (*heard) {
+        const std::string& line = **heard;
         if (line == "ok") return Answer{Reply::Ok, {}};
         if (isBanner(line)) {
           setPosition(std::nullopt);
@@ -196,7 +199,7 @@ class GrblTurntable final : public LineTurntable {
     }
   }
 
-  Result<void> judge(const Answer& answer, const std::string& when_lost) const {
+  Result<void> judge(const Answer& answer, const Message& when_lost) const {
     switch (answer.reply) {
       case Reply::Ok:
         return {};
@@ -204,7 +207,8 @@ class GrblTurntable final : public LineTurntable {
         return gone(when_lost);
       case Reply::Restarted:
         return Error{ErrorCode::NotEnough,
-                     "The controller restarted; the turntable's position is unknown.", where_};
+                     message("The controller restarted; the turntable's position is unknown."),
+                     where_};
       default:
         return Error{ErrorCode::Failed, answer.words, where_};
     }
@@ -215,19 +219,20 @@ class GrblTurntable final : public LineTurntable {
     if (Result<void> r = line_.send("?"); !r) return r.error();
     const double deadline_s = now_s() + kReport_s;
     while (true) {
-      const auto message = line_.next(std::max(0.0, deadline_s - now_s()), stop);
-      if (!message) return message.error();
-      if (!*message) return std::optional<GrblReport>();
-      if (isBanner(**message)) {
+      const auto heard = line_.next(std::max(0.0, deadline_s - now_s()), stop);
+      if (!heard) return heard.error();
+      if (!*heard) return std::optional<GrblReport>();
+      if (isBanner(**heard)) {
         setPosition(std::nullopt);
         return Error{ErrorCode::NotEnough,
-                     "The controller restarted; the turntable's position is unknown.", where_};
+                     message("The controller restarted; the turntable's position is unknown."),
+                     where_};
       }
-      if ((*message)->starts_with("ALARM:")) {
+      if ((*heard)->starts_with("ALARM:")) {
         setPosition(std::nullopt);
-        return Error{ErrorCode::Failed, *grblTrouble(**message), where_};
+        return Error{ErrorCode::Failed, *grblTrouble(**heard), where_};
       }
-      if (auto report = parseGrblReport(**message)) {
+      if (auto report = parseGrblReport(**heard)) {
         if (report->offset) offset_ = *report->offset;
         return std::optional(std::move(*report));
       }
@@ -249,7 +254,7 @@ class GrblTurntable final : public LineTurntable {
       if (!report) return report.error();
       if (stop.stop_requested()) return Error::cancelled();
       if (!*report) {
-        if (++silences >= kMostSilences) return gone("The turntable does not answer.");
+        if (++silences >= kMostSilences) return gone(message("The turntable does not answer."));
         continue;
       }
       silences = 0;
@@ -261,7 +266,7 @@ class GrblTurntable final : public LineTurntable {
       before = **report;
       if (!line_.clock().sleep(kReport_s, stop)) return Error::cancelled();
     }
-    return gone("The turntable does not stop moving.");
+    return gone(message("The turntable does not stop moving."));
   }
 
   // The place where it stands is this angle from now on.
@@ -282,7 +287,7 @@ class GrblTurntable final : public LineTurntable {
         return {};
       }
     }
-    return gone("The turntable does not accept its zero.");
+    return gone(message("The turntable does not accept its zero."));
   }
 
   Result<void> standsAt(double degrees, std::stop_token stop) {
@@ -306,7 +311,8 @@ class GrblTurntable final : public LineTurntable {
       return {};
     setPosition(std::nullopt);
     return Error{ErrorCode::NotEnough,
-                 "The controller reset its count; the turntable's position is unknown.", where_};
+                 message("The controller reset its count; the turntable's position is unknown."),
+                 where_};
   }
 
   Result<void> turn(double start, double target, std::stop_token stop) {
@@ -338,7 +344,7 @@ class GrblTurntable final : public LineTurntable {
       if (!report) return report.error();
       const std::optional<double> place = *report ? placeIn(**report) : std::nullopt;
       silences = *report ? 0 : silences + 1;
-      if (silences >= kMostSilences) return gone("The turntable does not answer.");
+      if (silences >= kMostSilences) return gone(message("The turntable does not answer."));
       const bool idle = *report && (*report)->state == "Idle" && place;
       arrived = idle && std::abs(*place - target) <= tolerance_deg_ ? arrived + 1 : 0;
       resting =
@@ -348,7 +354,7 @@ class GrblTurntable final : public LineTurntable {
         return {};
       }
       if (resting >= 3) {  // the command itself was lost; an absolute target may be said again
-        if (sent >= 3) return gone("The turntable does not move.");
+        if (sent >= 3) return gone(message("The turntable does not move."));
         resting = 0;
         must_send = true;
         continue;
@@ -356,7 +362,7 @@ class GrblTurntable final : public LineTurntable {
       if (now_s() > deadline_s) {
         (void)line_.send("!");
         setPosition(std::nullopt);
-        return gone("The turntable did not arrive in time; it was stopped.");
+        return gone(message("The turntable did not arrive in time; it was stopped."));
       }
       if (!line_.clock().sleep(arrived > 0 ? kReport_s / 2 : kReport_s, stop)) return halt();
     }
@@ -370,9 +376,9 @@ class GrblTurntable final : public LineTurntable {
     const std::optional<double> place = placeIn(*report);
     if (Result<void> r = line_.send("\x18"); !r) return r;
     for (const double deadline_s = now_s() + kBoot_s; now_s() < deadline_s;) {
-      const auto message = line_.next(0.2, {});
-      if (!message) return message.error();
-      if (*message && isBanner(**message)) break;
+      const auto heard = line_.next(0.2, {});
+      if (!heard) return heard.error();
+      if (*heard && isBanner(**heard)) break;
     }
     setPosition(std::nullopt);
     const Result<Answer> units = command("G21 G90 G94", kReply_s, {});
@@ -398,7 +404,7 @@ Result<std::unique_ptr<devices::Turntable>> openGrbl(std::unique_ptr<devices::By
   const std::string& shutter = options.shutter;
   if (!shutter.empty() && shutter != "M8" && shutter != "M7" && shutter != "M3" &&
       !shutter.starts_with("M62 P"))
-    return Error::unusable("The shutter output must be M8, M7, M3 or M62 Pn.");
+    return Error::unusable(message("The shutter output must be M8, M7, M3 or M62 Pn."));
   if (!(options.speed_deg_s > 0)) return LineTurntable::noSpeed();  // before anything is said to it
   return LineTurntable::open(
       std::make_unique<GrblTurntable>(std::move(channel), options, std::move(clock)),

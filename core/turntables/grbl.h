@@ -34,6 +34,6 @@ struct GrblReport {
 /// Nothing when the line is not one whole report.
 std::optional<GrblReport> parseGrblReport(std::string_view line);
 /// "ALARM:1" and "error:9" in words; nothing for other lines.
-std::optional<std::string> grblTrouble(std::string_view line);
+std::optional<Message> grblTrouble(std::string_view line);
 
 }  // namespace ostraka::turntables

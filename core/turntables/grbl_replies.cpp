@@ -23,37 +23,43 @@ std::optional<int> codeAfter(std::string_view line, std::string_view start) {
   return code;
 }
 
-std::string alarmWords(int code) {
+Template<1> alarmWords(int code) {
   switch (code) {
     case 1:
     case 3:
-      return "The turntable was stopped while moving and lost its position: align the zero mark";
+      return translatable<1>(
+          "The turntable was stopped while moving and lost its position: align the zero mark "
+          "(ALARM:%1).");
     case 2:
-      return "The turntable's controller reports a turn beyond its travel: switch $20 off";
+      return translatable<1>(
+          "The turntable's controller reports a turn beyond its travel: switch $20 off "
+          "(ALARM:%1).");
     case 6:
     case 8:
     case 9:
-      return "Homing failed: check the zero switch and its cable";
+      return translatable<1>("Homing failed: check the zero switch and its cable (ALARM:%1).");
     default:
-      return "The turntable's controller raised an alarm";
+      return translatable<1>("The turntable's controller raised an alarm (ALARM:%1).");
   }
 }
 
-std::string errorWords(int code) {
+Template<1> errorWords(int code) {
   switch (code) {
     case 1:
     case 2:
     case 3:
     case 20:
-      return "The controller does not understand the command: wrong controller type or bad cable";
+      return translatable<1>(
+          "The controller does not understand the command: wrong controller type or bad cable "
+          "(error:%1).");
     case 5:
-      return "The turntable has no zero switch";
+      return translatable<1>("The turntable has no zero switch (error:%1).");
     case 8:
-      return "The turntable is still moving";
+      return translatable<1>("The turntable is still moving (error:%1).");
     case 9:
-      return "The turntable is locked: home it or unlock it";
+      return translatable<1>("The turntable is locked: home it or unlock it (error:%1).");
     default:
-      return "The turntable's controller rejected a command";
+      return translatable<1>("The turntable's controller rejected a command (error:%1).");
   }
 }
 
@@ -89,11 +95,9 @@ std::optional<GrblReport> parseGrblReport(std::string_view line) {
   return std::nullopt;
 }
 
-std::optional<std::string> grblTrouble(std::string_view line) {
-  if (const auto code = codeAfter(line, "ALARM:"))
-    return alarmWords(*code) + " (ALARM:" + std::to_string(*code) + ").";
-  if (const auto code = codeAfter(line, "error:"))
-    return errorWords(*code) + " (error:" + std::to_string(*code) + ").";
+std::optional<Message> grblTrouble(std::string_view line) {
+  if (const auto code = codeAfter(line, "ALARM:")) return message(alarmWords(*code), *code);
+  if (const auto code = codeAfter(line, "error:")) return message(errorWords(*code), *code);
   return std::nullopt;
 }
 

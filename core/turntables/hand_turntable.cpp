@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/message.h"
+
 namespace ostraka::turntables {
 namespace {
 
@@ -36,9 +38,11 @@ class HandTurntable final : public devices::Turntable {
   Result<void> turn(double degrees, std::stop_token stop) {
     const long mark = std::lround(degrees - 360 * std::floor(degrees / 360));
     position_ = kUnknown;
-    if (!ask_ || !ask_("Turn the turntable counter-clockwise to " + std::to_string(mark) +
-                           " degrees, then take your hand away.",
-                       stop))
+    if (!ask_ ||
+        !ask_(
+            message("Turn the turntable counter-clockwise to %1 degrees, then take your hand away.",
+                    mark),
+            stop))
       return Error::cancelled();
     position_ = degrees;
     return {};

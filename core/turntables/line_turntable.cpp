@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/message.h"
+
 namespace ostraka::turntables {
 
 std::optional<double> LineTurntable::position_deg() const {
@@ -25,17 +27,18 @@ double LineTurntable::patience_s(double by_deg) const {
 }
 
 Error LineTurntable::lost() const {
-  return {ErrorCode::NotEnough, "The turntable's position is unknown: home it or align it.",
-          where_};
+  return {ErrorCode::NotEnough,
+          message("The turntable's position is unknown: home it or align it."), where_};
 }
 
 Error LineTurntable::noSpeed() {
-  return Error::unusable("The turntable's speed must be greater than 0.");
+  return Error::unusable(message("The turntable's speed must be greater than 0."));
 }
 
 Result<double> LineTurntable::beginMove(double degrees) {
   halt_ = false;
-  if (!std::isfinite(degrees)) return Error::unusable("The angle is not a number.", where_);
+  if (!std::isfinite(degrees))
+    return Error::unusable(message("The angle is not a number."), where_);
   const std::optional<double> start = position_deg();
   if (!start) return lost();
   return *start;
@@ -43,10 +46,10 @@ Result<double> LineTurntable::beginMove(double degrees) {
 
 Result<void> LineTurntable::drain() {
   for (int k = 0; k < 1000; ++k) {
-    const auto message = line_.waiting();
-    if (!message) return message.error();
-    if (!*message) return {};
-    overhear(**message);
+    const auto heard = line_.waiting();
+    if (!heard) return heard.error();
+    if (!*heard) return {};
+    overhear(**heard);
   }
   return {};
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "files/json_numbers.h"
 #include "turntables/line_turntable.h"
@@ -50,10 +51,10 @@ class TextTurntable final : public LineTurntable {
     setPosition(std::nullopt);
     saw_restart_ = false;
     for (double end_s = now_s() + kBoot_s; !words_.restarted.empty() && now_s() < end_s;) {
-      const auto message = line_.next(end_s - now_s(), stop);
-      if (!message) return message.error();
+      const auto heard = line_.next(end_s - now_s(), stop);
+      if (!heard) return heard.error();
       if (stop.stop_requested()) return Error::cancelled();
-      if (*message && isRestart(**message)) end_s = std::min(end_s, now_s() + kTrail_s);
+      if (*heard && isRestart(**heard)) end_s = std::min(end_s, now_s() + kTrail_s);
     }
     for (int k = 0; k < kTries; ++k) {
       if (Result<void> r = drain(); !r) return r;
@@ -65,14 +66,15 @@ class TextTurntable final : public LineTurntable {
       }
       if (*answer == Answer::Accepted) return {};
     }
-    return gone("The turntable does not answer as a " + words_.name + "; check its type.");
+    return gone(message("The turntable does not answer as a %1; check its type.", words_.name));
   }
 
-  std::string name() const override { return words_.name + " at " + where_; }
+  std::string name() const override { return words_.name.english() + " at " + where_; }
 
   Result<void> home(std::stop_token stop) override {
     halt_ = false;
-    if (words_.home.empty()) return gone("This turntable has no zero switch: align it by eye.");
+    if (words_.home.empty())
+      return gone(message("This turntable has no zero switch: align it by eye."));
     setPosition(std::nullopt);
     if (Result<void> r = obey(words_.home, kHoming_s, stop); !r) return r;
     if (!words_.still.empty())
@@ -135,10 +137,10 @@ class TextTurntable final : public LineTurntable {
   Result<Answer> hear(double patience_s, std::stop_token stop) {
     double deadline_s = now_s() + patience_s;
     while (true) {
-      const auto message = line_.next(std::min(0.1, std::max(0.0, deadline_s - now_s())), stop);
-      if (!message) return message.error();
-      if (*message) {
-        const std::string& line = **message;
+      const auto heard = line_.next(std::min(0.1, std::max(0.0, deadline_s - now_s())), stop);
+      if (!heard) return heard.error();
+      if (*heard) {
+        const std::string& line = **heard;
         if (isRestart(line)) return Answer::Restarted;
         if (says(line, words_.refused, refused_)) {
           complaint_ = line;
@@ -161,10 +163,11 @@ class TextTurntable final : public LineTurntable {
   Error trouble(Answer answer) const {
     if (answer == Answer::Restarted)
       return {ErrorCode::NotEnough,
-              "The controller restarted; the turntable's position is unknown.", where_};
+              message("The controller restarted; the turntable's position is unknown."), where_};
     if (answer == Answer::Refused)
-      return {ErrorCode::Failed, "The turntable rejects the command: " + complaint_ + ".", where_};
-    return gone("The turntable does not answer.");
+      return {ErrorCode::Failed, message("The turntable rejects the command: %1.", complaint_),
+              where_};
+    return gone(message("The turntable does not answer."));
   }
 
   // Only for commands that may be said twice.
@@ -203,8 +206,8 @@ class TextTurntable final : public LineTurntable {
     const Result<std::optional<double>> place = ask(stop);
     if (!place) return place.error();
     if (*place && std::abs(**place - target) > kTolerance_deg)
-      return gone("The turntable is at " + fixed(**place, 3) + " degrees instead of " +
-                  fixed(target, 3) + ".");
+      return gone(message("The turntable is at %1 degrees instead of %2.", decimal(**place, 3),
+                          decimal(target, 3)));
     return {};
   }
 
@@ -213,13 +216,13 @@ class TextTurntable final : public LineTurntable {
       if (Result<void> r = drain(); !r) return r.error();
       if (Result<void> r = line_.send(words_.query + words_.end); !r) return r.error();
       for (const double deadline_s = now_s() + words_.reply_s; now_s() < deadline_s;) {
-        const auto message = line_.next(deadline_s - now_s(), stop);
-        if (!message) return message.error();
+        const auto heard = line_.next(deadline_s - now_s(), stop);
+        if (!heard) return heard.error();
         if (stop.stop_requested()) return Error::cancelled();
-        if (!*message) break;
-        if (isRestart(**message)) return trouble(Answer::Restarted);
+        if (!*heard) break;
+        if (isRestart(**heard)) return trouble(Answer::Restarted);
         std::smatch found;
-        if (!std::regex_search(**message, found, place_) || found.size() < 2) continue;
+        if (!std::regex_search(**heard, found, place_) || found.size() < 2) continue;
         const std::string digits = found[1].str();
         double place = 0;
         if (std::from_chars(digits.data(), digits.data() + digits.size(), place).ec != std::errc())
@@ -258,7 +261,7 @@ class TextTurntable final : public LineTurntable {
 
 TextDialect marlinDialect() {
   TextDialect marlin;
-  marlin.name = "Marlin controller";
+  marlin.name = message("Marlin controller");
   marlin.begin = {"G21", "G90"};
   marlin.move = "G0 X{target} F{deg_min}";
   marlin.still = "M400";
@@ -275,33 +278,38 @@ TextDialect marlinDialect() {
 }
 
 Result<void> TextDialect::check() const {
-  const auto bad = [](const std::string& what) {
-    return Error::unusable("The turntable's dialect: " + what);
-  };
   if (move.find("{target}") == std::string::npos && move.find("{by}") == std::string::npos)
-    return bad("'move' must contain {target} or {by}.");
-  if (accepted.empty()) return bad("'accepted' must describe its answer.");
+    return Error::unusable(
+        message("The turntable's dialect: 'move' must contain {target} or {by}."));
+  if (accepted.empty())
+    return Error::unusable(
+        message("The turntable's dialect: 'accepted' must describe its answer."));
   if (query.empty() != position.empty())
-    return bad("'query' and 'position' must be given together.");
-  if (!(reply_s > 0)) return bad("'reply_s' must be greater than 0.");
+    return Error::unusable(
+        message("The turntable's dialect: 'query' and 'position' must be given together."));
+  if (!(reply_s > 0))
+    return Error::unusable(message("The turntable's dialect: 'reply_s' must be greater than 0."));
   for (const std::string& word : {accepted, refused, restarted, arrived, busy, position}) try {
       const std::regex regex(word);
     } catch (const std::regex_error&) {
-      return bad("'" + word + "' is not a regular expression.");
+      return Error::unusable(
+          message("The turntable's dialect: '%1' is not a regular expression.", word));
     }
   if (!position.empty() && std::regex(position).mark_count() < 1)
-    return bad("'position' needs a group for the angle.");
+    return Error::unusable(
+        message("The turntable's dialect: 'position' needs a group for the angle."));
   return {};
 }
 
 Result<TextDialect> dialectFromJson(const nlohmann::json& json) {
   const Error unusable = Error::unusable(
-      "The turntable's 'dialect' must be \"marlin\" or an object with its commands.");
+      message("The turntable's 'dialect' must be \"marlin\" or an object with its commands."));
   if (json == "marlin") return marlinDialect();
   if (!json.is_object()) return unusable;
   TextDialect d;
   try {
-    d.name = json.value("name", "text controller");
+    d.name = json.contains("name") ? Message(json["name"].get<std::string>())
+                                   : message("text controller");
     const std::string end = json.value("end", "\n");
     if (end.size() != 1) return unusable;
     d.end = end[0];

@@ -14,7 +14,7 @@ namespace ostraka::turntables {
 /// {target} or {by} (degrees, counter-clockwise) and {deg_min} or {deg_s} (the speed); replies are
 /// regular expressions that a line has to contain. Empty: the controller has no such word.
 struct TextDialect {
-  std::string name;                ///< for people
+  Message name;                    ///< for people
   char end = '\n';                 ///< of commands and replies
   std::vector<std::string> begin;  ///< said after opening, one by one
   std::string move;                ///< with {target}, or {by} where it turns by steps only

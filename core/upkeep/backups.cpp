@@ -5,7 +5,7 @@
 #include <ctime>
 #include <set>
 
-#include "files/cannot_write.h"
+#include "files/files.h"
 #include "store/database.h"
 #include "store/file_header.h"
 #include "store/partial_file.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/message.h"
 #include "files/open_folder.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
@@ -173,7 +174,8 @@ Result<void> checkPaths(const catalogue::Catalogue& catalogue) {
       batches >> number;
       if (!store::isFolderName(number))
         store::refuse(
-            "The number of a batch is also the name of its folder; use letters and digits.",
+            message(
+                "The number of a batch is also the name of its folder; use letters and digits."),
             number);
     }
   });

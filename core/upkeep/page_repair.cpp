@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "files/cannot_write.h"
 #include "files/files.h"
 #include "store/page_checksums.h"
 #include "store/wal_content.h"

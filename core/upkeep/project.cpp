@@ -5,8 +5,8 @@
 #include <chrono>
 #include <utility>
 
+#include "base/message.h"
 #include "catalogue/settings.h"
-#include "files/cannot_write.h"
 #include "files/files.h"
 #include "files/output_place.h"
 #include "records/numbering.h"
@@ -38,16 +38,17 @@ catalogue::Catalogue::Clock orSystemClock(const catalogue::Catalogue::Clock& clo
   };
 }
 
-Error refused(std::string what, const fs::path& where) {
+Error refused(Message what, const fs::path& where) {
   return Error::unusable(std::move(what), where.string());
 }
 
 Result<void> checkFolder(const fs::path& folder) {
   if (const std::string share = store::networkShareOf(fs::absolute(folder)); !share.empty())
-    return refused("The folder is on a network share (" + share +
-                       "), which can damage catalogues; use a folder on this computer's own disk "
-                       "and copy backups to the share.",
-                   folder);
+    return refused(
+        message("The folder is on a network share (%1), which can damage catalogues; use a folder "
+                "on this computer's own disk and copy backups to the share.",
+                share),
+        folder);
   return {};
 }
 
@@ -58,7 +59,7 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
   const fs::path file = folder / kFile;
   std::error_code code;
   if (!fs::is_regular_file(file, code))
-    return refused("Not an Ostraka project: this folder has no catalogue.sqlite.", folder);
+    return refused(message("Not an Ostraka project: this folder has no catalogue.sqlite."), folder);
   if (const Result<void> own =
           checkNoLinkedFolder(folder, kOwnFolders, LinkedFolders::OfTheseNames);
       !own)
@@ -73,10 +74,10 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
     if (const Result<void> ready = (*database)->writeAhead(); !ready) return ready.error();
   catalogue::Catalogue catalogue(std::move(*database), orSystemClock(clock));
   if (!writable && catalogue.schemaVersion() < store::migrations().back().number)
-    return refused(
-        "An older Ostraka made this project, and it is read-only here; copy it to a folder that "
-        "you can write to, and open it there.",
-        folder);
+    return refused(message("An older Ostraka made this project, and it is read-only here; copy it "
+                           "to a folder that "
+                           "you can write to, and open it there."),
+                   folder);
   const auto save = [&]() -> Result<void> {
     const Result<fs::path> copy = backUpInto(folder, catalogue, "-before-update");
     return copy ? Result<void>() : copy.error();
@@ -86,7 +87,7 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
     return done.error();
   const Result<records::ProjectRecord> record = catalogue::Settings(catalogue).project();
   if (!record) return record.error();
-  if (record->id.empty()) return store::damagedCatalogue("it contains no project", file);
+  if (record->id.empty()) return store::damagedCatalogue(message("it contains no project"), file);
   return catalogue;
 }
 
@@ -111,7 +112,8 @@ Result<Project> Project::create(const fs::path& folder, const records::ProjectRe
   std::error_code code;
   const bool there = fs::exists(folder, code);
   if (there && (!fs::is_directory(folder, code) || !isFree(folder)))
-    return refused("A new project needs a new or empty folder; choose another name.", folder);
+    return refused(message("A new project needs a new or empty folder; choose another name."),
+                   folder);
   if (const Result<void> good = checkFolder(folder); !good) return good.error();
   const auto undone = [&](const Error& error) {
     std::error_code ignored;
@@ -123,9 +125,10 @@ Result<Project> Project::create(const fs::path& folder, const records::ProjectRe
     fs::create_directories(folder / name, code);
     if (code == std::errc::no_space_on_device) return undone(cannotWrite(folder, code.value()));
     if (code)
-      return undone({ErrorCode::CannotWrite,
-                     "The folder cannot be created; choose a location that you can write to.",
-                     folder.string()});
+      return undone(
+          {ErrorCode::CannotWrite,
+           message("The folder cannot be created; choose a location that you can write to."),
+           folder.string()});
   }
   store::PartialFile::removeLeftovers(folder);
   const auto make = [&]() -> Result<void> {

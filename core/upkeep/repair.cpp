@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "files/cannot_write.h"
+#include "base/message.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "files/open_folder.h"
@@ -59,9 +59,10 @@ class ExclusiveLock {
     struct stat named {};
     if (!taken || ::fstat(lock.fd_, &held) != 0 || ::stat(file.c_str(), &named) != 0 ||
         held.st_dev != named.st_dev || held.st_ino != named.st_ino)
-      return Error{ErrorCode::Failed,
-                   "Another program has this project open; close it there, then repair it.",
-                   file.parent_path().string()};
+      return Error{
+          ErrorCode::Failed,
+          message("Another program has this project open; close it there, then repair it."),
+          file.parent_path().string()};
     return lock;
   }
   ~ExclusiveLock() {
@@ -88,10 +89,10 @@ class Repair {
 
   Result<RepairReport> run() {
     if (fs::is_symlink(file_))  // its WAL lies beside what it leads to
-      return Error::unusable(
-          "A link or a file has taken the place of a folder, or a link that of a file; replace it "
-          "with the folder or the file itself.",
-          file_.string());
+      return Error::unusable(message("A link or a file has taken the place of a folder, or a link "
+                                     "that of a file; replace it "
+                                     "with the folder or the file itself."),
+                             file_.string());
     const Result<ExclusiveLock> alone = ExclusiveLock::take(file_);
     if (!alone) return alone.error();
     std::error_code failed;
@@ -179,10 +180,11 @@ class Repair {
   Result<void> makeFrom(const fs::path& damaged, const PageRepair& pages,
                         store::PartialFile& fresh) {
     if (base_.empty())
-      return Error{ErrorCode::Damaged,
-                   "The catalogue is damaged, and none of its backups is intact; copy one from an "
-                   "archive or another disk into the folder backups, then repair it again.",
-                   file_.string()};
+      return Error{
+          ErrorCode::Damaged,
+          message("The catalogue is damaged, and none of its backups is intact; copy one from an "
+                  "archive or another disk into the folder backups, then repair it again."),
+          file_.string()};
     report_.backup = base_;
     // The backup itself stays as it is: an older one is brought to this program's schema first.
     Result<store::PartialFile> base = store::PartialFile::beside(file_);
@@ -373,7 +375,7 @@ Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress
                                      std::stop_token stop,
                                      const catalogue::Catalogue::Clock& clock) {
   if (!Project::isProject(project))
-    return Error::unusable("Not an Ostraka project: this folder has no catalogue.sqlite.",
+    return Error::unusable(message("Not an Ostraka project: this folder has no catalogue.sqlite."),
                            project.string());
   store::PartialFile::removeLeftovers(project);
   return Repair(fs::absolute(project), progress, std::move(stop), clock ? clock : systemTime).run();

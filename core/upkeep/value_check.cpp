@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "store/database.h"
 #include "store/names.h"
 #include "store/values.h"
@@ -59,8 +60,8 @@ void checkTable(store::Database& database, const CheckedColumns& table) {
       std::optional<double> number;
       rows >> number;
       if (number && !std::isfinite(*number))
-        store::refuse("'" + store::numberText(*number) +
-                          "' is not a number; write 12.5 or 12,5, without a unit.",
+        store::refuse(message("'%1' is not a number; write 12.5 or 12,5, without a unit.",
+                              store::numberText(*number)),
                       where(column));
     }
   }

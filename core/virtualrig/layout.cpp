@@ -255,10 +255,11 @@ Result<Layout> layOut(const std::vector<vessels::VirtualSherd>& sherds,
     Arranger arranger(sherds, options, random);
     if (arranger.front(layout) && arranger.back(layout)) return layout;
   }
-  return Error::unusable("The " + std::to_string(sherds.size()) +
-                         (options.hand_held
-                              ? " sherds do not fit on the sheet; use fewer, or a larger sheet."
-                              : " sherds do not fit on the plate; use fewer, or another seed."));
+  if (options.hand_held)
+    return Error::unusable("The " + std::to_string(sherds.size()) +
+                           " sherds do not fit on the sheet; use fewer, or a larger sheet.");
+  return Error::unusable(
+      message("The %1 sherds do not fit on the plate; use fewer, or another seed.", sherds.size()));
 }
 
 }  // namespace ostraka::virtualrig

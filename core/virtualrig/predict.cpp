@@ -5,6 +5,7 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "base/text.h"
 #include "cloud/ply.h"
@@ -42,7 +43,7 @@ class TrialProgress final : public Progress {
     whole_.begin(stage, share * share_ * kProcessShare);
   }
   void report(std::int64_t done, std::int64_t total) override { whole_.report(done, total); }
-  void note(NoteLevel level, std::string_view text) override { whole_.note(level, text); }
+  void note(NoteLevel level, const Message& text) override { whole_.note(level, text); }
 
  private:
   Progress& whole_;
@@ -314,7 +315,8 @@ Result<void> PredictOptions::check() const {
 Result<Prediction> predict(const rig::Rig& rig, const PredictOptions& options, Progress& progress,
                            std::stop_token stop) {
   if (const Result<void> good = options.check(); !good) return good.error();
-  if (rig.cameras.empty()) return Error::unusable("The rig has no camera; recalibrate it.");
+  if (rig.cameras.empty())
+    return Error::unusable(message("The rig has no camera; recalibrate it."));
   PredictOptions fitting = options;
   const int most = workingWidth(rig);
   fitting.width = options.width == 0 ? most : std::min(options.width, most);

@@ -66,7 +66,7 @@ struct Prediction {
   std::vector<MoveTried> moves;  ///< in the order of their promise; the last one may be better
   std::vector<int> cameras;      ///< their numbers
   std::vector<double> elevations_rad, pixels_mm;  ///< by camera
-  std::vector<std::string> remarks;               ///< on the rig, whole sentences
+  std::vector<Message> remarks;                   ///< on the rig, whole sentences
 
   /// Carried to the full resolution where narrower pictures were simulated: noise goes with the
   /// pixel's size at least, so this is on the safe side; time goes with its square.

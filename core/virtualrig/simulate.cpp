@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/message.h"
 #include "base/parallel.h"
 #include "files/new_folder.h"
 #include "rendering/photograph.h"
@@ -234,21 +235,21 @@ Result<void> fill(const SimulateOptions& options, Progress& progress, std::stop_
 }  // namespace
 
 Result<void> SimulateOptions::check() const {
-  const auto bad = [](const char* what) { return Error::unusable(what); };
+  const auto bad = [](const Message& what) { return Error::unusable(what); };
   if (meshes.size() > 40) return bad("meshes may hold 40 files at most.");
   if (!meshes.empty() && (scans_only || near_duplicates > 0 || !radii_mm.empty()))
     return bad(
         "meshes are photographed as they are: no scans_only, no near_duplicates, no radii_mm.");
-  if (sherds < 1 || sherds > 40) return bad("sherds must lie between 1 and 40.");
+  if (sherds < 1 || sherds > 40) return bad(message("sherds must lie between 1 and 40."));
   if (width < 160 || width > 8192 || width % 4 != 0)
-    return bad("width must lie between 160 and 8192 pixels and be divisible by 4.");
+    return bad(message("width must lie between 160 and 8192 pixels and be divisible by 4."));
   if (output.empty()) return bad("output must name a folder.");
   if (stops < 4 || stops > 72) return bad("stops must lie between 4 and 72.");
   if (gloss && !(*gloss >= 0 && *gloss <= 1)) return bad("gloss must lie between 0 and 1.");
   if (fstop && *fstop != 0 && !(*fstop >= 1 && *fstop <= 64))
     return bad("fstop must be 0, for none, or lie between 1 and 64.");
   if (near_duplicates < 0 || 2 * near_duplicates > sherds)
-    return bad("near_duplicates are groups of two: at most half the number of sherds.");
+    return bad(message("near_duplicates are groups of two: at most half the number of sherds."));
   if (touching < 0 || 2 * touching > sherds)
     return bad("touching counts pairs: at most half the number of sherds.");
   if (scans_only && fault)
@@ -263,7 +264,7 @@ Result<void> SimulateOptions::check() const {
   for (const double radius : radii_mm)
     if (!(radius >= 8 && radius <= 60)) return bad("radii_mm must lie between 8 and 60 mm.");
   if (rig && (rig->cameras.empty() || rig->stop_angles_rad.size() < 4))
-    return bad("The rig needs a camera and at least four positions; recalibrate it.");
+    return bad(message("The rig needs a camera and at least four positions; recalibrate it."));
   return {};
 }
 

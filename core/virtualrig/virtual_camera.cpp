@@ -5,6 +5,7 @@
 #include <mutex>
 #include <numbers>
 
+#include "base/message.h"
 #include "rendering/photograph.h"
 #include "virtualrig/batch_files.h"
 
@@ -176,7 +177,7 @@ class VirtualCamera final : public Camera {
     const Result<std::vector<CameraSetting>> all = settings();
     for (const CameraSetting& setting : *all)
       if (setting.name == name && setting.value == value) return setting;
-    return Error::unusable("The virtual camera has no setting " + name + " of " + value + ".",
+    return Error::unusable(message("The virtual camera has no setting %1 of %2.", name, value),
                            id().serial);
   }
   Result<std::string> preview(std::stop_token stop) override {
@@ -199,7 +200,7 @@ class VirtualCamera final : public Camera {
   bool fileIsOfItsTrigger() const override { return true; }
   Result<std::vector<CameraFile>> fetch(double, std::stop_token stop) override {
     if (!exposed_)
-      return Error{ErrorCode::Missing, "The camera has taken no photograph.", id().serial};
+      return Error{ErrorCode::Missing, message("The camera has taken no photograph."), id().serial};
     const double degrees = *exposed_;
     exposed_.reset();
     std::string bytes = place_->picture(number_, degrees, false, stop);

@@ -4,10 +4,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <set>
 #include <string>
 #include <vector>
@@ -68,6 +70,7 @@ constexpr Printed kQuick[] = {
     {"catalogue-import", "catalogue import @/p @/sherds.csv --make-places --enter --confirm all"},
     {"catalogue-import", "catalogue import @/p @/changed.csv"},
     {"catalogue-export", "catalogue export @/p -o @/export --forms csv,json,ply"},
+    {"catalogue-export", "catalogue export @/p -o @/web --forms csv,glb --size web"},
     {"catalogue-import", "catalogue import @/p @/export"},
     {"catalogue-repair", "catalogue repair @/p"}};
 // Of a project with results, and of the same with a damaged file.
@@ -79,6 +82,19 @@ constexpr Printed kDamaged[] = {
     {"catalogue-check", "catalogue check @/p"},
     {"catalogue-archive", "catalogue archive @/p -o @/damaged --with-damage"},
     {"catalogue-restore", "catalogue restore @/damaged -o @/r"}};
+// Two projects that gave the same numbers, and the merge of them.
+constexpr Printed kTwoProjects[] = {
+    {"catalogue-new", "catalogue new -o @/a --code ARM"},
+    {"catalogue-import", "catalogue import @/a @/sherds.csv --make-places --enter --confirm all"},
+    {"catalogue-new", "catalogue new -o @/b --code ARM"},
+    {"catalogue-import", "catalogue import @/b @/sherds.csv --make-places --enter --confirm all"}};
+constexpr Printed kMerge = {"catalogue-merge", "catalogue merge @/a @/b"};
+constexpr Printed kSettledMerge = {"catalogue-merge",
+                                   "catalogue merge @/a @/b --settle @/settled.json"};
+constexpr Printed kCluster[] = {
+    {"cluster-submit", "cluster submit @/p --cores 1 --program @/bin/ostraka-there"},
+    {"cluster-status", "cluster status @/p"},
+    {"cluster-collect", "cluster collect @/p"}};
 constexpr Printed kPhotographs[] = {
     {"capture",
      "capture --rig virtual --side both --width 160 --stops 4 --sherds 1 --settle 0 -o @/small"},
@@ -95,6 +111,7 @@ constexpr Printed kOfPhotographs[] = {
 class JsonOutput : public testing::Test {
  protected:
   void SetUp() override {
+    if (const char* path = std::getenv("PATH")) path_ = path;
     folder_ = fs::path(testing::TempDir()) / ("ostraka_json_" + std::to_string(::getpid()));
     fs::remove_all(folder_);
     fs::create_directories(folder_);
@@ -108,22 +125,28 @@ class JsonOutput : public testing::Test {
                                              "X-3,ARM1,T3,0012,rim,0.24\n";
     std::ofstream(folder_ / "changed.csv") << "number,part,Gewicht\nX-1,base,0.02\n";
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  template <std::size_t N>
-  void expectAllFollow(const Printed (&commands)[N]) {
-    for (const Printed& command : commands) expectFollows(command);
+  void TearDown() override {
+    ::setenv("PATH", path_.c_str(), 1);
+    fs::remove_all(folder_);
   }
 
-  // A result, not an error; and spoilt in any place it follows no more.
+  // Results, not errors.
+  template <std::size_t N>
+  void expectAllFollow(const Printed (&commands)[N]) {
+    for (const Printed& command : commands) {
+      expectFollows(command);
+      EXPECT_FALSE(printed_.contains("error")) << command.arguments << ": " << printed_;
+    }
+  }
+
+  // And what is spoilt in any place follows it no more.
   void expectFollows(const Printed& command) {
     std::string arguments = command.arguments;
     for (std::size_t at = 0; (at = arguments.find('@')) != std::string::npos;)
       arguments.replace(at, 1, folder_.string());
     const ostraka::Outcome printed = ostraka::run("--json " + arguments, "2>/dev/null");
-    const json value = json::parse(printed.text, nullptr, false);
+    const json& value = printed_ = json::parse(printed.text, nullptr, false);
     ASSERT_TRUE(value.is_object()) << arguments << ": " << printed.text;
-    EXPECT_FALSE(value.contains("error")) << arguments << ": " << printed.text;
     EXPECT_EQ(value.value("exit_status", -1), printed.status) << arguments;
     const json schema = json::parse(textOf(kSchemas / (std::string(command.schema) + ".json")));
     const std::vector<std::string> lines = ostraka::schema::violations(schema, value);
@@ -154,6 +177,8 @@ class JsonOutput : public testing::Test {
   }
 
   fs::path folder_;
+  std::string path_;
+  json printed_;  // by the last command
 };
 
 // The manual pages are made from the options of the program: one for each command, also for those
@@ -181,6 +206,8 @@ TEST_F(JsonOutput, EachCommandHasASchemaAndEachSchemaACommandThatIsRunHere) {
   EXPECT_THAT(named, testing::ContainerEq(commandsWithJson(folder_ / "man")));
   for (const Printed& command : kQuick) run.insert(command.schema);
   for (const Printed& command : kWithResults) run.insert(command.schema);
+  run.insert(kMerge.schema);
+  for (const Printed& command : kCluster) run.insert(command.schema);
   for (const Printed& command : kPhotographs) run.insert(command.schema);
   for (const Printed& command : kOfPhotographs) run.insert(command.schema);
   EXPECT_THAT(run, testing::ContainerEq(named));
@@ -217,7 +244,7 @@ TEST_F(JsonOutput, SchemasUseOnlyWhatIsCheckedAndDescribeEachProperty) {
 TEST_F(JsonOutput, ErrorsFollowTheSchemaOfTheirCommandToo) {
   for (const auto& [name, schema] : schemas()) {
     std::string command = name;
-    for (const char* group : {"rig-", "catalogue-"})
+    for (const char* group : {"rig-", "catalogue-", "cluster-"})
       if (command.starts_with(group)) command[command.find('-')] = ' ';
     const ostraka::Outcome refused = ostraka::run("--json " + command + " --zz", "2>/dev/null");
     const json value = json::parse(refused.text, nullptr, false);
@@ -243,6 +270,90 @@ TEST_F(JsonOutput, ResultsFollowTheirSchemas) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_ / "p"))
     if (entry.path().filename() == "preview.png") std::ofstream(entry.path()) << "damaged";
   expectAllFollow(kDamaged);
+}
+
+void removeAll(const fs::path& folder, const std::string& name) {
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().filename() == name) found.push_back(entry.path());
+  EXPECT_FALSE(found.empty()) << folder;
+  for (const fs::path& file : found) fs::remove(file);
+}
+
+TEST_F(JsonOutput, MergesFollowTheirSchemaWithConflictsSettledAndWithout) {
+  expectAllFollow(kTwoProjects);
+  makeResults(folder_ / "a");
+  makeResults(folder_ / "b");
+  EXPECT_EQ(ostraka::run("catalogue enter " + (folder_ / "b").string() + " B0001").status, 0);
+  removeAll(folder_ / "b/models", "preview.png");
+
+  expectFollows(kMerge);
+  EXPECT_EQ(printed_["exit_status"], 3) << printed_;
+  ASSERT_FALSE(printed_["conflicts"].empty()) << printed_;
+  EXPECT_EQ(printed_["merged"], false);
+  json settled = json::array();
+  for (const json& conflict : printed_["conflicts"])
+    settled.push_back({{"id", conflict.at("id")}, {"take", "a"}});
+  std::ofstream(folder_ / "settled.json") << settled;
+  expectFollows(kSettledMerge);
+  EXPECT_EQ(printed_["exit_status"], 1) << printed_;
+  EXPECT_EQ(printed_["missing"].size(), 2u) << printed_;
+  EXPECT_EQ(printed_["batches"], json::object({{"B0001", "B0002"}})) << printed_;
+  expectFollows(kMerge);
+  EXPECT_EQ(printed_["exit_status"], 0) << printed_;
+  EXPECT_TRUE(printed_["conflicts"].empty()) << printed_;
+}
+
+void program(const fs::path& file, const std::string& text) {
+  std::ofstream(file) << "#!/bin/sh\n" << text;
+  fs::permissions(file, fs::perms::owner_all);
+}
+
+// Of each side of each batch four photographs.
+void makeQueuedBatches(const fs::path& project_folder, int count) {
+  auto project = ostraka::upkeep::Project::open(project_folder);
+  ASSERT_TRUE(project);
+  ostraka::catalogue::Batches batches(project->catalogue());
+  for (int i = 0; i < count; ++i) {
+    const auto row = batches.add({}, {});
+    ASSERT_TRUE(row);
+    for (const char* side : {"front", "back"}) {
+      const fs::path photographs = project->batchFolder(batches.get(*row)->number) / side;
+      fs::create_directories(photographs);
+      for (int position = 0; position < 4; ++position)
+        ASSERT_TRUE(
+            cv::imwrite((photographs / ("cam0_pos0" + std::to_string(position) + ".png")).string(),
+                        cv::Mat(12, 16, CV_8UC3, cv::Scalar(40 * i, 40 * position, side[0]))));
+    }
+    ASSERT_TRUE(batches.setState(*row, ostraka::records::BatchState::Queued, {}));
+  }
+}
+
+// A stand-in for Slurm that runs the first task at once and knows nothing of the others.
+TEST_F(JsonOutput, ResultsOfAClusterFollowTheirSchemas) {
+  const fs::path bin = folder_ / "bin", prepared = folder_ / "prepared";
+  ostraka::run("catalogue new --code ARM -o " + (folder_ / "p").string());
+  makeQueuedBatches(folder_ / "p", 2);
+  fs::create_directories(bin);
+  fs::create_symlink("/usr/bin/env", bin / "env");  // of ostraka::run
+  ::setenv("PATH", bin.c_str(), 1);
+  expectFollows(kCluster[0]);
+  EXPECT_TRUE(printed_.contains("error")) << "without Slurm: " << printed_;
+
+  const ostraka::catalogue::ResultFolder results(prepared, 2);
+  program(bin / "ostraka-there", "mkdir -p \"$4\" && cp -r '" + prepared.string() + "/.' \"$4\"\n");
+  program(bin / "sbatch", "SLURM_ARRAY_TASK_ID=1 bash \"$2\" > /dev/null 2>&1\necho 4711\n");
+  for (const char* silent : {"squeue", "sacct"}) program(bin / silent, "exit 0\n");
+  program(bin / "df", "echo 'disk 999999999 1 999999999 1% /'\n");
+  ::setenv("PATH", (bin.string() + ":" + path_).c_str(), 1);
+  expectFollows(kCluster[0]);
+  EXPECT_EQ(printed_["batches"], json::array({"B0001", "B0002"})) << printed_;
+  expectFollows(kCluster[1]);
+  EXPECT_EQ(printed_["done"], 1) << printed_;
+  EXPECT_EQ(printed_["failed"], 1) << printed_;
+  expectFollows(kCluster[2]);
+  EXPECT_EQ(printed_["batches"], json::array({"B0001"})) << printed_;
+  EXPECT_EQ(printed_["left"][0]["cause"], "lost") << printed_;
 }
 
 // One side's cameras: dense reconstruction of it takes half the time.

@@ -53,7 +53,8 @@ int main(int argc, char** argv) {
         if (entry.path().extension() == ".ply") files.push_back(entry.path());
       for (const fs::path& file : files) {
         const auto cloud = readPlyCloud(file);
-        if (!cloud) return std::fprintf(stderr, "%s\n", cloud.error().sentence().c_str()), 1;
+        if (!cloud)
+          return std::fprintf(stderr, "%s\n", cloud.error().sentence().english().c_str()), 1;
         if (!cloud->hasNormals()) continue;
         const auto own = scan::findBoundary(*cloud, {}, {}), other = byPcl(*cloud, {});
         ++scans;

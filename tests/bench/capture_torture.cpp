@@ -47,7 +47,7 @@ int runOverhead() {
   const auto done = capture::shootSide(rig.devices, options, {}, quiet, {});
   fs::remove_all(options.batch);
   if (!done) {
-    std::printf("%s\n", done.error().sentence().c_str());
+    std::printf("%s\n", done.error().sentence().english().c_str());
     return 1;
   }
   std::printf("overhead: %.1f ms a stop, %d photographs\n", 1000 * done->overhead_s / options.stops,

@@ -1,7 +1,8 @@
-// bench_catalogue_scale FOLDER [ROWS [changes]]: makes a project of so many sherds in FOLDER by
-// importing a table, unless it is there, then measures opening, paging and searching. Milliseconds
-// on the clock and of the processor (what is left of the first when nobody else computes), the
-// median and the worst of seven runs.
+// bench_catalogue_scale FOLDER [ROWS [changes|merge]]: makes a project of so many sherds in FOLDER
+// by importing a table, unless it is there, then measures opening, paging and searching.
+// Milliseconds on the clock and of the processor (what is left of the first when nobody else
+// computes), the median and the worst of seven runs. merge: only merges two projects of so many
+// sherds, which it makes in FOLDER.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -9,6 +10,7 @@
 #include <ctime>
 #include <functional>
 
+#include "merge/merge.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/filter.h"
@@ -52,14 +54,14 @@ void measure(const char* what, const std::function<std::size_t()>& work) {
   std::fflush(stdout);
 }
 
-std::string tableOf(int rows) {
+std::string tableOf(int first, int rows) {
   const char* parts[] = {"rim", "neck", "shoulder", "body", "base", "handle", "spout", "lid"};
   const char* wares[] = {"grey", "red check_failed", "black burnished", "cooking", "painted fine"};
   const char* surfaces[] = {"plain", "smoothed", "burnished", "check_failed", "washed"};
   std::string text = tables::csvLine({"number", "site", "trench", "context", "bag", "part", "ware",
                                       "surface_out", "munsell_out", "condition", "length_mm",
                                       "thickness_mean_mm", "weight_g", "note"});
-  for (int i = 0; i < rows; ++i) {
+  for (int i = first; i < first + rows; ++i) {
     const std::string trench = "T" + std::to_string(i / 20'000 + 1);
     const std::string context = std::to_string(10'001 + i / 200).substr(1);
     const std::string n = std::to_string(10'001 + i % 200).substr(1);
@@ -73,6 +75,14 @@ std::string tableOf(int rows) {
   return text;
 }
 
+std::size_t importTable(catalogue::Catalogue& into, const std::string& table) {
+  QuietProgress quiet;
+  const auto report =
+      tables::importTable(into, table, "table",
+                          {tables::ImportMode::Enter, tables::UnknownPlaces::Make}, {}, quiet, {});
+  return report ? static_cast<std::size_t>(report->fresh) : 0;
+}
+
 // One field of all sherds, there and back, as the window's bulk edit does it.
 int changeAll(catalogue::Catalogue& all, const std::vector<store::SherdRow>& ids) {
   QuietProgress quiet;
@@ -83,7 +93,7 @@ int changeAll(catalogue::Catalogue& all, const std::vector<store::SherdRow>& ids
     Result<std::vector<records::FieldChange>> undo = std::vector<records::FieldChange>();
     const double time =
         milliseconds([&] { undo = sherds::changeMany(all, changes, {}, quiet, {}); });
-    if (!undo) return std::fprintf(stderr, "%s\n", undo.error().sentence().c_str()), 1;
+    if (!undo) return std::fprintf(stderr, "%s\n", undo.error().sentence().english().c_str()), 1;
     undone = undo->size();
     std::printf("%-40s %8zu rows  %9.1f s\n", what, undone, time / 1000);
     changes = std::move(*undo);
@@ -91,21 +101,46 @@ int changeAll(catalogue::Catalogue& all, const std::vector<store::SherdRow>& ids
   return undone == ids.size() ? 0 : 1;
 }
 
-int run(const std::filesystem::path& folder, int rows, const std::string& changes) {
+// Half of the sherds of both projects are those of their common origin, which B described further;
+// the second merge finds nothing to do.
+int mergeTwo(const std::filesystem::path& folder, int rows) {
   QuietProgress quiet;
+  const int half = rows / 2;
+  records::ProjectRecord record;
+  record.code = "ARM";
+  std::filesystem::create_directories(folder / "b");
+  Result<upkeep::Project> a = upkeep::Project::create(folder / "a", record);
+  if (!a) return std::fprintf(stderr, "%s\n", a.error().sentence().english().c_str()), 1;
+  importTable(a->catalogue(), tableOf(0, half));
+  if (!a->catalogue().backup(folder / "b/catalogue.sqlite")) return 1;
+  Result<upkeep::Project> b = upkeep::Project::open(folder / "b");
+  if (!b) return std::fprintf(stderr, "%s\n", b.error().sentence().english().c_str()), 1;
+  const std::vector<store::SherdRow> common = *sherds::Sherds(b->catalogue()).rows({}, {});
+  std::vector<records::FieldChange> changes;
+  for (const store::SherdRow& row : common) changes.push_back({row, "vessel", "V1"});
+  if (!sherds::changeMany(b->catalogue(), changes, {}, quiet, {})) return 1;
+  importTable(a->catalogue(), tableOf(half, half));
+  importTable(b->catalogue(), tableOf(rows, half));
+  for (const char* what : {"merge of two projects", "and once more"}) {
+    Result<merge::MergeReport> report = merge::MergeReport();
+    const double time = milliseconds([&] {
+      report = merge::mergeInto(*a, b->folder(), merge::MergeMode::Enter, {}, {}, quiet, {});
+    });
+    if (!report) return std::fprintf(stderr, "%s\n", report.error().sentence().english().c_str()), 1;
+    std::printf("%-40s %8d rows  %9.1f s\n", what, report->added + report->changed, time / 1000);
+  }
+  return 0;
+}
+
+int run(const std::filesystem::path& folder, int rows, const std::string& changes) {
   if (!upkeep::Project::isProject(folder)) {
     records::ProjectRecord record;
     record.code = "ARM";
     Result<upkeep::Project> made = upkeep::Project::create(folder, record);
-    if (!made) return std::fprintf(stderr, "%s\n", made.error().sentence().c_str()), 1;
+    if (!made) return std::fprintf(stderr, "%s\n", made.error().sentence().english().c_str()), 1;
     std::size_t entered = 0;
-    const std::string table = tableOf(rows);
-    const double time = milliseconds([&] {
-      const auto report = tables::importTable(
-          made->catalogue(), table, "table",
-          {tables::ImportMode::Enter, tables::UnknownPlaces::Make}, {}, quiet, {});
-      if (report) entered = static_cast<std::size_t>(report->fresh);
-    });
+    const std::string table = tableOf(0, rows);
+    const double time = milliseconds([&] { entered = importTable(made->catalogue(), table); });
     std::printf("%-40s %8zu rows  %9.1f s\n", "import of a table", entered, time / 1000);
   }
   measure("open the project, all rows by number", [&] {
@@ -113,7 +148,8 @@ int run(const std::filesystem::path& folder, int rows, const std::string& change
     return sherds::Sherds(project->catalogue()).rows({}, {})->size();
   });
   Result<upkeep::Project> project = upkeep::Project::open(folder);
-  if (!project) return std::fprintf(stderr, "%s\n", project.error().sentence().c_str()), 1;
+  if (!project)
+    return std::fprintf(stderr, "%s\n", project.error().sentence().english().c_str()), 1;
   catalogue::Catalogue& all = project->catalogue();
   const std::vector<store::SherdRow> ids = *sherds::Sherds(all).rows({}, {});
   std::size_t jump = 0;
@@ -136,6 +172,9 @@ int run(const std::filesystem::path& folder, int rows, const std::string& change
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) return std::fprintf(stderr, "bench_catalogue_scale FOLDER [ROWS [changes]]\n"), 2;
-  return run(argv[1], argc > 2 ? std::atoi(argv[2]) : 100'000, argc > 3 ? argv[3] : "");
+  if (argc < 2)
+    return std::fprintf(stderr, "bench_catalogue_scale FOLDER [ROWS [changes|merge]]\n"), 2;
+  const std::string also = argc > 3 ? argv[3] : "";
+  const int rows = argc > 2 ? std::atoi(argv[2]) : 100'000;
+  return also == "merge" ? mergeTwo(argv[1], rows) : run(argv[1], rows, also);
 }

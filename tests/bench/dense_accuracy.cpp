@@ -18,8 +18,8 @@ namespace {
 class Notes final : public Progress {
  public:
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel, std::string_view text) override {
-    std::printf("%.*s\n", static_cast<int>(text.size()), text.data());
+  void note(NoteLevel, const Message& text) override {
+    std::printf("%s\n", text.english().c_str());
   }
 };
 
@@ -52,14 +52,14 @@ Result<std::vector<stereo::View>> readViews(const Arguments& a) {
 
 int run(const Arguments& a) {
   auto views = readViews(a);
-  if (!views) return std::fprintf(stderr, "%s\n", views.error().sentence().c_str()), 2;
+  if (!views) return std::fprintf(stderr, "%s\n", views.error().sentence().english().c_str()), 2;
   stereo::DenseOptions options;
   options.threads = a.threads;
   options.floor_z_mm = 0.0;
   Notes notes;
   const auto start = std::chrono::steady_clock::now();
   const auto cloud = stereo::reconstruct(*views, options, notes, {});
-  if (!cloud) return std::fprintf(stderr, "%s\n", cloud.error().sentence().c_str()), 1;
+  if (!cloud) return std::fprintf(stderr, "%s\n", cloud.error().sentence().english().c_str()), 1;
   const std::chrono::duration<double> s = std::chrono::steady_clock::now() - start;
   std::printf("%zu views, %zu points, %.1f s with %d threads\n", views->size(), cloud->cloud.size(),
               s.count(), a.threads);

@@ -130,9 +130,10 @@ int main(int argc, char** argv) {
     }
     const auto result = mask::maskByPlate(images, photographs, *plate, empties, options, quiet, {});
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (!result) return std::fprintf(stderr, "%s\n", result.error().sentence().c_str()), 1;
-    for (const std::string& warning : result->warnings)
-      std::printf("warning: %s\n", warning.c_str());
+    if (!result)
+      return std::fprintf(stderr, "%s\n", result.error().sentence().english().c_str()), 1;
+    for (const Message& warning : result->warnings)
+      std::printf("warning: %s\n", warning.english().c_str());
     for (std::size_t i = 0; i < images.size(); ++i) {
       const std::string name = truthMaskName(images[i]);
       const cv::Mat1b labels =

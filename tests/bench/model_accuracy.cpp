@@ -25,7 +25,7 @@ double seconds() {
 }
 
 int refuse(const Error& error) {
-  std::fprintf(stderr, "%s\n", error.sentence().c_str());
+  std::fprintf(stderr, "%s\n", error.sentence().english().c_str());
   return 2;
 }
 
@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
       "noise %.3f, gap %.3f mm; filled %.2f %%; length %.2f, width %.2f, thickness %.2f %.2f %.2f "
       "mm, area %.1f mm2, volume %.1f mm3\n",
       argv[4], closed - begun, measured - closed, thinner - measured,
-      fewer ? fewer->triangles.size() : 0, made->mesh.triangles.size(), why.c_str(),
+      fewer ? fewer->triangles.size() : 0, made->mesh.triangles.size(), why.english().c_str(),
       made->points_used, made->points_dropped, made->noise_mm, made->side_gap_mm,
       100 * made->filled_share, m.length_mm, m.width_mm, m.thickness_min_mm, m.thickness_mean_mm,
       m.thickness_max_mm, m.area_mm2, m.volume_mm3);

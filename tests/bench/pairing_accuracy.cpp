@@ -34,7 +34,8 @@ std::vector<ostraka::scan::Scan> readScans(const std::filesystem::path& folder) 
   std::vector<ostraka::scan::Scan> scans;
   for (const std::filesystem::path& file : files) {
     auto cloud = ostraka::readPlyCloud(file);
-    if (!cloud) std::fprintf(stderr, "%s\n", cloud.error().sentence().c_str()), std::exit(2);
+    if (!cloud)
+      std::fprintf(stderr, "%s\n", cloud.error().sentence().english().c_str()), std::exit(2);
     ostraka::scan::Scan scan;
     scan.id = file.stem().string();
     scan.cloud = std::move(*cloud);
@@ -92,7 +93,7 @@ void judgeAssignment(const std::vector<PairCandidate>& candidates, ostraka::pair
                               ? ostraka::pairing::nearestPairs(evidence, fronts, backs)
                               : ostraka::pairing::assignPairs(evidence, fronts, backs, {});
   if (!assignment)
-    std::fprintf(stderr, "%s\n", assignment.error().sentence().c_str()), std::exit(1);
+    std::fprintf(stderr, "%s\n", assignment.error().sentence().english().c_str()), std::exit(1);
   for (const ostraka::pairing::Decision& d : assignment->pairs) {
     const bool right = std::any_of(truth.begin(), truth.end(), [&](const TruePair& t) {
       return t.front == d.front && t.back == d.back;
@@ -109,7 +110,7 @@ Tally judgeSet(const std::filesystem::path& folder, ostraka::pairing::Method met
   const auto fronts = readScans(folder / "front"), backs = readScans(folder / "back");
   const auto truth_json = ostraka::readJson(folder / "truth.json");
   if (!truth_json)
-    std::fprintf(stderr, "%s\n", truth_json.error().sentence().c_str()), std::exit(2);
+    std::fprintf(stderr, "%s\n", truth_json.error().sentence().english().c_str()), std::exit(2);
   std::vector<TruePair> truth;
   for (const auto& p : (*truth_json)["pairs"]) {
     truth.push_back({indexOf(fronts, p["front"]), indexOf(backs, p["back"]),
@@ -124,7 +125,7 @@ Tally judgeSet(const std::filesystem::path& folder, ostraka::pairing::Method met
   Tally tally;
   tally.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!candidates)
-    std::fprintf(stderr, "%s\n", candidates.error().sentence().c_str()), std::exit(1);
+    std::fprintf(stderr, "%s\n", candidates.error().sentence().english().c_str()), std::exit(1);
   tally.candidates = static_cast<int>(candidates->size());
   for (const TruePair& t : truth) {
     int better = 0;

@@ -18,7 +18,8 @@ int main(int argc, char** argv) {
     options.threads = std::atoi(argv[3]);
     ostraka::QuietProgress quiet;
     const auto summary = ostraka::scansets::registerScans(options, quiet, {});
-    if (!summary) return std::fprintf(stderr, "%s\n", summary.error().sentence().c_str()), 1;
+    if (!summary)
+      return std::fprintf(stderr, "%s\n", summary.error().sentence().english().c_str()), 1;
     std::printf("%-12s %2zu pairs, %d to decide, %zu + %zu alone, %.2f s, %.2f s a pair\n", argv[i],
                 summary->pairs.size(), summary->ambiguous(), summary->unpaired_front.size(),
                 summary->unpaired_back.size(), summary->seconds,

@@ -64,7 +64,7 @@ Views readViews(const std::filesystem::path& batch) {
   if (batch.empty()) return views;
   const auto cameras = rig::readCameras(batch / "truth" / "cameras.json");
   if (!cameras) {
-    std::fprintf(stderr, "%s\n", cameras.error().sentence().c_str());
+    std::fprintf(stderr, "%s\n", cameras.error().sentence().english().c_str());
     return views;
   }
   for (const rig::PosedImage& camera : *cameras) {
@@ -232,7 +232,8 @@ void runSet(const Arguments& arguments, const std::string& set) {
     row.seconds = cpuSeconds() - before;
     if (!found) {
       ++refused;
-      std::printf("%s %s: %s\n", set.c_str(), pair.front.c_str(), found.error().sentence().c_str());
+      std::printf("%s %s: %s\n", set.c_str(), pair.front.c_str(),
+                  found.error().sentence().english().c_str());
       continue;
     }
     row.found = *found;

@@ -35,7 +35,7 @@ constexpr std::size_t kLeftOut = 6;
 template <class T>
 T orExit(Result<T> result) {
   if (result) return std::move(*result);
-  std::fprintf(stderr, "%s\n", result.error().sentence().c_str());
+  std::fprintf(stderr, "%s\n", result.error().sentence().english().c_str());
   std::exit(2);
 }
 

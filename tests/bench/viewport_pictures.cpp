@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   if (argc < 3) return std::fputs("viewport_pictures OUTPUT FOLDER\n", stderr), 2;
   const auto live = review::LivePairs::open(argv[1]);
-  if (!live) return std::fprintf(stderr, "%s\n", live.error().what.c_str()), 1;
+  if (!live) return std::fprintf(stderr, "%s\n", live.error().what.english().c_str()), 1;
   const auto& candidates = (*live)->table().candidates;
   if (candidates.empty()) return std::fputs("no pair\n", stderr), 1;
   const auto best =
@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
   const ShownScan sparse_back = scan(batch::Side::Back, back_scan, 1500);
   ShownDistances distances;
   const Result<review::PairView> pair = (*live)->view(front_scan, back_scan, pose);
-  if (!pair) return std::fprintf(stderr, "%s\n", pair.error().what.c_str()), 1;
+  if (!pair) return std::fprintf(stderr, "%s\n", pair.error().what.english().c_str()), 1;
   for (const registration::FractureDistance& d : pair->fracture) {
     distances.points.push_back(d.point);
     distances.distance_mm.push_back(d.distance_mm);

@@ -16,7 +16,7 @@ inline std::shared_ptr<upkeep::Project> projectIn(const std::filesystem::path& f
   record.title = "Test";
   auto made = upkeep::Project::isProject(folder) ? upkeep::Project::open(folder)
                                                  : upkeep::Project::create(folder, record);
-  if (!made) qFatal("%s", made.error().sentence().c_str());
+  if (!made) qFatal("%s", made.error().sentence().english().c_str());
   return std::make_shared<upkeep::Project>(std::move(*made));
 }
 

@@ -283,7 +283,7 @@ QString DrawingPage::words() const {
   if (sherds_.size() == 1) {
     for (const drawing::SherdDrawing& one : sherds.drawings)
       for (const auto* sentences : {&one.remarks, &one.hints})
-        for (const std::string& sentence : *sentences) lines << wordsOf(sentence);
+        for (const Message& sentence : *sentences) lines << wordsOf(sentence);
     for (const exchange::SherdLeftOut& out : sherds.left_out) lines << wordsOf(out.why);
     return lines.join('\n');
   }
@@ -316,9 +316,10 @@ void DrawingPage::refresh() {
 // What is shown may become another drawing while somebody chooses where this one goes.
 void DrawingPage::save() {
   const std::shared_ptr<const Drawn> drawn = drawn_;
-  const QString name = sherds_.size() > 1
-                           ? tr("plates")
-                           : QString::fromStdString(store::slug(drawn->sherds.drawings.front().id));
+  const QString name =
+      sherds_.size() > 1
+          ? tr("plates")
+          : QString::fromStdString(store::slug(drawn->sherds.drawings.front().id.english()));
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save the drawing"), QDir::home().filePath(name + ".pdf"),
       tr("PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)"));

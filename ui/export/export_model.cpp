@@ -135,7 +135,7 @@ QString ExportModel::closingLine() const {
 QStringList ExportModel::warnings() const {
   QStringList list;
   if (done_)
-    for (const std::string& warning : done_->warnings) list << wordsOf(warning);
+    for (const Message& warning : done_->warnings) list << wordsOf(warning);
   return list;
 }
 

@@ -56,7 +56,7 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
           [this](const JobProgress& progress) { emit progressed(progress.fraction); });
   doubts_.clear();
   connect(job_, &JobHandle::noted, this, [this](NoteLevel level, const QString& text) {
-    if (level == NoteLevel::Warning) doubts_ << wordsOf(text.toStdString());
+    if (level == NoteLevel::Warning) doubts_ << text;
   });
   whenDone<Imported>(job_, this, [this, options, place](const auto& copied) {
     emit ended();

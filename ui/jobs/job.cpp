@@ -6,6 +6,7 @@
 #include <new>
 
 #include "base/pace.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 
@@ -40,9 +41,8 @@ class JobMessenger final : public Progress {
     if (now - told_ >= kBetween) tell();
   }
 
-  void note(NoteLevel level, std::string_view text) override {
-    QString words = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-    post([level, words](JobHandle* handle) { emit handle->noted(level, words); });
+  void note(NoteLevel level, const Message& text) override {
+    post([level, text](JobHandle* handle) { emit handle->noted(level, wordsOf(text)); });
   }
 
   void tellValue(std::any value) {

@@ -26,8 +26,8 @@ Question::~Question() {
   shared_->wake.notify_all();
 }
 
-std::function<bool(const std::string&, std::stop_token)> Question::asker() const {
-  return [shared = shared_](const std::string& sentence, std::stop_token stop) {
+std::function<bool(const Message&, std::stop_token)> Question::asker() const {
+  return [shared = shared_](const Message& sentence, std::stop_token stop) {
     std::unique_lock guard(shared->lock);
     if (shared->owner == nullptr) return false;
     shared->answer.reset();

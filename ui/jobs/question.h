@@ -18,7 +18,7 @@ class Question final : public QObject {
 
   /// For the job: blocks until answered; false when the answer is no, a stop was requested, or the
   /// question's owner is gone.
-  std::function<bool(const std::string& sentence, std::stop_token stop)> asker() const;
+  std::function<bool(const Message& sentence, std::stop_token stop)> asker() const;
   /// What is asked now; empty when nothing is.
   const QString& sentence() const { return sentence_; }
   void answer(bool done);

@@ -5,6 +5,7 @@
 
 #include "catalogue/catalogue.h"
 #include "catalogue/settings.h"
+#include "files/json_message.h"
 #include "records/words.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/words/sentence.h"
@@ -26,8 +27,10 @@ BatchFailure keptFailure(const catalogue::Catalogue& rows, const QString& number
   if (!text || text->empty()) return {};
   const QJsonObject kept = QJsonDocument::fromJson(QByteArray::fromStdString(*text)).object();
   BatchFailure failure;
-  failure.error = {ErrorCode::Failed, kept[kWhat].toString().toStdString(),
-                   kept[kWhere].toString().toStdString()};
+  const std::string where = kept[kWhere].toString().toStdString();
+  failure.error = {ErrorCode::Failed, {}, where};
+  for (const Message& what : messagesFromText(kept[kWhat].toString().toStdString(), where))
+    failure.error.what = what;
   failure.cancelled = kept[kCancelled].toBool();
   failure.removed = kept[kRemoved].toBool();
   failure.aside = kept[kAside].toBool();
@@ -43,7 +46,7 @@ Result<void> keepFailure(catalogue::Catalogue& rows, const QString& number,
   if (failure.aside) kept[kAside] = true;
   if (failure.was) kept[kWas] = QString::fromLatin1(records::wordOf(*failure.was));
   if (!failure.error.what.empty()) {
-    kept[kWhat] = QString::fromStdString(failure.error.what);
+    kept[kWhat] = QString::fromStdString(textOf({failure.error.what}));
     kept[kWhere] = QString::fromStdString(failure.error.where);
   }
   return catalogue::Settings(rows).setValue(

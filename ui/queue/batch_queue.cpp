@@ -77,8 +77,7 @@ BatchQueue::BatchQueue(QObject* parent)
   connect(computation_, &BatchComputation::progressed, this, &BatchQueue::followProgress);
   connect(computation_, &BatchComputation::noted, this,
           [this](NoteLevel level, const QString& text) {
-            log(level == NoteLevel::Warning ? tr("Warning: %1").arg(wordsOf(text.toStdString()))
-                                            : text);
+            log(level == NoteLevel::Warning ? tr("Warning: %1").arg(text) : text);
           });
   connect(computation_, &BatchComputation::finished, this, &BatchQueue::finish);
   connect(computation_, &BatchComputation::left, this, &BatchQueue::startNext);

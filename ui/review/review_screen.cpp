@@ -242,7 +242,7 @@ void ReviewScreen::showOpened(const OpenedBatch& opened) {
   nameSherds();
   compute_->setVisible(review_->batch().wantsComputing());
   if (pane_ && isVisible() && !person_->hasFocus()) pane_->setFocus();  // for the keys
-  for (const std::string& warning : review_->batch().review().warnings) say(wordsOf(warning));
+  for (const Message& warning : review_->batch().review().warnings) say(wordsOf(warning));
   if (!opened.caught_up) say(sentenceOf(opened.caught_up.error()));
   if (!opened.caught_up || *opened.caught_up == 0) return;
   const Result<bool> settled =

@@ -52,7 +52,7 @@ QStringList reasonsOf(const std::vector<records::ChangePreview>& shown) {
   QStringList reasons;
   std::set<std::string> said;
   for (const records::ChangePreview& change : shown) {
-    if (change.refusal.empty() || !said.insert(change.refusal).second) continue;
+    if (change.refusal.empty() || !said.insert(change.refusal.english()).second) continue;
     if (reasons.size() == kReasons) return reasons << QStringLiteral("…");
     reasons << wordsOf(change.refusal);
   }

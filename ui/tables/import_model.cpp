@@ -280,7 +280,7 @@ QString ImportModel::summary() const {
 QStringList ImportModel::warnings() const {
   QStringList all;
   if (report_)
-    for (const std::string& warning : report_->warnings) all << wordsOf(warning);
+    for (const Message& warning : report_->warnings) all << wordsOf(warning);
   return all;
 }
 
@@ -317,7 +317,7 @@ void ImportModel::enter() {
     emit changed();
   });
   connect(job_, &JobHandle::noted, this, [this](NoteLevel level, const QString& text) {
-    if (level == NoteLevel::Warning) problem_ = wordsOf(text.toStdString());
+    if (level == NoteLevel::Warning) problem_ = text;
     emit changed();
   });
   whenDone<tables::ImportReport>(job_, this, [this](const auto& report) {

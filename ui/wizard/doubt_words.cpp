@@ -25,7 +25,7 @@ struct Doubts {
 
 QStringList doubtsOf(const capture::ShotCheck& check) {
   QStringList all;
-  for (const std::string& sentence : check.sentences()) all << wordsOf(sentence);
+  for (const Message& sentence : check.sentences()) all << wordsOf(sentence);
   return all;
 }
 

@@ -33,7 +33,7 @@ class CountedProgress final : public Progress {
     inner_.report(done, total);
     tell(inner_, PreparedPhotographs{static_cast<int>(done), static_cast<int>(total)});
   }
-  void note(NoteLevel level, std::string_view text) override { inner_.note(level, text); }
+  void note(NoteLevel level, const Message& text) override { inner_.note(level, text); }
 
  private:
   Progress& inner_;

@@ -7,7 +7,7 @@
 namespace ostraka::ui {
 
 drawing::Wording printWording() {
-  return {[](const std::string& english) { return wordsOf(english).toStdString(); },
+  return {[](const Message& words) { return wordsOf(words).toStdString(); },
           QLocale().decimalPoint().toStdString()};
 }
 

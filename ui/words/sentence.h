@@ -1,15 +1,17 @@
 #pragma once
 #include <QString>
+#include <vector>
 
 #include "base/result.h"
 
 namespace ostraka::ui {
 
-/// What the core says, in the person's language. The core speaks English and knows no Qt; its
-/// sentences are found again by their patterns (core_sentences.h), and so are those within them:
-/// "depth.png: The file cannot be read.", or two after each other. What is not known stays as it
-/// is.
-QString wordsOf(const std::string& what);
+/// What core says, in the person's language: the translation of the template, with the values as
+/// the language writes them. translations/messages.py finds the templates of core for translators,
+/// in the context "ostraka::Error". Words without a template stay as they are.
+QString wordsOf(const Message& message);
+/// A line each.
+QString wordsOf(const std::vector<Message>& messages);
 /// What a person reads of an error: where, what, and what to do.
 QString sentenceOf(const Error& error);
 

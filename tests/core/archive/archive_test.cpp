@@ -107,7 +107,7 @@ class AtTheFirstFile final : public Progress {
   void report(std::int64_t, std::int64_t) override {
     if (act_) std::exchange(act_, {})();
   }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   std::function<void()> act_;
@@ -214,7 +214,7 @@ class Between final : public Progress {
  public:
   explicit Between(std::function<void(int)> provenance) : provenance_(std::move(provenance)) {}
   void report(std::int64_t, std::int64_t) override { provenance_(++times_); }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   std::function<void(int)> provenance_;

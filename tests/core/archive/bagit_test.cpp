@@ -29,7 +29,7 @@ class Bag : public ::testing::Test {
   Result<std::vector<BagFile>> check() { return checkBag(target, quiet, {}); }
   std::string why() {
     const auto checked = check();
-    return checked ? "accepted" : checked.error().sentence();
+    return checked ? "accepted" : checked.error().sentence().english();
   }
   catalogue::TemporaryFolder folder;
   fs::path target;

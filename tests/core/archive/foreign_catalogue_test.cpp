@@ -82,7 +82,7 @@ class TakingAnew final : public Progress {
   void report(std::int64_t, std::int64_t) override {
     if (act_) std::exchange(act_, {})();
   }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   std::function<void()> act_;

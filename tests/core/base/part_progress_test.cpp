@@ -11,7 +11,7 @@ namespace {
 class Written final : public Progress {
  public:
   void report(std::int64_t done, std::int64_t total) override { reports.push_back({done, total}); }
-  void note(NoteLevel, std::string_view text) override { notes.emplace_back(text); }
+  void note(NoteLevel, const Message& text) override { notes.emplace_back(text.english()); }
   std::vector<std::pair<std::int64_t, std::int64_t>> reports;
   std::vector<std::string> notes;
 };

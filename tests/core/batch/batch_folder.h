@@ -31,8 +31,8 @@ class BatchFolder : public TemporaryFolder {
 class Listener final : public Progress {
  public:
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel level, std::string_view text) override {
-    (level == NoteLevel::Warning ? warnings : infos).emplace_back(text);
+  void note(NoteLevel level, const Message& text) override {
+    (level == NoteLevel::Warning ? warnings : infos).emplace_back(text.english());
   }
   std::vector<std::string> warnings, infos;
 };

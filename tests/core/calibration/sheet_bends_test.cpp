@@ -32,7 +32,7 @@ TEST(SheetBends, AFileThatDescribesNoneIsNamed) {
     const auto read = readBends(file);
     ASSERT_FALSE(read.has_value()) << text;
     EXPECT_EQ(read.error().code, ErrorCode::UnusableInput);
-    EXPECT_NE(read.error().sentence().find("sheet.json"), std::string::npos);
+    EXPECT_NE(read.error().sentence().english().find("sheet.json"), std::string::npos);
   }
 }
 

@@ -68,8 +68,8 @@ TEST_F(RigDevicesFile, OpensAFolderAndATableTurnedByHand) {
   fs::create_directories(folder_ / "shots");
   std::vector<std::string> asked;
   auto rig = openRigDevices(file_,
-                            [&](const std::string& sentence, std::stop_token) {
-                              asked.push_back(sentence);
+                            [&](const Message& sentence, std::stop_token) {
+                              asked.push_back(sentence.english());
                               return asked.size() < 3;
                             },
                             {});

@@ -215,7 +215,8 @@ TEST_F(Sequence, RefusesASeriesThatIsShiftedByOnePhotograph) {
 
 TEST_F(Sequence, TellsOldPhotographsByTheSherdsWhereAPersonTurnsTheTable) {
   int asked = 0;
-  const auto person = [&](const std::string& sentence, std::stop_token) {
+  const auto person = [&](const Message& asked_for, std::stop_token) {
+    const std::string& sentence = asked_for.english();
     ++asked;
     rig_.truth->degrees = std::atof(sentence.substr(sentence.find(" to ") + 4).c_str());
     return true;

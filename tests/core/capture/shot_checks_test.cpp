@@ -103,7 +103,8 @@ TEST(CheckSide, TellsBeforeTheFlipThatOneOutlineMayBeTwoSherds) {
   EXPECT_EQ(check.sherds, 2);
   EXPECT_EQ(check.doubtful, 1);
   ASSERT_EQ(check.sentences.size(), 1u);
-  EXPECT_NE(check.sentences[0].find("(-19, 0) mm"), std::string::npos) << check.sentences[0];
+  EXPECT_NE(check.sentences[0].english().find("(-19, 0) mm"), std::string::npos)
+      << check.sentences[0];
 }
 
 TEST(LookAtPlate, SeesASherdThatTheFrameCutsOff) {

@@ -96,9 +96,9 @@ inline Flips flipBits(const std::filesystem::path& project, int flips, unsigned 
       const bool same = repaired && after && *after == content;
       ++(same ? result.restored : result.not_restored);
       if (!repaired)
-        unlike(repaired.error().sentence());
+        unlike(repaired.error().sentence().english());
       else if (!after)
-        unlike(after.error().sentence());
+        unlike(after.error().sentence().english());
       else if (!same)
         unlike("repaired to another content, " + std::to_string(repaired->pages_lost) +
                " pages lost");

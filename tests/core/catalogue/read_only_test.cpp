@@ -54,7 +54,7 @@ class ReadOnlyProject : public SmallProject {
 
   static int look(const fs::path& folder, std::size_t sherds) {
     const Result<upkeep::Project> open = upkeep::Project::open(folder);
-    if (!open) return std::fprintf(stderr, "%s\n", open.error().sentence().c_str()), 1;
+    if (!open) return std::fprintf(stderr, "%s\n", open.error().sentence().english().c_str()), 1;
     if (!open->catalogue().readOnly()) return 2;
     const Result<std::vector<store::SherdRow>> rows =
         sherds::Sherds(open->catalogue()).rows({}, {});

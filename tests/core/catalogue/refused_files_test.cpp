@@ -19,8 +19,9 @@ class RefusedFiles : public SmallProject {
     const Result<upkeep::Project> opened = upkeep::Project::open(folder());
     ASSERT_FALSE(opened) << why;
     EXPECT_EQ(opened.error().code, ErrorCode::Damaged) << opened.error().sentence();
-    EXPECT_NE(opened.error().what.find(why), std::string::npos) << opened.error().sentence();
-    EXPECT_NE(opened.error().what.find("catalogue repair"), std::string::npos);
+    EXPECT_NE(opened.error().what.english().find(why), std::string::npos)
+        << opened.error().sentence();
+    EXPECT_NE(opened.error().what.english().find("catalogue repair"), std::string::npos);
     EXPECT_FALSE(upkeep::Project::connect(folder())) << why;
   }
 };

@@ -23,7 +23,7 @@ using ostraka::TemporaryFolder;
 /// The value of a temporary, for loops.
 template <class T>
 T valueIn(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().sentence());
+  if (!result) throw std::runtime_error(result.error().sentence().english());
   return std::move(*result);
 }
 
@@ -38,7 +38,7 @@ class SmallProject : public ::testing::Test {
         upkeep::Project::create(folder_.path() / "project", record, [this] {
           return now_ms += 1;  // every provenance has a time of its own
         });
-    if (!made) throw std::runtime_error(made.error().sentence());
+    if (!made) throw std::runtime_error(made.error().sentence().english());
     project_ = std::make_unique<upkeep::Project>(std::move(*made));
     anna = {*People(catalogue()).save(records::PersonRecord{{}, {}, "Anna P.", "AP", {}}, {}),
             "test", ""};

@@ -26,7 +26,7 @@ struct CameraSettings : testing::Test {
     for (std::size_t i = 0; i < shots.size(); ++i)
       exif[i].serial = shots[i].camera == 0 ? "0630" : "0777";
   }
-  std::vector<std::string> warnings() const { return settingsWarnings(shots, exif); }
+  std::vector<Message> warnings() const { return settingsWarnings(shots, exif); }
   std::vector<batch::Shot> shots;
   std::vector<batch::Exif> exif;
 };

@@ -20,7 +20,7 @@ TEST(PerhapsTouching, NamesTheTwoOfTheOtherSideThatAreAsLargeTogether) {
                    second = slab("f002", 40, 32), small = slab("f007", 20, 20);
   const scan::Scan* lone[] = {&both};
   const scan::Scan* others[] = {&small, &first, &second};
-  const std::vector<std::string> words = perhapsTouching(lone, others);
+  const std::vector<Message> words = perhapsTouching(lone, others);
   ASSERT_EQ(words.size(), 1u);
   EXPECT_THAT(words[0], testing::HasSubstr("b004 may be two sherds that touch, f001 and f002 of"));
   EXPECT_TRUE(perhapsTouching(others, lone).empty()) << "one alone is no two";

@@ -21,7 +21,7 @@ void expectRefused(const std::string& bytes, const std::string& word) {
   ASSERT_FALSE(read.has_value()) << bytes.substr(0, 200);
   EXPECT_EQ(read.error().code, ErrorCode::UnusableInput);
   EXPECT_EQ(read.error().where, "scan.ply");
-  EXPECT_NE(read.error().what.find(word), std::string::npos) << read.error().what;
+  EXPECT_NE(read.error().what.english().find(word), std::string::npos) << read.error().what;
 }
 
 TEST(BadPly, WhatIsNoPlyIsRefused) {
@@ -129,7 +129,7 @@ TEST(BadPly, ACloudOfNothingUsableIsRefused) {
   ASSERT_TRUE(writePly(path, PointCloud{}, "plate_front").has_value());
   const auto cloud = readPlyCloud(path);
   ASSERT_FALSE(cloud.has_value());
-  EXPECT_NE(cloud.error().sentence().find("ostraka_empty.ply"), std::string::npos);
+  EXPECT_NE(cloud.error().sentence().english().find("ostraka_empty.ply"), std::string::npos);
 }
 
 }  // namespace

@@ -20,8 +20,8 @@ class Listener final : public Progress {
  public:
   void begin(std::string_view, double) override {}
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel level, std::string_view text) override {
-    if (level == NoteLevel::Warning) warnings.emplace_back(text);
+  void note(NoteLevel level, const Message& text) override {
+    if (level == NoteLevel::Warning) warnings.emplace_back(text.english());
   }
   std::vector<std::string> warnings;
 };

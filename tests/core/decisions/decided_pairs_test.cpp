@@ -130,7 +130,7 @@ TEST_F(DecidedPairs, ADecisionAboutAScanThatIsGoneIsSaidAndChangesNothing) {
   const Settled settled = settledBy({d}, out_.table);
   EXPECT_TRUE(settled.pairs.empty());
   ASSERT_EQ(settled.warnings.size(), 1u);
-  EXPECT_NE(settled.warnings[0].find("b001"), std::string::npos);
+  EXPECT_NE(settled.warnings[0].english().find("b001"), std::string::npos);
 }
 
 TEST_F(DecidedPairs, OfTwoAboutOneScanTheLaterHoldsAndTheEarlierIsSaid) {
@@ -147,7 +147,7 @@ TEST_F(DecidedPairs, OfTwoAboutOneScanTheLaterHoldsAndTheEarlierIsSaid) {
   ASSERT_EQ(settled.warnings.size(), 1u);
   for (const char* words : {"The decision of 2026-07-14 09:30 UTC by AP",
                             "the decision of 2026-07-14 10:01 UTC by KL", "withdraw"})
-    EXPECT_NE(settled.warnings[0].find(words), std::string::npos) << settled.warnings[0];
+    EXPECT_NE(settled.warnings[0].english().find(words), std::string::npos) << settled.warnings[0];
 
   PairDecision aside = about(DecisionKind::Aside, out_.table.fronts[0]);
   aside.id = kSecond;
@@ -165,7 +165,7 @@ TEST_F(DecidedPairs, AboutASidePhotographedAgainAreSaidAndChangeNothing) {
   const Settled settled = settledBy({d}, table);
   EXPECT_TRUE(settled.pairs.empty());
   ASSERT_EQ(settled.warnings.size(), 1u);
-  EXPECT_NE(settled.warnings[0].find("reshot since; decide again"), std::string::npos);
+  EXPECT_NE(settled.warnings[0].english().find("reshot since; decide again"), std::string::npos);
   EXPECT_EQ(settledBy({pair(0, 0)}, table).pairs.size(), 1u) << "of an older program";
 }
 
@@ -354,7 +354,7 @@ TEST_F(DecidedPairs, PiecesAreCutAndJoinedAgain) {
   const EditedPieces again = editedPieces(two.scans, Side::Front, {earlier}, "second");
   EXPECT_EQ(again.scans.size(), 2u) << "the side was photographed again";
   ASSERT_EQ(again.warnings.size(), 1u);
-  EXPECT_NE(again.warnings[0].find("decide again"), std::string::npos);
+  EXPECT_NE(again.warnings[0].english().find("decide again"), std::string::npos);
 
   const EditedPieces beside = editedPieces({whole}, Side::Front, {cut});
   EXPECT_EQ(beside.scans.size(), 1u);

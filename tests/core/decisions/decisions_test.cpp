@@ -174,7 +174,7 @@ TEST_F(DecisionsOf, ADamagedFileIsNamedAndLeftAsItIs) {
     const Result<Decisions> refused = readDecisions(out_);
     ASSERT_FALSE(refused.has_value()) << text;
     EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
-    EXPECT_NE(refused.error().sentence().find("decisions.json"), std::string::npos);
+    EXPECT_NE(refused.error().sentence().english().find("decisions.json"), std::string::npos);
     EXPECT_FALSE(appendDecision(out_, pair(1, 1)).has_value());
     EXPECT_EQ(*readFile(out_ / "decisions.json"), text);
   }
@@ -195,7 +195,7 @@ TEST_F(DecisionsOf, ThatNobodyCouldTakeAreNamed) {
     const Result<Decisions> refused = readDecisions(out_);
     ASSERT_FALSE(refused.has_value()) << wrong;
     EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
-    const std::string sentence = refused.error().sentence();
+    const std::string sentence = refused.error().sentence().english();
     EXPECT_NE(sentence.find("decisions.json"), std::string::npos) << sentence;
     EXPECT_NE(sentence.find("Decision 1"), std::string::npos) << sentence;
     EXPECT_NE(sentence.find("restore a copy"), std::string::npos) << "what to do: " << sentence;
@@ -212,7 +212,7 @@ TEST_F(DecisionsOf, WithoutAnIdOfTheirOwnAreNamed) {
     wrong.replace(wrong.find(all[1].id), all[1].id.size(), id);
     const Result<Decisions> refused = parseDecisions(wrong, "decisions.json");
     ASSERT_FALSE(refused.has_value()) << id;
-    EXPECT_NE(refused.error().sentence().find("Decision 2"), std::string::npos)
+    EXPECT_NE(refused.error().sentence().english().find("Decision 2"), std::string::npos)
         << refused.error().sentence();
   }
 }
@@ -247,7 +247,7 @@ TEST_F(DecisionsOf, ReplaceOnlyEarlierOnesAndEachOnce) {
     const Result<Decisions> refused = parseDecisions(asides(lists), "decisions.json");
     ASSERT_FALSE(refused.has_value()) << asides(lists);
     EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
-    EXPECT_NE(refused.error().sentence().find("decisions.json"), std::string::npos)
+    EXPECT_NE(refused.error().sentence().english().find("decisions.json"), std::string::npos)
         << refused.error().sentence();
   }
 }

@@ -128,7 +128,7 @@ TEST(Drawing, OfARimWithADiameterByHandIsDrawnThatWide) {
 TEST(Drawing, SaysItsTextsInTheLanguageAndWithItsDecimalSign) {
   DrawingOptions options;
   options.rim = RimChoice::No;
-  options.wording.translated = [](const std::string& english) { return "[" + english + "]"; };
+  options.wording.translated = [](const Message& words) { return "[" + words.english() + "]"; };
   options.wording.decimal = ",";
   options.scale = 0.4;
   options.remarks = {"The size is in doubt."};

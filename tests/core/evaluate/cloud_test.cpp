@@ -71,7 +71,7 @@ TEST(EvaluateCloud, SaysWhatIsWrongWithACloudThatCannotBeJudged) {
   for (auto& p : far.points) p.z() += 100;
   const auto figures = evaluateCloud(far, boxes, {});
   ASSERT_FALSE(figures.has_value());
-  EXPECT_NE(figures.error().what.find("2 mm"), std::string::npos);
+  EXPECT_NE(figures.error().what.english().find("2 mm"), std::string::npos);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ class AtTheCheck final : public Progress {
       if (provenance_ && fs::exists(there / "tagmanifest-sha256.txt"))
         std::exchange(provenance_, {})(there);
   }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   fs::path target_;
@@ -68,7 +68,7 @@ class Editing final : public Progress {
   void report(std::int64_t, std::int64_t) override {
     if (edit_) std::exchange(edit_, {})();
   }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   std::function<void()> edit_;
@@ -353,7 +353,7 @@ TEST_F(Export, AWholeBatchWithoutItsResultsIsNamedWhenViewsAreWanted) {
   const Result<Exported> done = exportTo("out", {Form::Csv, Form::Views});
   ASSERT_TRUE(done) << done.error().sentence();
   ASSERT_EQ(done->warnings.size(), 1u);
-  EXPECT_NE(done->warnings[0].find("No pictures with masks and poses of B0001"), std::string::npos);
+  EXPECT_NE(done->warnings[0].english().find("No pictures with masks and poses of B0001"), std::string::npos);
   EXPECT_FALSE(fs::exists((folder_.path() / "out").string() + ".views"));
 }
 
@@ -381,7 +381,7 @@ TEST_F(Export, ARecordSaysWhereItsValuesComeFrom) {
 TEST_F(Export, ADoubtfulScaleIsSaidInModelsRecordsAndTheReadMe) {
   ASSERT_TRUE(exportTo("sure", all));
   records::BatchRecord held = *Batches(catalogue()).get(batch);
-  held.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
+  held.scale_doubts = {"The scale is wrong: 50 mm measure 49.5 mm."};
   ASSERT_TRUE(Batches(catalogue()).save(held, anna));
   ASSERT_TRUE(exportTo("doubtful", all));
   for (const char* name :
@@ -450,7 +450,7 @@ TEST_F(Export, WhatIsMissingIsNamedAndTheRestIsWhole) {
   const Result<Exported> done = exportTo("out", all);
   ASSERT_TRUE(done);
   ASSERT_EQ(done->warnings.size(), 2u);  // the other is about a drawing
-  EXPECT_NE(done->warnings[0].find("/preview.png"), std::string::npos);
+  EXPECT_NE(done->warnings[0].english().find("/preview.png"), std::string::npos);
   EXPECT_TRUE(archive::checkBag(folder_.path() / "out", quiet, {}));
 }
 

@@ -27,7 +27,7 @@ class OnReport final : public Progress {
  public:
   explicit OnReport(std::function<void()> called) : called_(std::move(called)) {}
   void report(std::int64_t, std::int64_t) override { called_(); }
-  void note(NoteLevel, std::string_view text) override { notes.emplace_back(text); }
+  void note(NoteLevel, const Message& text) override { notes.emplace_back(text.english()); }
   std::vector<std::string> notes;
 
  private:

@@ -280,7 +280,7 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
   record.operator_ = anna.person;
   record.counted = 3;
   record.scale_error_pct = 0.62;
-  record.scale_doubts = "The scale is wrong: a length of 50 mm measures 49.69 mm.";
+  record.scale_doubts = {"The scale is wrong: a length of 50 mm measures 49.69 mm."};
   ASSERT_TRUE(Batches(catalogue()).save(record, anna));
   ASSERT_TRUE(exportTo("out", all));
   upkeep::Project other = empty("other");
@@ -380,7 +380,7 @@ class Looking : public Progress {
  public:
   explicit Looking(std::function<void()> looked) : looked_(std::move(looked)) {}
   void report(std::int64_t, std::int64_t) override { looked_(); }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   std::function<void()> looked_;
@@ -452,7 +452,8 @@ TEST_F(ReadingBack, NothingEntersWhenAFileWasChanged) {
   const Result<tables::ImportReport> report =
       readBack(other, folder_.path() / "out", tables::ImportMode::Enter, {}, quiet, {});
   ASSERT_FALSE(report);
-  EXPECT_NE(report.error().sentence().find("changed since the export"), std::string::npos);
+  EXPECT_NE(report.error().sentence().english().find("changed since the export"),
+            std::string::npos);
   EXPECT_TRUE(sherds::Sherds(other.catalogue()).rows(sherds::Filter{}, {})->empty());
 }
 

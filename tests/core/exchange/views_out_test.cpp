@@ -131,7 +131,7 @@ TEST(ViewsOut, OfABatchWithoutResultsAreAnErrorThatNamesTheFile) {
   ASSERT_TRUE(bag);
   const Result<void> added = addViews(*bag, folder.path(), "B0001", folder.path() / "scratch", {});
   ASSERT_FALSE(added);
-  EXPECT_NE(added.error().sentence().find("cameras.json"), std::string::npos);
+  EXPECT_NE(added.error().sentence().english().find("cameras.json"), std::string::npos);
 }
 
 }  // namespace

@@ -71,7 +71,8 @@ TEST_F(FilesTest, SayWhatIsWrongWithWhatCannotBeRead) {
   const auto absent = readFile(folder_ / "absent.txt");
   ASSERT_FALSE(absent.has_value());
   EXPECT_EQ(absent.error().code, ErrorCode::UnusableInput);
-  EXPECT_NE(absent.error().sentence().find("absent.txt: There is no such file"), std::string::npos);
+  EXPECT_NE(absent.error().sentence().english().find("absent.txt: There is no such file"),
+            std::string::npos);
   EXPECT_FALSE(readFile(folder_).has_value()) << "a folder is no file";
   ASSERT_TRUE(writeFileAtomically(folder_ / "large", std::string(1000, 'x')).has_value());
   EXPECT_TRUE(readFile(folder_ / "large", 1000).has_value());
@@ -154,7 +155,7 @@ TEST_F(FilesTest, DoNotTakeThePlaceOfAPipeOrADeviceOrAFolder) {
     const Result<void> written = writeFileAtomically(folder_ / name, "x");
     ASSERT_FALSE(written.has_value()) << name;
     EXPECT_EQ(written.error().code, ErrorCode::CannotWrite);
-    EXPECT_NE(written.error().what.find(word), std::string::npos) << written.error().what;
+    EXPECT_NE(written.error().what.english().find(word), std::string::npos) << written.error().what;
   }
   EXPECT_TRUE(fs::is_symlink(folder_ / "null"));
 }

@@ -15,7 +15,7 @@ namespace {
 
 struct Notes final : Progress {
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel, std::string_view text) override { all.emplace_back(text); }
+  void note(NoteLevel, const Message& text) override { all.emplace_back(text.english()); }
   std::vector<std::string> all;
 };
 
@@ -30,7 +30,7 @@ TEST_F(FolderLocks, OneHolderAtATimeAndTheSecondIsToldWhich) {
   ASSERT_TRUE(first->has_value());
   const Result<FolderLock> second = FolderLock::take(folder);
   ASSERT_FALSE(second.has_value());
-  EXPECT_NE(second.error().sentence().find(folder.string()), std::string::npos);
+  EXPECT_NE(second.error().sentence().english().find(folder.string()), std::string::npos);
   first.reset();
   EXPECT_TRUE(FolderLock::take(folder).has_value());
 }
@@ -71,7 +71,7 @@ TEST_F(FolderLocks, ALinkInThePlaceOfTheLockIsRefusedAndNotFollowed) {
   std::filesystem::create_symlink(folder / "elsewhere", folder / "lock");
   const Result<FolderLock> held = FolderLock::take(folder);
   ASSERT_FALSE(held.has_value());
-  EXPECT_NE(held.error().sentence().find("lock"), std::string::npos);
+  EXPECT_NE(held.error().sentence().english().find("lock"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(folder / "elsewhere"));
 }
 

@@ -25,7 +25,7 @@ class InputFiles : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
   static std::string refusal(const fs::path& file) {
     const Result<std::string> read = readFile(file);
-    return read ? "it was read" : read.error().sentence();
+    return read ? "it was read" : read.error().sentence().english();
   }
   // A name short enough for a socket.
   fs::path folder_ = fs::path("/tmp") / ("ostraka_in_" + std::to_string(::getpid()));

@@ -28,7 +28,7 @@ TEST(ParseJson, RefusesWhatIsNoJsonWithTheFilesName) {
 TEST(ParseJson, NamesTheLineThatIsWrong) {
   const auto value = parseJson("{\n \"a\": 1,\n \"b\": ]\n}\n", "plate.json");
   ASSERT_FALSE(value.has_value());
-  EXPECT_NE(value.error().what.find("line 3"), std::string::npos) << value.error().what;
+  EXPECT_NE(value.error().what.english().find("line 3"), std::string::npos) << value.error().what;
 }
 
 TEST(ParseJson, LimitsTheDepth) {
@@ -39,7 +39,17 @@ TEST(ParseJson, LimitsTheDepth) {
   EXPECT_TRUE(parseJson(nested(60), "x").has_value());
   const auto deep = parseJson(nested(100'000), "x");
   ASSERT_FALSE(deep.has_value());
-  EXPECT_NE(deep.error().what.find("64"), std::string::npos);
+  EXPECT_NE(deep.error().what.english().find("64"), std::string::npos);
+}
+
+// Each object of a list is looked at once: a reader that walked the list for each would need
+// minutes for this text, and end at its limit of time.
+TEST(ParseJson, AListOfManyObjectsCostsWhatItIsLong) {
+  std::string text = "[{}";
+  for (int i = 1; i < 2'000'000; ++i) text += ",{}";
+  const auto value = parseJson(text + "]", "x");
+  ASSERT_TRUE(value);
+  EXPECT_EQ(value->size(), 2'000'000u);
 }
 
 TEST(ParseJson, RefusesAKeyThatOneObjectHasTwice) {
@@ -47,7 +57,8 @@ TEST(ParseJson, RefusesAKeyThatOneObjectHasTwice) {
        {R"({"unit":"mm","unit":"m"})", R"({"a":[{"b":{"unit":1,"c":2,"unit":1}}]})"}) {
     const auto value = parseJson(text, "plate.json");
     ASSERT_FALSE(value.has_value()) << text;
-    EXPECT_NE(value.error().what.find("'unit' twice"), std::string::npos) << value.error().what;
+    EXPECT_NE(value.error().what.english().find("'unit' twice"), std::string::npos)
+        << value.error().what;
     EXPECT_FALSE(parseOrderedJson(text, "plate.json").has_value()) << text;
     EXPECT_TRUE(jsonOrDiscarded(text).is_discarded());
     EXPECT_TRUE(orderedJsonOrDiscarded(text).is_discarded());
@@ -64,7 +75,7 @@ std::string refusal(const std::function<void()>& read) {
   try {
     read();
   } catch (const Json::exception& refused) {
-    return unusableJson(refused, "something is missing", "board.json").what;
+    return unusableJson(refused, "something is missing", "board.json").what.english();
   }
   return "accepted";
 }

@@ -26,7 +26,7 @@ class AnOpenFolder : public testing::Test {
   static ContainedPath path(const std::string& text) { return *ContainedPath::parse(text); }
   std::string textOf(const std::string& name) const {
     Result<OpenFile> file = inside().read(path(name));
-    if (!file) return file.error().sentence();
+    if (!file) return file.error().sentence().english();
     std::string text(100, '\0');
     text.resize(*file->read(text));
     return text;

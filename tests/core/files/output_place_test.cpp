@@ -36,7 +36,7 @@ struct OutputPlaces : testing::Test {
     ASSERT_FALSE(checked) << target;
     EXPECT_EQ(checked.error().code, ErrorCode::UnusableInput);
     EXPECT_EQ(checked.error().where, target.string());
-    EXPECT_NE(checked.error().what.find("'" + owner.string() + "'"), std::string::npos)
+    EXPECT_NE(checked.error().what.english().find("'" + owner.string() + "'"), std::string::npos)
         << checked.error().what;
   }
   static void allowed(const fs::path& target, std::string_view filled = {}) {

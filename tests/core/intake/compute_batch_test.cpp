@@ -74,7 +74,7 @@ TEST_F(ComputeBatch, AnotherNumberOfSherdsThanWasCountedIsSaid) {
    public:
     void begin(std::string_view, double) override {}
     void report(std::int64_t, std::int64_t) override {}
-    void note(NoteLevel, std::string_view sentence) override { said += sentence; }
+    void note(NoteLevel, const Message& sentence) override { said += sentence.english(); }
     std::string said;
   } notes;
   records::BatchRecord record = *catalogue::Batches(catalogue()).get(batch);
@@ -134,7 +134,7 @@ TEST_F(ComputeBatch, WhatIsAskedWhileABatchIsComputedIsQueuedAgain) {
       asked = rows && queueAgain(*rows, "B0001", {}).has_value();
     }
     void report(std::int64_t, std::int64_t) override {}
-    void note(NoteLevel, std::string_view) override {}
+    void note(NoteLevel, const Message&) override {}
     bool asked = false;
 
    private:

@@ -171,7 +171,7 @@ TEST_F(Entering, AScaleInDoubtMarksTheProgramsMeasuresUntilItIsSettled) {
   const records::BatchRecord held = *catalogue::Batches(catalogue()).get(batch);
   EXPECT_EQ(held.state, records::BatchState::Review)
       << "no pair is open, but the scale wants a person";
-  EXPECT_EQ(held.scale_doubts, out.scale_doubts.front());
+  EXPECT_EQ(linesOf(held.scale_doubts), out.scale_doubts.front());
   EXPECT_EQ(held.scale_error_pct, -0.98) << "the length that is off most";
   const store::SherdRow row = sherds().front().row;
   ASSERT_TRUE(sherds::Measurements(catalogue())
@@ -204,7 +204,7 @@ TEST_F(Entering, ADraftIsHeldAndItsMeasuresAreMarkedUntilItIsComputedAgain) {
   enter();
   EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Review)
       << "no pair is open";
-  EXPECT_NE(catalogue::Batches(catalogue()).get(batch)->scale_doubts.find("draft"),
+  EXPECT_NE(linesOf(catalogue::Batches(catalogue()).get(batch)->scale_doubts).find("draft"),
             std::string::npos);
   const store::SherdRow row = sherds().front().row;
   EXPECT_TRUE(sherds::Sherds(catalogue()).get(row)->doubtful.contains("width"));
@@ -449,7 +449,7 @@ TEST_F(Entering, WhatIsNotWholeEntersNothing) {
   const Result<EnteredResults> unknown = enterResults(
       catalogue(), project_->folder(), batch, project_->resultsFolder("B0001"), {}, quiet, {});
   ASSERT_FALSE(unknown);
-  EXPECT_NE(unknown.error().what.find("f009"), std::string::npos);
+  EXPECT_NE(unknown.error().what.english().find("f009"), std::string::npos);
   EXPECT_EQ(count("scan"), 0);
   EXPECT_EQ(count("sherd"), 0);
 }

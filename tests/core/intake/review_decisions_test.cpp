@@ -103,7 +103,7 @@ TEST_F(ReviewDecisions, AScanThatIsNotEnteredIsSaid) {
   d.scans[1].id = "b009";
   const Result<void> refused = enter(d);
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().sentence().find("b009"), std::string::npos);
+  EXPECT_NE(refused.error().sentence().english().find("b009"), std::string::npos);
   EXPECT_FALSE(enterDecision(catalogue(), "B0077", d, project_->resultsFolder("B0077")));
 }
 
@@ -301,7 +301,7 @@ TEST_F(ResultsOfDecisions, WhatIsDoneAgainAfterTheBacksWerePhotographedAgainPair
   computed("second", {40, 80});
   const Result<void> again = enter(taken(DecisionKind::Pair, pair.scans));
   ASSERT_FALSE(again);
-  EXPECT_NE(again.error().what.find("reshot"), std::string::npos);
+  EXPECT_NE(again.error().what.english().find("reshot"), std::string::npos);
   EXPECT_EQ(counting(), "");
   EXPECT_EQ(follow(), 0) << "the chain says the same";
   decisions::ScanRef now = back(2);

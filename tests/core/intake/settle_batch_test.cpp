@@ -23,7 +23,7 @@ TEST_F(SettleBatch, ABatchIsSettledUnlessItsScaleIsInDoubt) {
   ASSERT_TRUE(settleBatch(catalogue(), "B0001", "", false)) << "nobody said a name";
   EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Review);
   records::BatchRecord doubtful = *catalogue::Batches(catalogue()).get(batch);
-  doubtful.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
+  doubtful.scale_doubts = {"The scale is wrong: 50 mm measure 49.5 mm."};
   ASSERT_TRUE(catalogue::Batches(catalogue()).save(doubtful, {}));
   ASSERT_TRUE(settleBatch(catalogue(), "B0001", "AP", true));
   EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Review);

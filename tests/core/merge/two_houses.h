@@ -24,7 +24,7 @@ class TwoHouses : public exchange::ExportedProject {
     for (const char* part : {"batches", "results", "models"})
       fs::copy(project_->folder() / part, to / part, fs::copy_options::recursive);
     if (const Result<void> saved = catalogue().backup(to / "catalogue.sqlite"); !saved)
-      throw std::runtime_error(saved.error().sentence());
+      throw std::runtime_error(saved.error().sentence().english());
     return catalogue::valueIn(upkeep::Project::open(to, [this] { return now_ms += 1; }));
   }
   Result<MergeReport> tried(upkeep::Project& a, const upkeep::Project& b, const Settled& settled) {
@@ -37,7 +37,7 @@ class TwoHouses : public exchange::ExportedProject {
            const std::string& value) {
     const records::FieldChange change{sherd, field, value, records::Confirmation::Given};
     const auto done = sherds::SherdChanges(project.catalogue()).apply(std::span(&change, 1), anna);
-    EXPECT_TRUE(done) << (done ? "" : done.error().sentence());
+    EXPECT_TRUE(done) << (done ? "" : done.error().sentence().english());
   }
   static std::string saidOf(const upkeep::Project& project, const std::string& id,
                             const std::string& field) {

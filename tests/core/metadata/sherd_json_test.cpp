@@ -8,7 +8,7 @@ namespace {
 TEST(SherdJson, RecordsOfStrangersAreReadWithCare) {
   const auto why = [](const std::string& text) {
     const Result<ReadSherdJson> read = parseSherdJson(text, "x.json");
-    return read ? std::string("accepted") : read.error().sentence();
+    return read ? std::string("accepted") : read.error().sentence().english();
   };
   EXPECT_NE(why("{}").find("Not a sherd record"), std::string::npos);
   EXPECT_NE(why("[1]").find("Not a sherd record"), std::string::npos);

@@ -28,7 +28,7 @@ TEST(CloseModel, ABoxFromTwoNoisySidesIsClosedAndRightInVolume) {
   const BoxScan scan;
   const auto model = closed(scanOfBox(scan, false, 1), scanOfBox(scan, true, 2));
   ASSERT_TRUE(model.has_value()) << model.error().what;
-  std::string why;
+  Message why;
   EXPECT_TRUE(isClosedManifold(model->mesh, &why)) << why;
   EXPECT_NEAR(measure(model->mesh).volume_mm3, scan.size.prod(), 0.005 * scan.size.prod());
   const std::vector<float> d = errors(model->mesh, scan.size);

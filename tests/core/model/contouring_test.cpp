@@ -25,7 +25,7 @@ TEST(Contouring, RandomSignsOfAllPatternsGiveClosedManifolds) {
       for (int y = 1; y < 23; ++y)
         for (int x = 1; x < 23; ++x)
           grid.values[grid.at(x, y, z)] = static_cast<float>(random() % 2000) / 1000.0f - 1;
-    std::string why;
+    Message why;
     EXPECT_TRUE(isClosedManifold(contour(grid), &why)) << why;
   }
 }

@@ -26,7 +26,7 @@ TEST(Decimation, ABallKeepsItsShapeWithATenthOfTheFaces) {
   const TriangleMesh ball = fineBall(9);
   const auto fewer = decimated(ball, 0.03);
   ASSERT_TRUE(fewer.has_value());
-  std::string why;
+  Message why;
   EXPECT_TRUE(isClosedManifold(*fewer, &why)) << why;
   EXPECT_LT(fewer->triangles.size(), ball.triangles.size() / 10);
   EXPECT_NEAR(measure(*fewer).volume_mm3, measure(ball).volume_mm3,

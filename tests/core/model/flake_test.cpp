@@ -26,7 +26,7 @@ TEST(CloseModelOfAFlake, VolumeAndAreaAreTheObjectsOwn) {
   QuietProgress quiet;
   const auto model = closeModel(*front, *back, *front_from_back, {}, quiet, {});
   ASSERT_TRUE(model.has_value()) << model.error().what;
-  std::string why;
+  Message why;
   EXPECT_TRUE(isClosedManifold(model->mesh, &why)) << why;
   const Measures m = measure(model->mesh);
   EXPECT_NEAR(m.volume_mm3, 22823.7, 0.005 * 22823.7);

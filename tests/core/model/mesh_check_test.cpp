@@ -13,9 +13,9 @@ TEST(MeshCheck, ABoxIsClosed) {
 TEST(MeshCheck, AMissingFaceIsNamed) {
   TriangleMesh mesh = boxMesh({1, 1, 1});
   mesh.triangles.pop_back();
-  std::string why;
+  Message why;
   EXPECT_FALSE(isClosedManifold(mesh, &why));
-  EXPECT_NE(why.find("one side only"), std::string::npos) << why;
+  EXPECT_NE(why.english().find("one side only"), std::string::npos) << why;
 }
 
 TEST(MeshCheck, AFlippedFaceIsRefused) {
@@ -31,9 +31,9 @@ TEST(MeshCheck, TwoBoxesThatShareAVertexAreRefused) {
   for (int k = 1; k < 8; ++k) mesh.vertices.push_back(other.vertices[k] + Eigen::Vector3f::Ones());
   for (const auto& t : other.triangles)
     mesh.triangles.push_back({t[0] ? t[0] + 7 : 7, t[1] ? t[1] + 7 : 7, t[2] ? t[2] + 7 : 7});
-  std::string why;
+  Message why;
   EXPECT_FALSE(isClosedManifold(mesh, &why));
-  EXPECT_NE(why.find("two separate fans"), std::string::npos) << why;
+  EXPECT_NE(why.english().find("two separate fans"), std::string::npos) << why;
 }
 
 TEST(MeshCheck, ALooseVertexAndAWrongIndexAreRefused) {

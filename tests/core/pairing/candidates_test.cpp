@@ -162,7 +162,7 @@ TEST(FindCandidates, LeavesOutAScanWithoutAnOutlineWithANote) {
   struct Listening final : Progress {
     std::string heard;
     void report(std::int64_t, std::int64_t) override {}
-    void note(NoteLevel, std::string_view text) override { heard += text; }
+    void note(NoteLevel, const Message& text) override { heard += text.english(); }
   } progress;
   Batch batch = batchOf({SlabSherd(1)});
   scan::Scan broken;

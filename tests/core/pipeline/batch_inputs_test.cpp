@@ -63,7 +63,7 @@ class AtStage final : public Progress {
     if (stage == stage_) act_();
   }
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel, std::string_view text) override { notes.emplace_back(text); }
+  void note(NoteLevel, const Message& text) override { notes.emplace_back(text.english()); }
   std::vector<std::string> notes;
 
  private:

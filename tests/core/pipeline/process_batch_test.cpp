@@ -379,13 +379,13 @@ TEST_F(ProcessBatch, IsHeldWhenAMarkedLengthContradictsThePlate) {
   const Result<ProcessSummary> summary = processBatch(options, quiet, {});
   ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
   ASSERT_EQ(summary->scale_doubts.size(), 1u);
-  const std::string& doubt = summary->scale_doubts[0];
+  const std::string& doubt = summary->scale_doubts[0].english();
   EXPECT_NE(doubt.find("the length of 160.00 mm marked on the front side measures 158."),
             std::string::npos)
       << doubt;
   const Result<nlohmann::json> report = readJson(options.output / "report.json");
   ASSERT_TRUE(report.has_value());
-  EXPECT_EQ(report->at("scale_doubts").at(0), doubt);
+  EXPECT_EQ(report->at("scale_doubts").at(0).at("text"), doubt);
   const nlohmann::json length = report->at("stages").at(0).at("figures").at("known_lengths").at(0);
   // 160 * 0.99 = 158.40; 0.48 mm a pixel, rounded, seen by three cameras: within 3 of its own sd.
   EXPECT_NEAR(length.at("found_mm").get<double>(), 158.4, 3 * length.at("sd_mm").get<double>());
@@ -424,7 +424,7 @@ TEST_F(ProcessBatch, RefusesTheOutputOfAnotherBatch) {
   QuietProgress quiet;
   const Result<ProcessSummary> refused = process(folder_ / "other", 1, quiet);
   ASSERT_FALSE(refused.has_value());
-  EXPECT_NE(refused.error().what.find("another batch"), std::string::npos);
+  EXPECT_NE(refused.error().what.english().find("another batch"), std::string::npos);
 }
 
 TEST_F(ProcessBatch, TheSamePlateAndCalibrationDoNotMakeItTheSameBatch) {
@@ -450,7 +450,7 @@ TEST_F(ProcessBatch, TheSamePlateAndCalibrationDoNotMakeItTheSameBatch) {
   QuietProgress quiet;
   const Result<ProcessSummary> refused = processBatch(options, quiet, {});
   ASSERT_FALSE(refused.has_value());
-  EXPECT_NE(refused.error().what.find("another batch"), std::string::npos);
+  EXPECT_NE(refused.error().what.english().find("another batch"), std::string::npos);
 }
 
 TEST_F(ProcessBatch, WritesNothingIntoTheBatchItself) {
@@ -459,7 +459,7 @@ TEST_F(ProcessBatch, WritesNothingIntoTheBatchItself) {
     const Result<ProcessSummary> refused = process(within, 1, quiet);
     ASSERT_FALSE(refused.has_value());
     EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
-    EXPECT_NE(refused.error().what.find("never writes"), std::string::npos);
+    EXPECT_NE(refused.error().what.english().find("never writes"), std::string::npos);
   }
   EXPECT_FALSE(fs::exists(folder_ / "batch" / "front" / "out"));
 }
@@ -473,7 +473,7 @@ TEST_F(ProcessBatch, NamesANetworkThatIsNotThereBeforeItBegins) {
   const Result<ProcessSummary> refused = processBatch(options, quiet, {});
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
-  EXPECT_NE(refused.error().sentence().find("absent.onnx"), std::string::npos);
+  EXPECT_NE(refused.error().sentence().english().find("absent.onnx"), std::string::npos);
   EXPECT_FALSE(fs::exists(options.output));
 }
 
@@ -488,7 +488,7 @@ TEST_F(ProcessBatch, NamesAMissingSide) {
   const Result<ProcessSummary> refused = processBatch(options, quiet, {});
   ASSERT_FALSE(refused.has_value());
   EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
-  EXPECT_NE(refused.error().sentence().find("back"), std::string::npos);
+  EXPECT_NE(refused.error().sentence().english().find("back"), std::string::npos);
   EXPECT_FALSE(fs::exists(options.output)) << "an unusable batch leaves nothing behind";
 }
 

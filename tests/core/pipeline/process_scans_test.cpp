@@ -30,7 +30,7 @@ class NeverBack final : public Progress {
     EXPECT_LE(now, 1);
     before_ = now;
   }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   double before_ = 0;
@@ -138,7 +138,7 @@ class ActsAt final : public Progress {
     if (moment_ == Moment::Begin) step();
   }
   void report(std::int64_t, std::int64_t) override { step(); }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   void step() {
@@ -167,7 +167,8 @@ TEST_F(ProcessScans, SaysThatItsOutputFolderIsGoneAndIsStartedAgainFromNothing) 
     const Result<ProcessSummary> gone = processScans(options, deleting, {});
     ASSERT_FALSE(gone.has_value()) << stage;
     EXPECT_EQ(gone.error().code, ErrorCode::CannotWrite) << gone.error().sentence();
-    EXPECT_NE(gone.error().what.find("The output folder is gone"), std::string::npos) << stage;
+    EXPECT_NE(gone.error().what.english().find("The output folder is gone"), std::string::npos)
+        << stage;
     EXPECT_EQ(gone.error().where, options.output.string());
     EXPECT_FALSE(fs::exists(options.output)) << stage;
   }
@@ -249,7 +250,7 @@ TEST_F(ProcessScans, ADecisionAboutASideThatWasTakenAgainIsNotApplied) {
   ASSERT_TRUE(again.has_value()) << again.error().sentence();
   EXPECT_EQ(again->sherds.at(0).back, table->backs[0].id) << "the program's own";
   ASSERT_FALSE(again->warnings.empty());
-  EXPECT_NE(again->warnings.front().find("decide again"), std::string::npos)
+  EXPECT_NE(again->warnings.front().english().find("decide again"), std::string::npos)
       << again->warnings.front();
 }
 
@@ -258,7 +259,7 @@ TEST_F(ProcessScans, AFolderWithoutScansSaysSo) {
   fs::create_directories(folder / "scans/back");
   const Result<ProcessSummary> summary = process("out");
   ASSERT_FALSE(summary.has_value());
-  EXPECT_NE(summary.error().what.find("no PLY file"), std::string::npos);
+  EXPECT_NE(summary.error().what.english().find("no PLY file"), std::string::npos);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 class Told final : public Progress {
  public:
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel, std::string_view text) override { all += std::string(text) + "\n"; }
+  void note(NoteLevel, const Message& text) override { all += text.english() + "\n"; }
   std::string all;
 };
 

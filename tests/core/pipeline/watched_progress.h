@@ -17,7 +17,7 @@ class StopsAt final : public Progress {
     if (stage == stage_) stop_.request_stop();
   }
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   std::string stage_;
@@ -34,7 +34,7 @@ class NeverBack final : public Progress {
     EXPECT_LE(fraction, 1) << stage_;
     fraction_ = fraction;
   }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   std::string stage_;

@@ -26,29 +26,29 @@ TEST(Numbering, AWidthIsALeastWidth) {
 TEST(Numbering, SchemesThatCannotWorkAreRefusedWithTheReason) {
   const auto why = [](const char* scheme) {
     const Result<Numbering> parsed = Numbering::parse(scheme);
-    return parsed ? std::string("accepted") : parsed.error().what;
+    return parsed ? std::string("accepted") : parsed.error().what.english();
   };
-  EXPECT_NE(why("{site}{n}").find("adjacent"), std::string::npos);
-  EXPECT_NE(why("{site}-x").find("exactly once"), std::string::npos);
-  EXPECT_NE(why("{n}-{n}").find("exactly once"), std::string::npos);
-  EXPECT_NE(why("{area}-{n}").find("no token {area}"), std::string::npos);
-  EXPECT_NE(why("{n").find("does not close"), std::string::npos);
-  EXPECT_NE(why("a b-{n}").find("character ' '"), std::string::npos);
-  EXPECT_NE(why("{n:4}").find(":04"), std::string::npos);
-  EXPECT_NE(why("{n:099}").find(":04"), std::string::npos);
+  EXPECT_NE(why("{site}{n}").english().find("adjacent"), std::string::npos);
+  EXPECT_NE(why("{site}-x").english().find("exactly once"), std::string::npos);
+  EXPECT_NE(why("{n}-{n}").english().find("exactly once"), std::string::npos);
+  EXPECT_NE(why("{area}-{n}").english().find("no token {area}"), std::string::npos);
+  EXPECT_NE(why("{n").english().find("does not close"), std::string::npos);
+  EXPECT_NE(why("a b-{n}").english().find("character ' '"), std::string::npos);
+  EXPECT_NE(why("{n:4}").english().find(":04"), std::string::npos);
+  EXPECT_NE(why("{n:099}").english().find(":04"), std::string::npos);
   EXPECT_EQ(why("{n}"), "accepted");
 }
 
 TEST(Numbering, APlaceThatIsNotRecordedIsNamed) {
   const Result<std::string> number = Numbering::parse("{batch}-{n}")->number(kPlace, 1);
   ASSERT_FALSE(number);
-  EXPECT_NE(number.error().what.find("batch"), std::string::npos);
+  EXPECT_NE(number.error().what.english().find("batch"), std::string::npos);
 }
 
 TEST(Numbering, AValueThatHoldsTheSignBesideItWarns) {
   const Numbering scheme = *Numbering::parse("{site}-{context}-{n}");
   EXPECT_EQ(scheme.warning(kPlace), "");
-  EXPECT_NE(scheme.warning({{"site", "ARM1"}, {"context", "12-3"}}).find("12-3"),
+  EXPECT_NE(scheme.warning({{"site", "ARM1"}, {"context", "12-3"}}).english().find("12-3"),
             std::string::npos);
 }
 

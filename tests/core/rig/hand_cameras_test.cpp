@@ -106,8 +106,8 @@ TEST(TurningPlate, IsToldByThePosesOfOneCamerasPhotographs) {
 class Warned final : public Progress {
  public:
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel level, std::string_view text) override {
-    if (level == NoteLevel::Warning) warnings.emplace_back(text);
+  void note(NoteLevel level, const Message& text) override {
+    if (level == NoteLevel::Warning) warnings.emplace_back(text.english());
   }
   std::vector<std::string> warnings;
 };

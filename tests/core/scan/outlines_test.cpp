@@ -90,7 +90,8 @@ TEST(Outlines, WhatIsCutInTheMiddleIsSaidToTouch) {
   ASSERT_TRUE(split.has_value());
   EXPECT_EQ(split->scans.size(), 2u);
   ASSERT_EQ(split->warnings.size(), 1u);
-  EXPECT_EQ(split->warnings[0].find("Two sherds touch at x 4, y "), 0u) << split->warnings[0];
+  EXPECT_EQ(split->warnings[0].english().find("Two sherds touch at x 4, y "), 0u)
+      << split->warnings[0];
 }
 
 TEST(Outlines, ACrumbBesideASherdIsSaidAndOneUnderItIsNoise) {
@@ -118,7 +119,8 @@ TEST(Outlines, ACrumbBesideASherdIsSaidAndOneUnderItIsNoise) {
     EXPECT_EQ(split->scans[0].cloud.size(), cap.size());
     ASSERT_EQ(split->warnings.size(), crumb ? 1u : 0u);
     if (crumb) {
-      EXPECT_EQ(split->warnings[0].find("A crumb of 8 mm at x 35"), 0u) << split->warnings[0];
+      EXPECT_EQ(split->warnings[0].english().find("A crumb of 8 mm at x 35"), 0u)
+          << split->warnings[0];
     }
   }
 }

@@ -54,7 +54,7 @@ TEST(SplitScans, ASliverIsACrumbHoweverLong) {
   ASSERT_TRUE(found.has_value()) << found.error().what;
   EXPECT_EQ(found->scans.size(), 2u);
   ASSERT_EQ(found->warnings.size(), 1u);
-  EXPECT_NE(found->warnings[0].find("crumb of 15 mm at x 18"), std::string::npos)
+  EXPECT_NE(found->warnings[0].english().find("crumb of 15 mm at x 18"), std::string::npos)
       << found->warnings[0];
 }
 
@@ -100,7 +100,8 @@ TEST(SplitScans, WithoutAScaleWhatIsLeftOutIsNamedAndInDoubt) {
   EXPECT_EQ(found->scans.size(), 2u);
   ASSERT_EQ(found->doubtful.size(), 1u);  // 5.7 mm where the usual sherd has 800 mm2
   EXPECT_EQ(found->warnings, found->doubtful);
-  EXPECT_NE(found->doubtful[0].find("of the typical sherd's length was left out of the front side"),
+  EXPECT_NE(found->doubtful[0].english().find(
+                "of the typical sherd's length was left out of the front side"),
             std::string::npos);
 }
 
@@ -155,7 +156,7 @@ TEST(SplitScans, CutsTwoTouchingSherdsAtTheirNeckAndSaysSo) {
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->scans.size(), 2u);
   ASSERT_FALSE(found->warnings.empty());
-  EXPECT_NE(found->warnings[0].find("touch"), std::string::npos);
+  EXPECT_NE(found->warnings[0].english().find("touch"), std::string::npos);
 }
 
 TEST(SplitScans, KeepsASherdWithAWaistWhole) {
@@ -175,7 +176,7 @@ TEST(SplitScans, TakesANoisyStainOnThePlateForFlat) {
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->scans.size(), 1u);
   ASSERT_EQ(found->warnings.size(), 1u);
-  EXPECT_NE(found->warnings[0].find("flat"), std::string::npos);
+  EXPECT_NE(found->warnings[0].english().find("flat"), std::string::npos);
 }
 
 TEST(SplitScans, SaysWhatIsWrongWithItsInput) {

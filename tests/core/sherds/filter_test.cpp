@@ -205,7 +205,7 @@ TEST_F(Filters, TheOrderPutsWhatIsNotRecordedLast) {
 TEST_F(Filters, WhatIsNotUnderstoodIsNamed) {
   const auto why = [](const char* line) {
     const Result<Filter> filter = parseFilter(line);
-    return filter ? std::string("accepted") : filter.error().sentence();
+    return filter ? std::string("accepted") : filter.error().sentence().english();
   };
   EXPECT_NE(why("rim colour:red").find("colour:red: The filter has no field 'colour'"),
             std::string::npos);

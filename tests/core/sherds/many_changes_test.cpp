@@ -16,7 +16,7 @@ class Reports final : public Progress {
     total_ = total;
     if (++seen_ == until_) stop_.request_stop();
   }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
   std::stop_token stop() const { return stop_.get_token(); }
   int seen() const { return seen_; }
   std::int64_t total() const { return total_; }

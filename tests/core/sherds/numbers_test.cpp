@@ -27,7 +27,7 @@ TEST_F(NumbersTest, AreNeverUsedAgain) {
   ASSERT_TRUE(set(a, "number", "OLD-7"));
   const Result<std::vector<records::FieldChange>> taken = set(b, "number", "ARM1-T3-0012-0001");
   ASSERT_FALSE(taken);
-  EXPECT_NE(taken.error().what.find("assigned before"), std::string::npos);
+  EXPECT_NE(taken.error().what.english().find("assigned before"), std::string::npos);
   EXPECT_THAT(*Numbers(catalogue()).assign(std::span(&b, 1), anna),
               ElementsAre("ARM1-T3-0012-0002"));
   ASSERT_TRUE(Sherds(catalogue()).voidSherd(b, "a stone", anna));
@@ -43,7 +43,7 @@ TEST_F(NumbersTest, DifferOnlyIfTheyDifferForPeopleAndForFiles) {
   ASSERT_TRUE(set(a, "number", "A/1"));
   const Result<std::vector<records::FieldChange>> same_file = set(b, "number", "A_1");
   ASSERT_FALSE(same_file);
-  EXPECT_NE(same_file.error().what.find("same names as those of A/1"), std::string::npos);
+  EXPECT_NE(same_file.error().what.english().find("same names as those of A/1"), std::string::npos);
 }
 
 TEST_F(NumbersTest, HaveNoLettersThatNobodySees) {
@@ -84,7 +84,8 @@ TEST_F(NumbersTest, OfTwoComputersComeFromTwoBlocks) {
   const Result<std::vector<std::string>> none =
       Numbers(catalogue()).propose(std::vector{draft(context12)});
   ASSERT_FALSE(none);
-  EXPECT_NE(none.error().what.find("block of numbers up to 5002 is used up"), std::string::npos);
+  EXPECT_NE(none.error().what.english().find("block of numbers up to 5002 is used up"),
+            std::string::npos);
 }
 
 TEST_F(NumbersTest, NeedThePlaceThatTheSchemeNames) {

@@ -215,5 +215,12 @@ TEST_F(Decisions, TheListIsOnlyAddedTo) {
   EXPECT_THROW(catalogue().database().script("UPDATE history SET why = 'x'"), store::SqlFailure);
 }
 
+TEST(VoidReason, IsTranslatedWhereItIsTheProgramsOwn) {
+  EXPECT_EQ(voidReason("its front no longer has a back").templateWords(),
+            "its front no longer has a back");
+  EXPECT_EQ(voidReason("dropped"), "dropped");
+  EXPECT_TRUE(voidReason("dropped").templateWords().empty());
+}
+
 }  // namespace
 }  // namespace ostraka::sherds

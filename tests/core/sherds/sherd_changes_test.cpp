@@ -20,7 +20,7 @@ TEST_F(Changes, AreAllOrNothing) {
       SherdChanges(catalogue()).apply(changes, anna);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().where, "ARM1-T3-0012-0002") << "the sherd that it is about";
-  EXPECT_NE(done.error().what.find("'wing' is not a term"), std::string::npos);
+  EXPECT_NE(done.error().what.english().find("'wing' is not a term"), std::string::npos);
   EXPECT_EQ(valueOf(a, "ware"), "");
 }
 
@@ -33,12 +33,12 @@ TEST_F(Changes, ThePreviewShowsWhatWouldBeAndWhatIsRefused) {
   ASSERT_EQ(shown.size(), 6u);
   EXPECT_EQ(shown[0].new_value, "rim; neck");
   EXPECT_EQ(shown[0].refusal, "");
-  EXPECT_NE(shown[1].refusal.find("10YR 3/1"), std::string::npos);
+  EXPECT_NE(shown[1].refusal.english().find("10YR 3/1"), std::string::npos);
   EXPECT_EQ(shown[2].new_value, "61.42");
-  EXPECT_NE(shown[3].refusal.find("belongs to another sherd"), std::string::npos);
+  EXPECT_NE(shown[3].refusal.english().find("belongs to another sherd"), std::string::npos);
   EXPECT_EQ(shown[3].in_the_way, a);
-  EXPECT_NE(shown[4].refusal.find("the program sets it"), std::string::npos);
-  EXPECT_NE(shown[5].refusal.find("no field 'colour'"), std::string::npos);
+  EXPECT_NE(shown[4].refusal.english().find("the program sets it"), std::string::npos);
+  EXPECT_NE(shown[5].refusal.english().find("no field 'colour'"), std::string::npos);
   EXPECT_EQ(valueOf(a, "part"), "") << "a preview changes nothing";
 }
 

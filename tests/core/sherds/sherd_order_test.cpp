@@ -85,7 +85,7 @@ TEST_F(Ordered, OnlyTheRowsThatFitAreOrdered) {
 TEST_F(Ordered, AFieldThatOrdersNothingIsRefused) {
   const auto refused = Sherds(catalogue()).rows({}, {"colour", false});
   ASSERT_FALSE(refused);
-  EXPECT_NE(refused.error().sentence().find("'colour'"), std::string::npos);
+  EXPECT_NE(refused.error().sentence().english().find("'colour'"), std::string::npos);
 }
 
 }  // namespace

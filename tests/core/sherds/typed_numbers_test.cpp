@@ -110,7 +110,7 @@ TEST_F(TypedNumbers, AreRefusedWhenTheyAreNotUnique) {
   ASSERT_TRUE(Sherds(catalogue()).setModel(photographed, "models/B0007/1/model.ply", ""));
   const auto why = [&](const std::vector<TypedNumber>& numbers) {
     const Result<void> done = type(numbers);
-    return done ? std::string("accepted") : done.error().what;
+    return done ? std::string("accepted") : done.error().what.english();
   };
   EXPECT_EQ(why({{{0, 0}, "A-1"}, {{50, 0}, "a-1"}}),
             "The number a-1 appears on two sherds of this plate.");

@@ -138,7 +138,7 @@ TEST(DenseOptions, NameTheFieldThatIsWrong) {
   DenseOptions options;
   options.max_sources = 17;
   ASSERT_FALSE(options.check().has_value());
-  EXPECT_NE(options.check().error().what.find("max_sources"), std::string::npos);
+  EXPECT_NE(options.check().error().what.english().find("max_sources"), std::string::npos);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(Migrations, ANewerSchemaIsRefusedWithASentence) {
   ASSERT_TRUE(migrate(*database, kTwo, {}));
   const Result<void> older = migrate(*database, std::span(kTwo).first(1), {});
   ASSERT_FALSE(older);
-  EXPECT_NE(older.error().what.find(
+  EXPECT_NE(older.error().what.english().find(
                 "newer Ostraka made this project (catalogue version 2, this program supports 1)"),
             std::string::npos);
 }

@@ -70,7 +70,7 @@ TEST(Csv, Utf8WithOrWithoutMarkAndUtf16AreRead) {
 TEST(Csv, WhatIsNoTableIsRefusedWithItsLine) {
   const auto why = [](const std::string& text) {
     const Result<CsvTable> table = parseCsv(text, "t.csv");
-    return table ? std::string("accepted") : table.error().sentence();
+    return table ? std::string("accepted") : table.error().sentence().english();
   };
   EXPECT_NE(why("").find("empty"), std::string::npos);
   EXPECT_NE(why("a,b\n1,2\n\"open,3\n").find("Line 3 has an unclosed quotation mark"),

@@ -21,7 +21,7 @@ class Import : public catalogue::SmallProject {
     return report.refusals.empty()
                ? "accepted"
                : std::to_string(report.refusals[0].line) + " " + report.refusals[0].column + " " +
-                     report.refusals[0].value + ": " + report.refusals[0].reason;
+                     report.refusals[0].value + ": " + report.refusals[0].reason.english();
   }
   QuietProgress quiet;
 };

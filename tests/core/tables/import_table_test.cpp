@@ -140,7 +140,7 @@ TEST_F(Import, UnknownPlacesAreMadeWhenAskedFor) {
 TEST_F(Import, UnknownColumnsBecomeFieldsOfOnesOwnWithAWarning) {
   const ImportReport report = import("number,site,trench,context,drawer\nX-1,ARM1,T3,0012,7\n");
   ASSERT_EQ(report.warnings.size(), 1u);
-  EXPECT_NE(report.warnings[0].find("'drawer'"), std::string::npos);
+  EXPECT_NE(report.warnings[0].english().find("'drawer'"), std::string::npos);
   EXPECT_EQ(
       sherds::textOf(*sherds::Sherds(catalogue()).get(*sherds::Sherds(catalogue()).byNumber("X-1")),
                      "extra.drawer"),
@@ -159,7 +159,7 @@ TEST_F(Import, OfContextsMakesAndChangesThem) {
   EXPECT_EQ(report.changed, 1);
   EXPECT_EQ(report.refused, 2);
   EXPECT_EQ(report.refusals[0].line, 4);
-  EXPECT_NE(report.refusals[1].reason.find("2026-07-14"), std::string::npos);
+  EXPECT_NE(report.refusals[1].reason.english().find("2026-07-14"), std::string::npos);
   const records::ContextRecord c = *catalogue::Places(catalogue()).context(context12);
   EXPECT_EQ(c.kind, "layer");
   EXPECT_TRUE(c.closed);
@@ -390,7 +390,7 @@ class At final : public Progress {
   void report(std::int64_t done, std::int64_t) override {
     if (done >= row_ && provenance_) std::exchange(provenance_, nullptr)();
   }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   std::int64_t row_;

@@ -37,7 +37,7 @@ TEST_F(ViewsOfABatch, GoOnWithoutAPhotographThatCannotBeRead) {
     ASSERT_TRUE(shown.has_value()) << shown.error().sentence();
     EXPECT_EQ(shown->views.size(), 2U);
     ASSERT_EQ(shown->unread.size(), 1U);
-    EXPECT_NE(shown->unread[0].sentence().find("b.png"), std::string::npos);
+    EXPECT_NE(shown->unread[0].sentence().english().find("b.png"), std::string::npos);
   }
 }
 
@@ -46,7 +46,7 @@ TEST_F(ViewsOfABatch, AreNoneWhereNoPhotographCanBeRead) {
   fs::remove(gone.image.file);
   SherdViews views({gone}, {tile_}, 1);
   ASSERT_FALSE(views.of(0, {}).has_value());
-  EXPECT_NE(views.of(0, {}).error().sentence().find("a.png"), std::string::npos);
+  EXPECT_NE(views.of(0, {}).error().sentence().english().find("a.png"), std::string::npos);
 }
 
 TEST_F(ViewsOfABatch, AreReadAgainAfterACancellation) {

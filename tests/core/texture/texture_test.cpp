@@ -103,7 +103,7 @@ TEST(Texture, ThatNoPageHoldsIsRefusedBeforeItIsDecoded) {
   TexturedModel model = painted(cv::Mat3b(1, 1, cv::Vec3b(1, 2, 3)), {});
   model.texture.jpeg = huge;
   ASSERT_FALSE(opened(model, "a"));
-  EXPECT_NE(opened(model, "a").error().what.find("67,108,864"), std::string::npos);
+  EXPECT_NE(opened(model, "a").error().what.english().find("67,108,864"), std::string::npos);
   model.texture.jpeg = "no picture";
   EXPECT_FALSE(opened(model, "a"));
 }

@@ -127,7 +127,7 @@ class StoppingAt final : public Progress {
     EXPECT_LE(done, total);
     if (--left_ == 0) stop_.request_stop();
   }
-  void note(NoteLevel, std::string_view) override {}
+  void note(NoteLevel, const Message&) override {}
 
  private:
   int left_;

@@ -54,7 +54,7 @@ TEST_F(ProjectFolder, OpensAgainWithWhatWasSaved) {
 
 struct Notes final : Progress {
   void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel, std::string_view text) override { all.emplace_back(text); }
+  void note(NoteLevel, const Message& text) override { all.emplace_back(text.english()); }
   std::vector<std::string> all;
 };
 
@@ -126,7 +126,8 @@ TEST_F(ProjectFolder, IsNotOpenedWhereAPathOfTheCatalogueLeadsOutOfIt) {
     const Result<Project> opened = Project::open(folder);
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().code, ErrorCode::UnusableInput);
-    EXPECT_NE(opened.error().what.find(path), std::string::npos) << opened.error().sentence();
+    EXPECT_NE(opened.error().what.english().find(path), std::string::npos)
+        << opened.error().sentence();
   }
   catalogue().database().sql("UPDATE sherd SET preview_path = ''").run();
   EXPECT_TRUE(Project::open(folder));
@@ -170,7 +171,7 @@ TEST_F(ProjectFolder, ACatalogueOfANewerProgramIsRefused) {
   }
   const Result<Project> newer = Project::open(project_->folder());
   ASSERT_FALSE(newer);
-  EXPECT_NE(newer.error().what.find("newer Ostraka"), std::string::npos);
+  EXPECT_NE(newer.error().what.english().find("newer Ostraka"), std::string::npos);
 }
 
 TEST_F(ProjectFolder, AFolderWithoutACatalogueAndAFileThatIsNoneAreRefused) {
@@ -179,7 +180,8 @@ TEST_F(ProjectFolder, AFolderWithoutACatalogueAndAFileThatIsNoneAreRefused) {
   std::ofstream(folder_.path() / "other" / "catalogue.sqlite") << std::string(5000, 'x');
   const Result<Project> opened = Project::open(folder_.path() / "other");
   ASSERT_FALSE(opened);
-  EXPECT_NE(opened.error().what.find("damaged"), std::string::npos) << opened.error().what;
+  EXPECT_NE(opened.error().what.english().find("damaged"), std::string::npos)
+      << opened.error().what;
 }
 
 TEST_F(ProjectFolder, ABackupIsReadBackAndHoldsEverything) {
@@ -237,7 +239,7 @@ TEST_F(ProjectFolder, ADamagedCatalogueIsNoticed) {
   catalogue().database().script("DELETE FROM sherd_text WHERE rowid = 3");
   const Result<void> checked = catalogue().checkIntegrity();
   ASSERT_FALSE(checked);
-  EXPECT_NE(checked.error().what.find("catalogue repair"), std::string::npos);
+  EXPECT_NE(checked.error().what.english().find("catalogue repair"), std::string::npos);
 }
 
 TEST_F(ProjectFolder, AnotherThreadsConnectionSeesWhatWasSaved) {
@@ -290,7 +292,7 @@ TEST_F(ProjectFolder, AVocabularyKeepsTheTermsThatAreInUse) {
   const Result<void> without =
       catalogue::Settings(catalogue()).setVocabulary("firing", {terms[0]}, anna);
   ASSERT_FALSE(without);
-  EXPECT_NE(without.error().what.find("'reduced': 1;"), std::string::npos);
+  EXPECT_NE(without.error().what.english().find("'reduced': 1;"), std::string::npos);
   terms.push_back({"sandwich", {{"de", "Sandwichbrand"}}, "http://example.org/1"});
   ASSERT_TRUE(catalogue::Settings(catalogue()).setVocabulary("firing", terms, anna));
   EXPECT_EQ(catalogue::Settings(catalogue()).vocabulary("firing")->back().labels.at("de"),

@@ -208,7 +208,7 @@ TEST_F(Repairing, WithoutAWholeBackupNothingIsChanged) {
   catalogue::writeBytes(file(), bytes);
   const Result<RepairReport> report = repairCatalogue(folder(), quiet_, {});
   ASSERT_FALSE(report);
-  EXPECT_NE(report.error().what.find("none of its backups is intact"), std::string::npos);
+  EXPECT_NE(report.error().what.english().find("none of its backups is intact"), std::string::npos);
   EXPECT_EQ(catalogue::bytesOf(file()), bytes);
   for (const auto& entry : fs::directory_iterator(folder()))
     EXPECT_EQ(entry.path().string().find(".partial"), std::string::npos) << entry.path();
@@ -234,7 +234,7 @@ TEST_F(Repairing, AProjectThatAnotherProgramHasOpenIsNotRepaired) {
   ::close(ready[0]);
   ::close(ready[1]);
   ASSERT_FALSE(report);
-  EXPECT_NE(report.error().what.find("has this project open"), std::string::npos);
+  EXPECT_NE(report.error().what.english().find("has this project open"), std::string::npos);
 }
 
 // A damaged catalogue with a backup, and later transactions in the WAL of a killed process.
@@ -424,7 +424,8 @@ TEST_F(Repairing, TakesTheWalOfAKilledProcessFromABackupThatWasPutBack) {
   const Result<Project> open = Project::open(folder());
   ASSERT_FALSE(open);
   EXPECT_EQ(open.error().code, ErrorCode::Damaged);
-  EXPECT_NE(open.error().what.find("it is a backup"), std::string::npos) << open.error().what;
+  EXPECT_NE(open.error().what.english().find("it is a backup"), std::string::npos)
+      << open.error().what;
   EXPECT_FALSE(store::Database::open(file(), store::Database::Mode::ReadOnly));
   EXPECT_EQ(catalogue::bytesOf(file()), put_back);
   const RepairReport report = repaired();

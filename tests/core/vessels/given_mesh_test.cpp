@@ -38,7 +38,7 @@ class GivenMesh : public testing::Test {
     const Result<VirtualSherd> sherd = read(mesh);
     ASSERT_FALSE(sherd);
     EXPECT_EQ(sherd.error().code, ErrorCode::UnusableInput);
-    EXPECT_NE(sherd.error().what.find(why), std::string::npos) << sherd.error().what;
+    EXPECT_NE(sherd.error().what.english().find(why), std::string::npos) << sherd.error().what;
   }
 
   TemporaryFolder temporary_;

@@ -155,10 +155,11 @@ TEST(AsVirtual, ScalesPicturesAndKeepsPlaces) {
 TEST(Predict, NamesTheFieldThatCannotBe) {
   QuietProgress quiet;
   PredictOptions options;
-  EXPECT_NE(predict({}, options, quiet, {}).error().what.find("work"), std::string::npos);
+  EXPECT_NE(predict({}, options, quiet, {}).error().what.english().find("work"), std::string::npos);
   options.work = "/tmp/unused";
   options.width = 99;
-  EXPECT_NE(predict({}, options, quiet, {}).error().what.find("width"), std::string::npos);
+  EXPECT_NE(predict({}, options, quiet, {}).error().what.english().find("width"),
+            std::string::npos);
 }
 
 }  // namespace

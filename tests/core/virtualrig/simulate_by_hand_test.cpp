@@ -292,13 +292,13 @@ TEST(Sheet, OfAnySizeHasItsMarkersOnThePaper) {
 TEST(HandHeldOptions, NameTheFieldThatCannotBe) {
   SimulateOptions options = small("x");
   options.hand_held->photographs = 2;
-  EXPECT_NE(options.check().error().what.find("hand_held"), std::string::npos);
+  EXPECT_NE(options.check().error().what.english().find("hand_held"), std::string::npos);
   options = small("x");
   options.hand_held->bend_mm = 50;
-  EXPECT_NE(options.check().error().what.find("bend"), std::string::npos);
+  EXPECT_NE(options.check().error().what.english().find("bend"), std::string::npos);
   options = small("x");
   options.fault = Fault::Blur;
-  EXPECT_NE(options.check().error().what.find("no fault"), std::string::npos);
+  EXPECT_NE(options.check().error().what.english().find("no fault"), std::string::npos);
 }
 
 }  // namespace

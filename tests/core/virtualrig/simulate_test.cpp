@@ -70,7 +70,7 @@ TEST_F(SimulatedBatch, LeavesNothingOfABatchThatWasStopped) {
   class StopsAtTheFirstPhotograph final : public Progress {
    public:
     void report(std::int64_t, std::int64_t) override { source.request_stop(); }
-    void note(NoteLevel, std::string_view) override {}
+    void note(NoteLevel, const Message&) override {}
     std::stop_source source;
   };
   StopsAtTheFirstPhotograph progress;
@@ -174,14 +174,15 @@ TEST_F(SimulatedBatch, IsBlurredByEnoughToBeToldInSmallPicturesToo) {
 TEST(SimulateOptions, NameTheFieldThatCannotBe) {
   SimulateOptions options = tiny("x");
   options.width = 321;
-  EXPECT_NE(options.check().error().what.find("width"), std::string::npos);
+  EXPECT_NE(options.check().error().what.english().find("width"), std::string::npos);
   options = tiny("x");
   options.near_duplicates = 2;
-  EXPECT_NE(options.check().error().what.find("near_duplicates"), std::string::npos);
+  EXPECT_NE(options.check().error().what.english().find("near_duplicates"), std::string::npos);
   options.near_duplicates = 0;
   options.scans_only = true;
   options.fault = Fault::Blur;
-  EXPECT_NE(options.check().error().what.find("fault is about photographs"), std::string::npos);
+  EXPECT_NE(options.check().error().what.english().find("fault is about photographs"),
+            std::string::npos);
 }
 
 TEST_F(SimulatedBatch, IsNotWrittenIntoAFolderThatHoldsFiles) {

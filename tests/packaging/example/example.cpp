@@ -35,7 +35,7 @@ ostraka::PointCloud slab(float up) {
 }
 
 int fail(const ostraka::Error& error) {
-  std::fprintf(stderr, "%s\n", error.sentence().c_str());
+  std::fprintf(stderr, "%s\n", error.sentence().english().c_str());
   return 1;
 }
 

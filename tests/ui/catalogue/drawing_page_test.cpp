@@ -233,7 +233,7 @@ class DrawingPageTest : public QObject {
       QPdfWriter pdf(file);
       pdf.setResolution(254);  // ten dots a millimetre
       const Result<void> printed = printSheets(pdf, {upright, across, large});
-      QVERIFY2(printed.has_value(), printed ? "" : printed.error().what.c_str());
+      QVERIFY2(printed.has_value(), printed ? "" : printed.error().what.english().c_str());
     }
     const QByteArray bytes = bytesOf(file);
     QVERIFY(bytes.contains("/MediaBox [0 0 595"));

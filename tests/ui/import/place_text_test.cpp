@@ -86,7 +86,7 @@ class PlaceTextTest : public QObject {
     catalogue::Catalogue& rows = project->catalogue();
     const PlaceText place{"ARM1", "T3", "0012", "4"};
     const auto first = bagRowOf(rows, place, {});
-    QVERIFY2(first.has_value(), first ? "" : first.error().sentence().c_str());
+    QVERIFY2(first.has_value(), first ? "" : first.error().sentence().english().c_str());
     QVERIFY(*first > 0);
     QCOMPARE(*bagRowOf(rows, place, {}), *first);
     const auto other = bagRowOf(rows, {"ARM1", "T3", "0012", "5"}, {});

@@ -104,7 +104,7 @@ class JobTest : public QObject {
     QTRY_COMPARE(refused.outcomes.size() + thrown.outcomes.size(), std::size_t{2});
     QCOMPARE(refused.outcomes[0].error().sentence(), std::string("camera B: Not there."));
     QCOMPARE(thrown.outcomes[0].error().code, ErrorCode::Failed);
-    QVERIFY(thrown.outcomes[0].error().what.find("index 7") != std::string::npos);
+    QVERIFY(thrown.outcomes[0].error().what.english().find("index 7") != std::string::npos);
   }
 
   // A result in the window's queue comes before a deleteLater that is behind it.

@@ -98,7 +98,7 @@ class FirstRunTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Place, kLong_ms);
     space(window);
     QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Flip, kLong_ms);
-    QVERIFY2(!wizard.fault(), wizard.fault() ? wizard.fault()->sentence().c_str() : "");
+    QVERIFY2(!wizard.fault(), wizard.fault() ? wizard.fault()->sentence().english().c_str() : "");
     space(window);
     QTRY_COMPARE_WITH_TIMEOUT(wizard.phase(), CapturePhase::Done, kLong_ms);
     doubtful_ = !wizard.doubts().isEmpty();

@@ -40,7 +40,7 @@ class MainWindowTest : public QObject {
     record.code = "ARM1";
     record.title = "Aragats 2026";
     const auto made = upkeep::Project::create(folder_.toStdString(), record);
-    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().english().c_str());
   }
 
   void settingsAndHelpAreThereBeforeAProjectIs() {

@@ -81,7 +81,7 @@ class NewProjectTest : public QObject {
     fresh.setName("Aragats");
     fresh.setFolder(folder.filePath("p"));
     const auto made = fresh.make();
-    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().english().c_str());
     QCOMPARE(catalogue::Places((*made)->catalogue()).sites()->front().code, std::string("ARM1"));
     QCOMPARE(catalogue::Settings((*made)->catalogue()).project()->title, std::string("Aragats"));
     QVERIFY(fresh.refusal().contains("project in this folder already"));
@@ -90,7 +90,7 @@ class NewProjectTest : public QObject {
   void theVirtualProjectHasItsRigAndItsBag() {
     const QTemporaryDir folder;
     const auto made = makeVirtualProject(folder.filePath("v"));
-    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().english().c_str());
     const auto rig = catalogue::Settings((*made)->catalogue()).value("rig");
     QCOMPARE(RigChoice::fromJson(QString::fromStdString(*rig)).kind, RigChoice::Kind::Virtual);
     QVERIFY(!catalogue::Settings((*made)->catalogue()).value("capture.place")->empty());

@@ -361,7 +361,7 @@ class ScreensTest : public QObject {
     if (project_.isEmpty() || !QDir(project_).exists()) {
       project_ = home_->path("Ostraka/Virtual");
       auto made = makeVirtualProject(project_);
-      QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+      QVERIFY2(made.has_value(), made ? "" : made.error().sentence().english().c_str());
     }
     window_->openProject(project_);
     QVERIFY(window_->session() != nullptr);

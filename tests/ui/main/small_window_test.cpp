@@ -198,7 +198,7 @@ class SmallWindowTest : public QObject {
     record.code = "ARM";
     record.title = "Hill";
     auto made = upkeep::Project::create(folder, record);
-    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().c_str());
+    QVERIFY2(made.has_value(), made ? "" : made.error().sentence().english().c_str());
     if (empty) return;
     pipeline::SyntheticOptions options;
     options.sherds = 6;

@@ -213,7 +213,7 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   scan.plate_x_mm = 30;
   scan.plate_y_mm = 10;
   const auto scan_row = catalogue::Batches(rows).save(scan, {});
-  QVERIFY2(scan_row.has_value(), scan_row ? "" : scan_row.error().sentence().c_str());
+  QVERIFY2(scan_row.has_value(), scan_row ? "" : scan_row.error().sentence().english().c_str());
   records::SherdRecord sherd;
   sherd.batch = *batch_row;
   sherd.front = *scan_row;
@@ -221,16 +221,17 @@ void CatalogueLabelsTest::aNumberedSherdHasItsNumberAndAnotherTheBatchs() {
   site.code = "ARM1";
   site.name = "Trial";
   const auto site_row = catalogue::Places(rows).save(site, {});
-  QVERIFY2(site_row.has_value(), site_row ? "" : site_row.error().sentence().c_str());
+  QVERIFY2(site_row.has_value(), site_row ? "" : site_row.error().sentence().english().c_str());
   records::ContextRecord context;
   context.site = *site_row;
   context.number = "0012";
   const auto context_row = catalogue::Places(rows).save(context, {});
-  QVERIFY2(context_row.has_value(), context_row ? "" : context_row.error().sentence().c_str());
+  QVERIFY2(context_row.has_value(),
+           context_row ? "" : context_row.error().sentence().english().c_str());
   sherd.context = *context_row;
   sherd.number = "ARM1-T3-0012-0007";
   const auto sherd_row = sherds::Sherds(rows).add(sherd, {});
-  QVERIFY2(sherd_row.has_value(), sherd_row ? "" : sherd_row.error().sentence().c_str());
+  QVERIFY2(sherd_row.has_value(), sherd_row ? "" : sherd_row.error().sentence().english().c_str());
 
   review::PlateMap map;
   map.front.marks.resize(3);

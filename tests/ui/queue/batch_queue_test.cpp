@@ -128,7 +128,7 @@ class BatchQueueTest : public QObject {
         catalogue::Catalogue& rows = bench.session.project().catalogue();
         records::BatchRecord record = *catalogue::Batches(rows).byNumber(number.toStdString());
         record.state = BatchState::Review;
-        record.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
+        record.scale_doubts = {"The scale is wrong: 50 mm measure 49.5 mm."};
         (void)catalogue::Batches(rows).save(record, {});
         BatchFigures figures;
         figures.sherds = figures.sure = 3;
@@ -159,7 +159,8 @@ class BatchQueueTest : public QObject {
       catalogue::Catalogue& rows = bench.session.project().catalogue();
       records::BatchRecord record = *catalogue::Batches(rows).byNumber(options.number);
       record.state = options.draft ? BatchState::Review : BatchState::Done;
-      record.scale_doubts = options.draft ? "This is a draft." : "";
+      record.scale_doubts.clear();
+      if (options.draft) record.scale_doubts = {"This is a draft."};
       (void)catalogue::Batches(rows).save(record, {});
       BatchFigures figures;
       figures.sherds = figures.sure = 3;

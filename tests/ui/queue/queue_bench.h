@@ -18,7 +18,7 @@ inline QString addBatch(ProjectSession& session, BatchState state) {
   record.state = state;
   catalogue::Catalogue& rows = session.project().catalogue();
   const auto row = catalogue::Batches(rows).add(record, {});
-  if (!row) qFatal("%s", row.error().sentence().c_str());
+  if (!row) qFatal("%s", row.error().sentence().english().c_str());
   return QString::fromStdString(catalogue::Batches(rows).get(*row)->number);
 }
 

@@ -64,7 +64,7 @@ class ReviewWindow : public QObject {
     batch.number = number;
     batch.state = records::BatchState::Review;
     const auto row = catalogue::Batches(rows).add(batch, {});
-    QVERIFY2(row.has_value(), row ? "" : row.error().sentence().c_str());
+    QVERIFY2(row.has_value(), row ? "" : row.error().sentence().english().c_str());
     for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
       for (int i = 0; i < sherds; ++i) {
         records::ScanRecord scan;

@@ -425,7 +425,7 @@ void ReviewWindowTest::aBatchOfDoubtfulScaleSaysSoAboveItsPairs() {
   QVERIFY(!bar->isVisible());
   catalogue::Catalogue& rows = session_->project().catalogue();
   records::BatchRecord held = *catalogue::Batches(rows).byNumber("B0001");
-  held.scale_doubts = "The scale is wrong: 50 mm measure 49.5 mm.";
+  held.scale_doubts = {"The scale is wrong: 50 mm measure 49.5 mm."};
   QVERIFY(catalogue::Batches(rows).save(held, {}).has_value());
   session_->tellBatchChanged("B0001");
   QTRY_VERIFY(bar->isVisible());

@@ -43,7 +43,7 @@ class FieldWordsTest : public QObject {
     const auto chips = [](const char* line) {
       QStringList shown;
       const auto filter = ostraka::sherds::parseFilter(line);
-      if (!filter) return QString::fromStdString(filter.error().what);
+      if (!filter) return QString::fromStdString(filter.error().what.english());
       for (const auto& condition : filter->conditions) shown << conditionText(condition);
       return shown.join('|');
     };

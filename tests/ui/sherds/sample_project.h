@@ -82,11 +82,11 @@ class SampleProject {
 
   template <class T>
   static T must(Result<T> result) {
-    if (!result) throw std::runtime_error(result.error().sentence());
+    if (!result) throw std::runtime_error(result.error().sentence().english());
     return std::move(*result);
   }
   static void must(const Result<void>& result) {
-    if (!result) throw std::runtime_error(result.error().sentence());
+    if (!result) throw std::runtime_error(result.error().sentence().english());
   }
 
  private:

@@ -76,7 +76,7 @@ class SherdTableModelTest : public QObject {
     SampleProject sample(3);
     records::BatchRecord batch;
     batch.number = "B0001";
-    batch.scale_doubts = "The scale is wrong.";
+    batch.scale_doubts = {"The scale is wrong."};
     const auto row = catalogue::Batches(sample.catalogue()).add(batch, {});
     QVERIFY(row.has_value());
     records::SherdRecord fresh;

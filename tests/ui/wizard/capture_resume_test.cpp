@@ -102,7 +102,7 @@ class CaptureResumeTest : public QObject {
     std::filesystem::rename(place, moved);
     bench.wizard.next();
     QTRY_VERIFY(bench.wizard.fault().has_value());
-    QVERIFY(bench.wizard.fault()->what.find("not there any more") != std::string::npos);
+    QVERIFY(bench.wizard.fault()->what.english().find("not there any more") != std::string::npos);
     QVERIFY(!std::filesystem::exists(place));
     QCOMPARE(bench.rig.shot, std::vector<batch::Side>{batch::Side::Front});
     std::filesystem::rename(moved, place);  // and back: it goes on
@@ -223,7 +223,7 @@ class CaptureResumeTest : public QObject {
     QVERIFY(again.wizard.fault().has_value());
     QVERIFY2(QString::fromStdString(again.wizard.fault()->what)
                  .contains(QString::number(2 * cameras) + " photograph"),
-             again.wizard.fault()->what.c_str());
+             again.wizard.fault()->what.english().c_str());
     QCOMPARE(again.wizard.side()->stopsDone(), 2);
     QCOMPARE(again.wizard.side()->shots().size(), static_cast<std::size_t>(2 * cameras));
     QCOMPARE(again.text.button(), QStringLiteral("Resume at position 3"));
@@ -325,7 +325,7 @@ class CaptureResumeTest : public QObject {
     QVERIFY(capture::writeManifest(batch, manifest).has_value());
     bench.wizard.next();
     QTRY_VERIFY(bench.wizard.fault() &&
-                bench.wizard.fault()->what.find("another plate") != std::string::npos);
+                bench.wizard.fault()->what.english().find("another plate") != std::string::npos);
     QCOMPARE(bench.rig.prepared, 1);  // which would have written its own plate there
   }
 

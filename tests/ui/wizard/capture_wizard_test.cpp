@@ -186,7 +186,7 @@ class CaptureWizardTest : public QObject {
         Error{ErrorCode::Missing, "Camera B did not answer at stop 5. Check its cable.", ""};
     bench.wizard.next();
     QTRY_VERIFY(bench.wizard.fault().has_value());
-    QVERIFY(bench.wizard.fault()->what.find("1 photograph") != std::string::npos);
+    QVERIFY(bench.wizard.fault()->what.english().find("1 photograph") != std::string::npos);
     QCOMPARE(bench.batch().state, BatchState::Placed);
     bench.goOn(CapturePhase::Flip);
     QCOMPARE(bench.rig.asked.size(), std::size_t{2});

@@ -1,17 +1,17 @@
-#include "pipeline/stage.h"
+#include "stages/stage.h"
 
 #include <algorithm>
 #include <chrono>
 
 #include "base/memory.h"
-#include "files/cannot_write.h"
 #include "files/files.h"
 #include "files/json.h"
+#include "files/json_message.h"
 #include "files/json_numbers.h"
 #include "files/json_text.h"
-#include "pipeline/output_folder.h"
+#include "stages/output_folder.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::stages {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,7 +52,10 @@ std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string
   StageRecord record;
   try {
     record.notes.figures = stage.at("figures");
-    record.notes.warnings = stage.at("warnings").get<std::vector<std::string>>();
+    Result<std::vector<Message>> warnings =
+        messagesFromJson(stage.at("warnings"), (folder / "stage.json").string());
+    if (!warnings) return {};
+    record.notes.warnings = *warnings;
     record.seconds = numberAt(stage, "seconds");
     record.peak_memory_mb = numberAt(stage, "peak_memory_mb");
   } catch (const nlohmann::json::exception&) {
@@ -64,6 +67,13 @@ std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string
 }
 
 }  // namespace
+
+std::vector<Message> messagesAt(const ordered_json& figures, const char* key) {
+  const auto list = figures.find(key);
+  if (list == figures.end()) return {};
+  Result<std::vector<Message>> read = messagesFromJson(*list, key);
+  return read ? std::move(*read) : std::vector<Message>();
+}
 
 Result<StageRecord> runStage(const FolderLock& held, const std::string& name,
                              const ordered_json& key, const StageWork& work, Progress& progress) {
@@ -104,9 +114,9 @@ Result<StageRecord> runStage(const FolderLock& held, const std::string& name,
                                         {"peak_memory_mb", record.peak_memory_mb},
                                         {"files", *files},
                                         {"figures", record.notes.figures},
-                                        {"warnings", record.notes.warnings}});
+                                        {"warnings", toJson(record.notes.warnings)}});
   if (!written) return written.error();
   return record;
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::stages

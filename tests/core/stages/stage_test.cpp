@@ -1,4 +1,4 @@
-#include "pipeline/stage.h"
+#include "stages/stage.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "files/files.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::stages {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,7 +47,7 @@ TEST_F(Stage, RunsOnceAndIsFoundWholeAfterwards) {
   EXPECT_FALSE(first->resumed);
   EXPECT_TRUE(second->resumed);
   EXPECT_EQ(first->outputs_hash, second->outputs_hash);
-  EXPECT_EQ(second->notes.warnings, std::vector<std::string>{"look at a"});
+  EXPECT_EQ(second->notes.warnings, std::vector<Message>{"look at a"});
   EXPECT_EQ(second->notes.figures.at("length"), 1);
 }
 
@@ -92,4 +92,4 @@ TEST_F(Stage, ThatFailsLeavesNoRecord) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::stages

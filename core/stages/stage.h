@@ -9,12 +9,12 @@
 #include "base/result.h"
 #include "files/folder_lock.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::stages {
 
 /// What a stage leaves behind besides its files: figures for the report and warnings in words.
 struct StageNotes {
   nlohmann::ordered_json figures = nlohmann::ordered_json::object();
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
 };
 
 /// A stage that is whole: its notes, its cost, and the hash that names exactly these results.
@@ -39,4 +39,7 @@ Result<StageRecord> runStage(const FolderLock& work_folder, const std::string& n
                              const nlohmann::ordered_json& key, const StageWork& work,
                              Progress& progress);
 
-}  // namespace ostraka::pipeline
+/// Messages among a stage's figures; none where there are none.
+std::vector<Message> messagesAt(const nlohmann::ordered_json& figures, const char* key);
+
+}  // namespace ostraka::stages

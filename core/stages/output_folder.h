@@ -7,7 +7,7 @@
 #include "batch/batch.h"
 #include "files/folder_lock.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::stages {
 
 /// What tells one taking of a side from another (ScanRef::photographs). hashes: BatchInputs.
 std::string photographsHash(const batch::Batch& batch, const nlohmann::ordered_json& hashes,
@@ -33,4 +33,4 @@ void leaveGoneOutput(const std::filesystem::path& output);
 /// What an earlier run left on top must not look whole while this one may change it.
 void withdrawResults(const std::filesystem::path& output);
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::stages

@@ -1,4 +1,4 @@
-#include "pipeline/output_folder.h"
+#include "stages/output_folder.h"
 
 #include <gmock/gmock.h>
 
@@ -9,7 +9,7 @@
 #include "files/files.h"
 #include "pipeline/process_batch.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::stages {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,7 +89,7 @@ TEST_F(OutputFolder, AndBatchOfAProjectAreNoLinks) {
   const fs::path project = folder / "project", elsewhere = folder / "elsewhere";
   ASSERT_TRUE(writeFileAtomically(project / "catalogue.sqlite", "x"));
   for (const fs::path& place : {project / "batches", elsewhere}) fs::create_directories(place);
-  ProcessOptions options;
+  pipeline::ProcessOptions options;
   options.batch = project / "batches" / "B0001";
   options.output = project / "results" / "B0001";
   EXPECT_TRUE(options.check());
@@ -104,4 +104,4 @@ TEST_F(OutputFolder, AndBatchOfAProjectAreNoLinks) {
 }
 
 }  // namespace
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::stages

@@ -1,15 +1,16 @@
-#include "pipeline/output_folder.h"
+#include "stages/output_folder.h"
 
 #include <nlohmann/json.hpp>
 #include <set>
 #include <system_error>
 
+#include "base/message.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "files/json_text.h"
 #include "files/output_place.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::stages {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,8 +53,8 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
     if (!own && !holdsOnlyOurs(output) && fs::exists(output, failed) &&
         !fs::is_empty(output, failed))
       return Error::unusable(
-          "The output folder contains files that Ostraka did not write; choose another or "
-          "an empty one.",
+          message("The output folder contains files that Ostraka did not write; choose another or "
+                  "an empty one."),
           output.string());
   } else if (const Result<std::string> text = readFile(file)) {
     const ordered_json earlier = orderedJsonOrDiscarded(*text);
@@ -63,8 +64,9 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
       if (earlier.is_object() && earlier.contains(name) && earlier[name] == hashes[name]) ++same;
     }
     if (3 * same < batch.shots.size())
-      return Error::unusable("The output folder contains another batch; choose another folder.",
-                             output.string());
+      return Error::unusable(
+          message("The output folder contains another batch; choose another folder."),
+          output.string());
   }
   return {};
 }
@@ -119,8 +121,9 @@ Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_
   const fs::path file = output / "work" / kScansFile;
   if (!isUntouched(output) && !names(file, scans_hash) &&
       !names(output / "report.json", scans_hash))
-    return Error::unusable("The output folder contains other files; choose a new or empty folder.",
-                           output.string());
+    return Error::unusable(
+        message("The output folder contains other files; choose a new or empty folder."),
+        output.string());
   if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
     return own.error();
   Result<FolderLock> held = FolderLock::take(output / "work");
@@ -132,10 +135,12 @@ Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_
 }
 
 Error outputGone(const fs::path& output) {
-  return {ErrorCode::CannotWrite,
+  return {
+      ErrorCode::CannotWrite,
+      message(
           "The output folder is gone: it was moved or deleted while Ostraka was writing to it. The "
-          "photographs are untouched; run the same command again.",
-          output.string()};
+          "photographs are untouched; run the same command again."),
+      output.string()};
 }
 
 void leaveGoneOutput(const fs::path& output) {
@@ -152,4 +157,4 @@ void withdrawResults(const fs::path& output) {
   fs::remove_all(output / "unpaired", ignored);
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::stages

@@ -7,7 +7,7 @@
 #include "base/progress.h"
 #include "files/log_file.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::stages {
 
 /// Passes everything on and keeps the warnings.
 class WarningsKept final : public Progress {
@@ -15,11 +15,11 @@ class WarningsKept final : public Progress {
   explicit WarningsKept(Progress& outer) : outer_(outer) {}
   void begin(std::string_view stage, double share) override { outer_.begin(stage, share); }
   void report(std::int64_t done, std::int64_t total) override { outer_.report(done, total); }
-  void note(NoteLevel level, std::string_view text) override {
+  void note(NoteLevel level, const Message& text) override {
     if (level == NoteLevel::Warning) warnings.emplace_back(text);
     outer_.note(level, text);
   }
-  std::vector<std::string> warnings;
+  std::vector<Message> warnings;
 
  private:
   Progress& outer_;
@@ -30,17 +30,17 @@ class WarningsKept final : public Progress {
 class LoggedProgress final : public Progress {
  public:
   LoggedProgress(Progress& outer, const std::filesystem::path& file,
-                 const std::vector<std::string>& before)
+                 const std::vector<Message>& before)
       : outer_(outer), log_(file) {
-    for (const std::string& warning : before) log_.line("warning: " + warning);
+    for (const Message& warning : before) log_.line("warning: " + warning.english());
   }
   void begin(std::string_view stage, double share) override {
     log_.line("stage " + std::string(stage));
     outer_.begin(stage, share);
   }
   void report(std::int64_t done, std::int64_t total) override { outer_.report(done, total); }
-  void note(NoteLevel level, std::string_view text) override {
-    log_.line((level == NoteLevel::Warning ? "warning: " : "") + std::string(text));
+  void note(NoteLevel level, const Message& text) override {
+    log_.line((level == NoteLevel::Warning ? "warning: " : "") + text.english());
     outer_.note(level, text);
   }
 
@@ -49,4 +49,4 @@ class LoggedProgress final : public Progress {
   LogFile log_;
 };
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::stages

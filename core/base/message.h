@@ -1,0 +1,125 @@
+#pragma once
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ostraka {
+
+class Message;
+
+/// A number with so many digits behind the point; the unit stands in the template.
+struct Decimal {
+  double value = 0;
+  int digits = 0;  ///< 0 to 80
+};
+inline Decimal decimal(double value, int digits) {
+  return {value, digits};
+}
+
+/// What stands in a place of a template.
+struct MessageValue {
+  enum class Kind {
+    Text,     ///< a name, a file, words of another program: never translated
+    Count,    ///< a whole number
+    Decimal,  ///< written with the decimal sign of the reader's language
+    Message   ///< a phrase or sentence that is translated itself
+  };
+
+  MessageValue(std::string words) : text(std::move(words)) {}
+  MessageValue(std::string_view words) : text(words) {}
+  MessageValue(const char* words) : text(words) {}
+  MessageValue(char letter) : text(1, letter) {}
+  MessageValue(const std::filesystem::path& path) : text(path.string()) {}
+  MessageValue(Decimal value) : kind(Kind::Decimal), number(value) {}
+  MessageValue(const Message& words);
+  template <std::integral Whole>
+  requires(!std::same_as<Whole, bool> && !std::same_as<Whole, char>) MessageValue(Whole whole)
+      : kind(Kind::Count), count(static_cast<std::int64_t>(whole)) {}
+
+  std::string english() const;
+
+  Kind kind = Kind::Text;
+  std::string text;
+  std::int64_t count = 0;
+  Decimal number;
+  std::vector<Message> message;  ///< of kind Message: that one
+};
+
+/// An English sentence or phrase with places %1 to %N, each of them there at least once; checked
+/// when it is compiled. translations/messages.py finds these literals for translators.
+template <std::size_t N>
+class Template {
+ public:
+  consteval Template(const char* words) : words_(words) {
+    bool there[10] = {};
+    for (const char* at = words; *at != '\0'; ++at) {
+      if (at[0] != '%' || at[1] < '1' || at[1] > '9') continue;
+      if (static_cast<std::size_t>(at[1] - '0') > N) throw "a place without a value";
+      there[at[1] - '0'] = true;
+    }
+    for (std::size_t i = 1; i <= N; ++i)
+      if (!there[i]) throw "a value without a place";
+  }
+  constexpr const char* words() const { return words_; }
+
+ private:
+  const char* words_;
+};
+
+/// What is said to a person: a template in English and its values. Terminals, logs and files for
+/// people get english(); the window translates the template and writes the values as the language
+/// does. Words without a template, as those of another program, stay as they are.
+class Message {
+ public:
+  Message() = default;
+  Message(std::string words) : english_(std::move(words)) {}
+  Message(const char* words) : english_(words) {}
+  /// template_words: as from Template; values: one for each of its places.
+  Message(std::string template_words, std::vector<MessageValue> values);
+
+  const std::string& english() const { return english_; }
+  /// Explicit, since what a window may show must keep its template.
+  explicit operator const std::string&() const { return english_; }
+  /// Empty where the words have no template.
+  const std::string& templateWords() const { return template_; }
+  const std::vector<MessageValue>& values() const { return values_; }
+  bool empty() const { return english_.empty(); }
+
+  /// As they read in English.
+  friend bool operator==(const Message& a, const Message& b) { return a.english_ == b.english_; }
+  friend bool operator==(const Message& a, std::string_view b) { return a.english_ == b; }
+  friend bool operator==(const Message& a, const std::string& b) { return a.english_ == b; }
+  friend bool operator==(const Message& a, const char* b) { return a.english_ == b; }
+  friend std::ostream& operator<<(std::ostream& out, const Message& message) {
+    return out << message.english_;
+  }
+
+ private:
+  std::string template_, english_;
+  std::vector<MessageValue> values_;
+};
+
+/// The message of a literal template, which translators see, and its values.
+template <class... Values>
+Message message(Template<sizeof...(Values)> words, const Values&... values) {
+  return Message(words.words(), std::vector<MessageValue>{MessageValue(values)...});
+}
+
+/// A literal template in a table, for a message that is made elsewhere; for translators, too.
+template <std::size_t N>
+consteval Template<N> translatable(Template<N> words) {
+  return words;
+}
+
+/// One sentence after the other, with a space between.
+Message inOne(const Message& first, const Message& second);
+/// In English, a line each, without one at the end.
+std::string linesOf(const std::vector<Message>& messages);
+/// "front/a.jpg: It is blurred."
+Message about(const MessageValue& name, const Message& words);
+
+}  // namespace ostraka

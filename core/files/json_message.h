@@ -1,0 +1,26 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/message.h"
+#include "base/result.h"
+
+namespace ostraka {
+
+/// {"text", "template", "values"}, text in English, or a string where the words have no template.
+/// For files that are read back; files for people alone hold Message::english().
+nlohmann::ordered_json toJson(const Message& message);
+nlohmann::ordered_json toJson(const std::vector<Message>& messages);
+
+/// `where` names the file in errors. At most 9 values and 8 messages within each other.
+Result<Message> messageFromJson(const nlohmann::json& value, const std::string& where);
+Result<std::vector<Message>> messagesFromJson(const nlohmann::json& value,
+                                              const std::string& where);
+
+/// A list as one field of a table: empty for none. What is no such list is words of their own.
+std::string textOf(const std::vector<Message>& messages);
+std::vector<Message> messagesFromText(std::string_view text, const std::string& where);
+
+}  // namespace ostraka

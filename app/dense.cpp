@@ -7,11 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/limits.h"
 #include "base/text.h"
 #include "batch/photograph.h"
 #include "cloud/ply.h"
 #include "command.h"
 #include "files/json.h"
+#include "files/open_folder.h"
 #include "files/output_place.h"
 #include "mask/given_mask.h"
 #include "mask/hull_mask.h"
@@ -56,11 +58,28 @@ std::optional<fs::path> maskFileOf(const fs::path& folder, const fs::path& file)
   return {};
 }
 
+// The results of `process` name their photographs absolutely; a name that lies in the folder counts
+// from there, any other is one that ContainedPath refuses.
+std::string nameWithin(const fs::path& folder, const fs::path& file) {
+  if (!file.is_absolute()) return file.lexically_normal().string();
+  const fs::path name =
+      file.lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
+  return name.empty() || *name.begin() == ".." ? file.string() : name.string();
+}
+
+Result<cv::Mat> readPhotograph(const fs::path& folder, const std::string& name) {
+  Result<OpenFile> open = OpenFile::within(folder, name);
+  if (!open) return open.error();
+  const Result<std::string> bytes = open->readAll(limits::kImageBytes.most);
+  return bytes ? batch::decodePhotograph(*bytes, open->name()) : Result<cv::Mat>(bytes.error());
+}
+
 Result<stereo::View> readView(const DenseArguments& arguments, const rig::PosedImage& camera) {
-  const fs::path file = arguments.images / camera.file;
+  const std::string name = nameWithin(arguments.images, camera.file);
+  const fs::path file = arguments.images / name;
   stereo::View view;
   view.camera = camera;
-  Result<cv::Mat> photograph = batch::readPhotograph(file);
+  Result<cv::Mat> photograph = readPhotograph(arguments.images, name);
   if (!photograph) return photograph.error();
   view.photograph = std::move(*photograph);
   const int width = camera.intrinsics.width, height = camera.intrinsics.height;
@@ -74,7 +93,7 @@ Result<stereo::View> readView(const DenseArguments& arguments, const rig::PosedI
     view.mask = stereo::possibleObject(view.photograph);
     return view;
   }
-  const std::optional<fs::path> mask_file = maskFileOf(*arguments.masks, camera.file);
+  const std::optional<fs::path> mask_file = maskFileOf(*arguments.masks, name);
   if (!mask_file)
     return Error::unusable("This photograph has no mask; expected " +
                                fs::path(camera.file).stem().string() + ".png in " +

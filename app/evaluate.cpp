@@ -201,7 +201,7 @@ Result<void> evaluateRegister(const EvaluateArguments& arguments, Session& sessi
   if (!truth) return truth.error();
   const fs::path scans = arguments.scans.value_or(arguments.truth);
   const Result<PairsEvaluation> evaluation = evaluatePairs(
-      *proposal, *truth, [&](const std::string& file) { return readPlyCloud(scans / file); });
+      *proposal, *truth, [&](const std::string& file) { return readPlyCloudWithin(scans, file); });
   if (!evaluation) return evaluation.error();
   const PairsSummary summary = summarise({*evaluation});
   sheet.add("pairs", table(*evaluation) + table(summary), toJson(*evaluation, summary),

@@ -58,9 +58,7 @@ int run(const app::Command& chosen, bool json, bool quiet, bool verbose) {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int runCommandLine(int argc, char** argv) {
   CLI::App root(kDescription, "ostraka");
   root.formatter(app::plainHelp());
   root.set_version_flag("--version", "ostraka " OSTRAKA_VERSION);
@@ -104,4 +102,16 @@ int main(int argc, char** argv) {
   }
   if (!chosen) return app::openWindow(argc, argv, project);
   return run(chosen, json, quiet, verbose);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int status = runCommandLine(argc, argv);
+  // What was printed waits in a buffer up to here: a full disk shows only now.
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  app::show(stderr, "%s\n",
+            "ostraka: The result could not be written to standard output and is incomplete there; "
+            "free space at its destination and run the command again.");
+  return app::NotWhole;
 }

@@ -5484,6 +5484,11 @@
       <translation>Eine Transformation ist nicht starr.</translation>
     </message>
     <message>
+      <source>A transform moves by more than %1 mm; check that its last column is in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Transformation verschiebt um mehr als %1 mm; prüfen, ob ihre letzte Spalte in mm ist.</translation>
+    </message>
+    <message>
       <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diesen Ordner gibt es nicht; den Ordner eines Durchgangs wählen.</translation>
@@ -7019,9 +7024,9 @@
       <translation>'%1' ist keine Zahl; 12.5 oder 12,5 schreiben, ohne Einheit.</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
+      <source>&apos;%1&apos; is not a path inside its folder; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1' ist kein Pfad innerhalb des Projekts; er muss relativ sein, mit '/' und ohne '..'.</translation>
+      <translation>'%1' ist kein Pfad innerhalb seines Ordners; er muss relativ sein, mit '/' und ohne '..'.</translation>
     </message>
     <message>
       <source>The mesh has no faces to write.</source>
@@ -7122,6 +7127,11 @@
       <source>The PLY file has no vertices; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die PLY-Datei hat keine Punkte; den Scan neu exportieren.</translation>
+    </message>
+    <message>
+      <source>The PLY file states its unit as &apos;%1&apos;, but lengths must be in mm; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die PLY-Datei gibt als Einheit '%1' an, Längen müssen aber in mm sein; sie in mm exportieren.</translation>
     </message>
     <message>
       <source>The PLY file contains more data than its header declares; export it again.</source>
@@ -7602,6 +7612,11 @@
       <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Modell ist %1 mm groß, mehr als jedes Gefäß, also hat es wohl eine andere Einheit; es in mm exportieren.</translation>
+    </message>
+    <message>
+      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Modell ist nur %1 mm groß, weniger als jede Scherbe, also hat es wohl eine andere Einheit (%2); es in mm exportieren.</translation>
     </message>
     <message>
       <source>Edge %1 is used more than once in the same direction.</source>
@@ -8727,6 +8742,26 @@
       <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 steht zweimal im Messplatz.</translation>
+    </message>
+    <message>
+      <source>The rig has more than %1 positions; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Messplatz hat mehr als %1 Positionen; ihn neu kalibrieren.</translation>
+    </message>
+    <message>
+      <source>Position %1 appears twice in the rig; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Position %1 steht zweimal im Messplatz; ihn neu kalibrieren.</translation>
+    </message>
+    <message>
+      <source>The rig&apos;s lengths are not in mm; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Längen des Messplatzes sind nicht in mm; ihn neu kalibrieren.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has pictures of %2 x %3 pixels, which no camera takes; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1 hat Bilder von %2 x %3 Pixeln, wie sie keine Kamera aufnimmt; den Messplatz neu kalibrieren.</translation>
     </message>
     <message>
       <source>Not a rig file (RIG.json); recalibrate the rig.</source>

@@ -5479,6 +5479,11 @@
       <translation>Ένας μετασχηματισμός δεν είναι άκαμπτος.</translation>
     </message>
     <message>
+      <source>A transform moves by more than %1 mm; check that its last column is in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας μετασχηματισμός μετακινεί περισσότερο από %1 mm· ελέγξτε ότι η τελευταία του στήλη είναι σε mm.</translation>
+    </message>
+    <message>
       <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει τέτοιος φάκελος· δώστε τον φάκελο μιας παρτίδας.</translation>
@@ -7014,9 +7019,9 @@
       <translation>Το '%1' δεν είναι αριθμός· γράψτε 12.5 ή 12,5, χωρίς μονάδα.</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
+      <source>&apos;%1&apos; is not a path inside its folder; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το '%1' δεν είναι διαδρομή μέσα στο έργο· πρέπει να είναι σχετική, με '/' και χωρίς '..'.</translation>
+      <translation>Το '%1' δεν είναι διαδρομή μέσα στον φάκελό της· πρέπει να είναι σχετική, με '/' και χωρίς '..'.</translation>
     </message>
     <message>
       <source>The mesh has no faces to write.</source>
@@ -7117,6 +7122,11 @@
       <source>The PLY file has no vertices; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο PLY δεν έχει κορυφές· εξαγάγετε ξανά τη σάρωση.</translation>
+    </message>
+    <message>
+      <source>The PLY file states its unit as &apos;%1&apos;, but lengths must be in mm; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο PLY δηλώνει μονάδα '%1', αλλά τα μήκη πρέπει να είναι σε mm· εξαγάγετέ το σε mm.</translation>
     </message>
     <message>
       <source>The PLY file contains more data than its header declares; export it again.</source>
@@ -7597,6 +7607,11 @@
       <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το μοντέλο έχει μέγεθος %1 mm, μεγαλύτερο από κάθε αγγείο, άρα η μονάδα του φαίνεται να είναι άλλη· εξαγάγετέ το σε mm.</translation>
+    </message>
+    <message>
+      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το μοντέλο έχει μέγεθος μόνο %1 mm, λιγότερο από κάθε όστρακο, άρα η μονάδα του είναι μάλλον άλλη (%2)· εξαγάγετέ το σε mm.</translation>
     </message>
     <message>
       <source>Edge %1 is used more than once in the same direction.</source>
@@ -8722,6 +8737,26 @@
       <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 υπάρχει δύο φορές στη διάταξη.</translation>
+    </message>
+    <message>
+      <source>The rig has more than %1 positions; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διάταξη έχει περισσότερες από %1 στάσεις· βαθμονομήστε την ξανά.</translation>
+    </message>
+    <message>
+      <source>Position %1 appears twice in the rig; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η στάση %1 υπάρχει δύο φορές στη διάταξη· βαθμονομήστε την ξανά.</translation>
+    </message>
+    <message>
+      <source>The rig&apos;s lengths are not in mm; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα μήκη της διάταξης δεν είναι σε mm· βαθμονομήστε την ξανά.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has pictures of %2 x %3 pixels, which no camera takes; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κάμερα %1 έχει εικόνες %2 x %3 pixel, που καμία κάμερα δεν βγάζει· βαθμονομήστε ξανά τη διάταξη.</translation>
     </message>
     <message>
       <source>Not a rig file (RIG.json); recalibrate the rig.</source>

@@ -5479,6 +5479,11 @@
       <translation>Una transformación no es rígida.</translation>
     </message>
     <message>
+      <source>A transform moves by more than %1 mm; check that its last column is in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una transformación desplaza más de %1 mm; compruebe que su última columna esté en mm.</translation>
+    </message>
+    <message>
       <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No existe esa carpeta; elija la carpeta de una tanda.</translation>
@@ -7014,9 +7019,9 @@
       <translation>'%1' no es un número; escriba 12.5 o 12,5, sin unidad.</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
+      <source>&apos;%1&apos; is not a path inside its folder; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1' no es una ruta dentro del proyecto; debe ser relativa, con '/' y sin '..'.</translation>
+      <translation>'%1' no es una ruta dentro de su carpeta; debe ser relativa, con '/' y sin '..'.</translation>
     </message>
     <message>
       <source>The mesh has no faces to write.</source>
@@ -7117,6 +7122,11 @@
       <source>The PLY file has no vertices; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo PLY no tiene vértices; exporte otra vez el escaneo.</translation>
+    </message>
+    <message>
+      <source>The PLY file states its unit as &apos;%1&apos;, but lengths must be in mm; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo PLY indica la unidad '%1', pero las longitudes deben estar en mm; expórtelo en mm.</translation>
     </message>
     <message>
       <source>The PLY file contains more data than its header declares; export it again.</source>
@@ -7597,6 +7607,11 @@
       <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este modelo mide %1 mm, más que cualquier vasija, así que su unidad parece ser otra; expórtelo en mm.</translation>
+    </message>
+    <message>
+      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este modelo mide solo %1 mm, menos que cualquier fragmento, así que su unidad es probablemente otra (%2); expórtelo en mm.</translation>
     </message>
     <message>
       <source>Edge %1 is used more than once in the same direction.</source>
@@ -8722,6 +8737,26 @@
       <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 aparece dos veces en el equipo.</translation>
+    </message>
+    <message>
+      <source>The rig has more than %1 positions; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El equipo tiene más de %1 posiciones; calíbrelo otra vez.</translation>
+    </message>
+    <message>
+      <source>Position %1 appears twice in the rig; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La posición %1 aparece dos veces en el equipo; calíbrelo otra vez.</translation>
+    </message>
+    <message>
+      <source>The rig&apos;s lengths are not in mm; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las longitudes del equipo no están en mm; calíbrelo otra vez.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has pictures of %2 x %3 pixels, which no camera takes; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cámara %1 tiene imágenes de %2 x %3 píxeles, que ninguna cámara toma; calibre el equipo otra vez.</translation>
     </message>
     <message>
       <source>Not a rig file (RIG.json); recalibrate the rig.</source>

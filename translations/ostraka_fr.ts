@@ -5479,6 +5479,11 @@
       <translation>Une transformation n’est pas rigide.</translation>
     </message>
     <message>
+      <source>A transform moves by more than %1 mm; check that its last column is in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une transformation déplace de plus de %1 mm ; vérifiez que sa dernière colonne est en mm.</translation>
+    </message>
+    <message>
       <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce dossier n’existe pas ; choisissez le dossier d’un lot.</translation>
@@ -7014,9 +7019,9 @@
       <translation>'%1' n’est pas un nombre ; écrivez 12.5 ou 12,5, sans unité.</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
+      <source>&apos;%1&apos; is not a path inside its folder; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1' n’est pas un chemin dans le projet ; il doit être relatif, avec '/' et sans '..'.</translation>
+      <translation>'%1' n’est pas un chemin dans son dossier ; il doit être relatif, avec '/' et sans '..'.</translation>
     </message>
     <message>
       <source>The mesh has no faces to write.</source>
@@ -7117,6 +7122,11 @@
       <source>The PLY file has no vertices; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier PLY n’a pas de sommets ; exportez à nouveau la numérisation.</translation>
+    </message>
+    <message>
+      <source>The PLY file states its unit as &apos;%1&apos;, but lengths must be in mm; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier PLY indique l’unité '%1', mais les longueurs doivent être en mm ; exportez-le en mm.</translation>
     </message>
     <message>
       <source>The PLY file contains more data than its header declares; export it again.</source>
@@ -7597,6 +7607,11 @@
       <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce modèle mesure %1 mm, plus que tout récipient : son unité semble être une autre ; exportez-le en mm.</translation>
+    </message>
+    <message>
+      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce modèle ne mesure que %1 mm, moins que tout tesson ; son unité est sans doute une autre (%2) : exportez-le en mm.</translation>
     </message>
     <message>
       <source>Edge %1 is used more than once in the same direction.</source>
@@ -8722,6 +8737,26 @@
       <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 figure deux fois dans le banc.</translation>
+    </message>
+    <message>
+      <source>The rig has more than %1 positions; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le banc a plus de %1 positions ; calibrez-le de nouveau.</translation>
+    </message>
+    <message>
+      <source>Position %1 appears twice in the rig; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La position %1 figure deux fois dans le banc ; calibrez-le de nouveau.</translation>
+    </message>
+    <message>
+      <source>The rig&apos;s lengths are not in mm; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les longueurs du banc ne sont pas en mm ; calibrez-le de nouveau.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has pictures of %2 x %3 pixels, which no camera takes; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’appareil %1 a des images de %2 x %3 pixels, qu’aucun appareil ne prend ; calibrez le banc de nouveau.</translation>
     </message>
     <message>
       <source>Not a rig file (RIG.json); recalibrate the rig.</source>

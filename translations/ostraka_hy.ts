@@ -5479,6 +5479,11 @@
       <translation>Ձևափոխությունը կոշտ չէ։</translation>
     </message>
     <message>
+      <source>A transform moves by more than %1 mm; check that its last column is in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձևափոխությունը տեղաշարժում է ավելի քան %1 մմ. ստուգեք, որ նրա վերջին սյունը մմ-ով է։</translation>
+    </message>
+    <message>
       <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այդպիսի պանակ չկա. նշեք խմբաքանակի պանակը։</translation>
@@ -7014,9 +7019,9 @@
       <translation>'%1'-ը թիվ չէ. գրեք 12.5 կամ 12,5՝ առանց միավորի։</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
+      <source>&apos;%1&apos; is not a path inside its folder; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1'-ը նախագծի ներսի ուղի չէ. այն պետք է լինի հարաբերական՝ '/'-ով և առանց '..'-ի։</translation>
+      <translation>'%1'-ը իր պանակի ներսի ուղի չէ. այն պետք է լինի հարաբերական՝ '/'-ով և առանց '..'-ի։</translation>
     </message>
     <message>
       <source>The mesh has no faces to write.</source>
@@ -7117,6 +7122,11 @@
       <source>The PLY file has no vertices; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY ֆայլը գագաթներ չունի. նորից արտահանեք սկանը։</translation>
+    </message>
+    <message>
+      <source>The PLY file states its unit as &apos;%1&apos;, but lengths must be in mm; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY ֆայլը նշում է '%1' միավորը, բայց երկարությունները պետք է լինեն մմ-ով. արտահանեք այն մմ-ով։</translation>
     </message>
     <message>
       <source>The PLY file contains more data than its header declares; export it again.</source>
@@ -7597,6 +7607,11 @@
       <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս մոդելի չափը %1 մմ է՝ ցանկացած անոթից մեծ. դրա միավորը կարծես ուրիշ է. արտահանեք այն մմ-ով։</translation>
+    </message>
+    <message>
+      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս մոդելն ընդամենը %1 մմ է, ցանկացած բեկորից փոքր, ուստի նրա միավորը հավանաբար այլ է (%2). արտահանեք այն մմ-ով։</translation>
     </message>
     <message>
       <source>Edge %1 is used more than once in the same direction.</source>
@@ -8722,6 +8737,26 @@
       <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 տեսախցիկը սարքակազմում երկու անգամ է։</translation>
+    </message>
+    <message>
+      <source>The rig has more than %1 positions; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմն ունի ավելի քան %1 դիրք. նորից տրամաչափեք այն։</translation>
+    </message>
+    <message>
+      <source>Position %1 appears twice in the rig; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 դիրքը սարքակազմում երկու անգամ է. նորից տրամաչափեք այն։</translation>
+    </message>
+    <message>
+      <source>The rig&apos;s lengths are not in mm; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սարքակազմի երկարությունները մմ-ով չեն. նորից տրամաչափեք այն։</translation>
+    </message>
+    <message>
+      <source>Camera %1 has pictures of %2 x %3 pixels, which no camera takes; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 տեսախցիկի պատկերները %2 x %3 փիքսել են, ինչպիսիք ոչ մի տեսախցիկ չի անում. նորից տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
       <source>Not a rig file (RIG.json); recalibrate the rig.</source>

@@ -5432,6 +5432,11 @@
       <translation>Bir dönüşüm katı değil.</translation>
     </message>
     <message>
+      <source>A transform moves by more than %1 mm; check that its last column is in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir dönüşüm %1 mm'den fazla öteliyor; son sütununun mm olduğunu denetleyin.</translation>
+    </message>
+    <message>
       <source>There is no such folder; choose a batch folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Böyle bir klasör yok; bir partinin klasörünü belirtin.</translation>
@@ -6967,9 +6972,9 @@
       <translation>'%1' bir sayı değil; birim olmadan 12.5 ya da 12,5 yazın.</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a path inside the project; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
+      <source>&apos;%1&apos; is not a path inside its folder; it must be relative, with &apos;/&apos; and without &apos;..&apos;.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1' proje içinde bir yol değil; göreli olmalı, '/' içermeli, '..' içermemeli.</translation>
+      <translation>'%1' klasörünün içinde bir yol değil; göreli olmalı, '/' içermeli, '..' içermemeli.</translation>
     </message>
     <message>
       <source>The mesh has no faces to write.</source>
@@ -7070,6 +7075,11 @@
       <source>The PLY file has no vertices; export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY dosyasında köşe yok; taramayı yeniden dışa aktarın.</translation>
+    </message>
+    <message>
+      <source>The PLY file states its unit as &apos;%1&apos;, but lengths must be in mm; export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PLY dosyası birimini '%1' olarak belirtiyor, ama uzunluklar mm olmalı; mm olarak dışa aktarın.</translation>
     </message>
     <message>
       <source>The PLY file contains more data than its header declares; export it again.</source>
@@ -7550,6 +7560,11 @@
       <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu model %1 mm büyüklüğünde, her kaptan daha büyük; birimi başka görünüyor: mm olarak dışa aktarın.</translation>
+    </message>
+    <message>
+      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu model yalnızca %1 mm büyüklüğünde, her parçadan küçük; birimi büyük olasılıkla başka (%2): mm olarak dışa aktarın.</translation>
     </message>
     <message>
       <source>Edge %1 is used more than once in the same direction.</source>
@@ -8675,6 +8690,26 @@
       <source>Camera %1 appears twice in the rig.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 düzenekte iki kez geçiyor.</translation>
+    </message>
+    <message>
+      <source>The rig has more than %1 positions; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Düzeneğin %1 konumdan fazlası var; yeniden kalibre edin.</translation>
+    </message>
+    <message>
+      <source>Position %1 appears twice in the rig; recalibrate it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 konumu düzenekte iki kez geçiyor; yeniden kalibre edin.</translation>
+    </message>
+    <message>
+      <source>The rig&apos;s lengths are not in mm; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Düzeneğin uzunlukları mm değil; yeniden kalibre edin.</translation>
+    </message>
+    <message>
+      <source>Camera %1 has pictures of %2 x %3 pixels, which no camera takes; recalibrate the rig.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1, hiçbir kameranın çekmediği %2 x %3 piksellik görüntülere sahip; düzeneği yeniden kalibre edin.</translation>
     </message>
     <message>
       <source>Not a rig file (RIG.json); recalibrate the rig.</source>

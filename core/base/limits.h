@@ -25,12 +25,20 @@ inline constexpr Limit kPlateMarkers{"Markers of a plate", 1024, "markers",
                                      "the largest dictionary has as many"};
 inline constexpr Limit kPlateReach_mm{"Distance of a marker from the plate's middle", 10'000, "mm",
                                       "a plate of 20 m is a mistake in the unit"};
+inline constexpr Limit kPoseReach_mm{"Distance of a camera or a sherd from the plate's middle",
+                                     20'000, "mm", "the width of the largest plate"};
+inline constexpr Limit kScanReach_mm{"Distance between the origins of two scans", 1'000'000, "mm",
+                                     "beyond it, coordinates of 4 bytes are coarser than scans"};
 inline constexpr Limit kBoardSquares{"Squares of a calibration board in a row", 100, "squares",
                                      "a photograph cannot resolve more"};
 inline constexpr Limit kRigCameras{"Number of a camera", 1000, "",
                                    "a rig has a few; more is a damaged file"};
 inline constexpr Limit kRigStops{"Number of a turntable position", 100'000, "",
                                  "finer than any turntable turns"};
+inline constexpr Limit kRigPositions{"Turntable positions of a rig", 400, "positions",
+                                     "finer than a degree, photographs show nothing new"};
+inline constexpr Limit kRigRatio{"Longer side of a rig's pictures by the shorter one", 4, "",
+                                 "cameras have 1 to 2"};
 inline constexpr Limit kImageSide{"Width or height of an image", 100'000, "pixels",
                                   "larger ones are damaged headers"};
 inline constexpr Limit kImagePixels{"Pixels of an image", std::uint64_t{1} << 30, "pixels",
@@ -75,12 +83,13 @@ inline constexpr Limit kValueBytes{"Text of a field in the catalogue", kMiB, "by
                                    "a remark of 500 pages"};
 
 inline constexpr Limit kAll[] = {
-    kFileBytes,    kJsonBytes,      kJsonDepth,       kPlateMarkers,     kPlateReach_mm,
-    kBoardSquares, kRigCameras,     kRigStops,        kImageSide,        kImagePixels,
-    kImageBytes,   kTexturePixels,  kJpegScans,       kNetworkBytes,     kVertices,
-    kFaces,        kFaceCorners,    kDecisions,       kDecisionReplaces, kMaskStrokes,
-    kMaskPoints,   kModelExtent_mm, kRasterPixels,    kManifestBytes,    kTableBytes,
-    kTableRows,    kTableColumns,   kTableFieldBytes, kValueBytes};
+    kFileBytes,      kJsonBytes,       kJsonDepth,        kPlateMarkers, kPlateReach_mm,
+    kPoseReach_mm,   kScanReach_mm,    kBoardSquares,     kRigCameras,   kRigStops,
+    kRigPositions,   kRigRatio,        kImageSide,        kImagePixels,  kImageBytes,
+    kTexturePixels,  kJpegScans,       kNetworkBytes,     kVertices,     kFaces,
+    kFaceCorners,    kDecisions,       kDecisionReplaces, kMaskStrokes,  kMaskPoints,
+    kModelExtent_mm, kRasterPixels,    kManifestBytes,    kTableBytes,   kTableRows,
+    kTableColumns,   kTableFieldBytes, kValueBytes};
 
 }  // namespace limits
 }  // namespace ostraka

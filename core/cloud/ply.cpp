@@ -8,7 +8,9 @@
 
 #include "base/limits.h"
 #include "base/message.h"
+#include "base/text.h"
 #include "files/files.h"
+#include "files/open_folder.h"
 
 namespace ostraka {
 namespace {
@@ -117,6 +119,12 @@ Message readHeaderLine(const std::vector<std::string_view>& w, Header& header, b
   return message("a line cannot be parsed");
 }
 
+bool isMillimetre(std::string_view unit) {
+  const std::string name = lowerCase(std::string(unit));
+  return name == "mm" || name == "millimetre" || name == "millimetres" || name == "millimeter" ||
+         name == "millimeters";
+}
+
 Result<Header> readHeader(std::string_view bytes, const std::string& where) {
   if (!bytes.starts_with("ply"))
     return Error::unusable(message("Not a PLY file; choose one, or export the scan again."), where);
@@ -129,6 +137,11 @@ Result<Header> readHeader(std::string_view bytes, const std::string& where) {
     const std::vector<std::string_view> w = words(bytes.substr(at, end - at));
     at = end + 1;
     if (line_number == 1) continue;
+    if (w.size() == 3 && w[0] == "comment" && w[1] == "unit" && !isMillimetre(w[2]))
+      return Error::unusable(message("The PLY file states its unit as '%1', but lengths must be in "
+                                     "mm; export it in mm.",
+                                     std::string(w[2].substr(0, 40))),
+                             where);
     if (w.size() == 1 && w[0] == "end_header") {
       if (!has_format)
         return Error::unusable(message("The PLY header states no format; export the file again."),
@@ -364,6 +377,15 @@ Error tooMany(const Limit& limit, const std::string& of, const std::string& wher
       where);
 }
 
+Result<PointCloud> pointsOf(Result<PlyContents> contents, const std::filesystem::path& path) {
+  if (!contents) return contents.error();
+  if (contents->mesh.vertices.empty())
+    return Error::unusable(
+        message("The PLY file contains no usable points; export the scan again."), path.string());
+  return PointCloud{std::move(contents->mesh.vertices), std::move(contents->mesh.normals),
+                    std::move(contents->mesh.colors), std::move(contents->quality)};
+}
+
 }  // namespace
 
 Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
@@ -437,13 +459,18 @@ Result<PlyContents> readPly(const std::filesystem::path& path) {
 }
 
 Result<PointCloud> readPlyCloud(const std::filesystem::path& path) {
-  Result<PlyContents> contents = readPly(path);
-  if (!contents) return contents.error();
-  if (contents->mesh.vertices.empty())
-    return Error::unusable(
-        message("The PLY file contains no usable points; export the scan again."), path.string());
-  return PointCloud{std::move(contents->mesh.vertices), std::move(contents->mesh.normals),
-                    std::move(contents->mesh.colors), std::move(contents->quality)};
+  return pointsOf(readPly(path), path);
+}
+
+Result<PlyContents> readPlyWithin(const std::filesystem::path& folder, std::string_view path) {
+  Result<OpenFile> open = OpenFile::within(folder, path);
+  if (!open) return open.error();
+  const Result<std::string> bytes = open->readAll();
+  return bytes ? parsePly(*bytes, open->name()) : Result<PlyContents>(bytes.error());
+}
+
+Result<PointCloud> readPlyCloudWithin(const std::filesystem::path& folder, std::string_view path) {
+  return pointsOf(readPlyWithin(folder, path), folder / path);
 }
 
 }  // namespace ostraka

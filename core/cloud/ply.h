@@ -15,12 +15,16 @@ struct PlyContents {
 };
 
 /// ascii, binary_little_endian and binary_big_endian 1.0. Counts are compared with the file's size
-/// before anything is allocated; faces that name absent vertices are an error. `where` names the
+/// before anything is allocated; faces that name absent vertices are an error, and so is a `comment
+/// unit` other than mm. `where` names the
 /// file.
 Result<PlyContents> parsePly(std::string_view bytes, const std::string& where);
 Result<PlyContents> readPly(const std::filesystem::path& path);
 /// The points of a file, faces left aside. Errors as above, and when there is no point.
 Result<PointCloud> readPlyCloud(const std::filesystem::path& path);
+/// For names that another file states: nothing outside of the folder is opened (OpenFile::within).
+Result<PlyContents> readPlyWithin(const std::filesystem::path& folder, std::string_view path);
+Result<PointCloud> readPlyCloudWithin(const std::filesystem::path& folder, std::string_view path);
 
 /// Binary little-endian with `comment unit mm` and `comment frame <frame>`.
 std::string formatPly(const PointCloud& cloud, std::string_view frame);

@@ -1,7 +1,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "evaluate/pairs.h"
+#include "files/contained_path.h"
 #include "files/json.h"
 
 namespace ostraka::evaluate {
@@ -28,7 +30,8 @@ std::vector<std::string> stemsAt(const Json& object, const char* key) {
   return names;
 }
 
-// Sixteen finite numbers, nested or flat; a matrix that is one but not rigid counts as such.
+// Sixteen finite numbers, nested or flat; a matrix that is one but not rigid, or moves farther than
+// scans can lie from each other, counts as such.
 bool isMatrix(const Json& value) {
   std::size_t numbers = 0;
   const auto count = [&](const Json& v) {
@@ -114,8 +117,12 @@ Result<PairsTruth> readPairsTruth(const std::filesystem::path& truth_json) {
         isometryFromJson(entry["T_front_from_back"], truth_json.string());
     if (!transform) return transform.error();
     TruePair pair;
-    pair.front_file = entry["front"].get<std::string>();
-    pair.back_file = entry["back"].get<std::string>();
+    for (const auto& [key, name] :
+         {std::pair("front", &pair.front_file), std::pair("back", &pair.back_file)}) {
+      const Result<ContainedPath> path = ContainedPath::parse(entry[key].get<std::string>());
+      if (!path) return Error::unusable(path.error().what, truth_json);
+      *name = path->text();
+    }
     pair.front = stem(pair.front_file);
     pair.back = stem(pair.back_file);
     pair.front_from_back = *transform;

@@ -2,7 +2,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/limits.h"
 #include "cloud/ply.h"
+#include "files/contained_path.h"
 #include "files/json.h"
 
 namespace ostraka::evaluate {
@@ -19,20 +21,21 @@ Result<TrueSherd> readSherd(const Json& entry, const std::filesystem::path& fold
   const Json id = entry.value("id", Json(nullptr));
   sherd.id = id.is_string() ? id.get<std::string>() : id.dump();
   const Result<Eigen::Isometry3d> front =
-      isometryFromJson(entry["plate_from_model_front"], file.string());
+      isometryFromJson(entry["plate_from_model_front"], file.string(), limits::kPoseReach_mm);
   if (!front) return front.error();
   sherd.plate_front_from_model = sherd.plate_back_from_model = *front;
   if (entry.contains("plate_from_model_back")) {
     const Result<Eigen::Isometry3d> back =
-        isometryFromJson(entry["plate_from_model_back"], file.string());
+        isometryFromJson(entry["plate_from_model_back"], file.string(), limits::kPoseReach_mm);
     if (!back) return back.error();
     sherd.plate_back_from_model = *back;
   }
-  const std::filesystem::path mesh_file = folder / entry["mesh"].get<std::string>();
-  Result<PlyContents> contents = readPly(mesh_file);
+  const Result<ContainedPath> mesh = ContainedPath::parse(entry["mesh"].get<std::string>());
+  if (!mesh) return Error::unusable(mesh.error().what, file);
+  Result<PlyContents> contents = readPlyWithin(folder, mesh->text());
   if (!contents) return contents.error();
   if (contents->mesh.triangles.empty())
-    return Error::unusable("The true mesh has no faces.", mesh_file);
+    return Error::unusable("The true mesh has no faces.", folder / mesh->text());
   sherd.mesh = std::move(contents->mesh);
   return sherd;
 }

@@ -21,7 +21,8 @@ struct TrueSherd {
 };
 
 /// truth/sherds.json with its meshes. plate_from_model_back may be absent: then it equals the
-/// front's. Errors: an unreadable file, a transform that is not rigid, a mesh without faces.
+/// front's. Errors: an unreadable file, a mesh outside of the folder, a transform that is not rigid
+/// or moves off any plate, a mesh without faces.
 Result<std::vector<TrueSherd>> readTrueSherds(const std::filesystem::path& truth_folder);
 
 }  // namespace ostraka::evaluate

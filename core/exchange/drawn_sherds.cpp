@@ -49,10 +49,7 @@ Result<void> takeHandMeasures(const catalogue::Catalogue& catalogue, store::Sher
 }  // namespace
 
 Result<PlyContents> modelOf(const SherdRecord& sherd, const std::filesystem::path& project) {
-  Result<OpenFile> open = OpenFile::within(project, sherd.model_path);
-  if (!open) return open.error();
-  const Result<std::string> bytes = open->readAll();
-  return bytes ? parsePly(*bytes, open->name()) : Result<PlyContents>(bytes.error());
+  return readPlyWithin(project, sherd.model_path);
 }
 
 Result<std::optional<texture::TexturedMesh>> texturedModelOf(const catalogue::Catalogue& catalogue,

@@ -20,7 +20,7 @@ bool isControl(char c) {
 Result<ContainedPath> ContainedPath::parse(std::string_view text) {
   const auto refused = [&] {
     return Error::unusable(message(
-        "'%1' is not a path inside the project; it must be relative, with '/' and without '..'.",
+        "'%1' is not a path inside its folder; it must be relative, with '/' and without '..'.",
         std::string(text.substr(0, kMostOfAPart))));
   };
   if (text.size() > kMostBytes || std::any_of(text.begin(), text.end(), isControl) ||

@@ -163,7 +163,8 @@ nlohmann::ordered_json orNull(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
-Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const std::string& where) {
+Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const std::string& where,
+                                           const Limit& reach) {
   nlohmann::json flat = nlohmann::json::array();
   if (value.is_array())
     for (const nlohmann::json& row : value) {
@@ -186,6 +187,11 @@ Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const st
   if (!matrix.allFinite() || !(skew < 1e-3) || rotation.determinant() < 0 ||
       (matrix.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).cwiseAbs().maxCoeff() > 1e-6)
     return Error::unusable(message("A transform is not rigid."), where);
+  if (!(matrix.topRightCorner<3, 1>().norm() <= static_cast<double>(reach.most)))
+    return Error::unusable(
+        message("A transform moves by more than %1 mm; check that its last column is in mm.",
+                reach.most),
+        where);
   Eigen::Isometry3d transform;
   transform.matrix() = matrix;
   return transform;

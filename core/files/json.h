@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/limits.h"
 #include "base/result.h"
 
 namespace ostraka {
@@ -16,10 +17,11 @@ Result<nlohmann::json> readJson(const std::filesystem::path& path);
 /// Indented by one space, UTF-8, LF at the end, written atomically.
 Result<void> writeJson(const std::filesystem::path& path, const nlohmann::ordered_json& value);
 
-/// 4x4, row by row. Reading refuses what is not finite, not 4x4 (nested or flat) or not rigid
-/// (1e-3).
+/// 4x4, row by row. Reading refuses what is not finite, not 4x4 (nested or flat), not rigid (1e-3)
+/// or moves farther than `reach` (mm).
 nlohmann::ordered_json toJson(const Eigen::Isometry3d& transform);
 nlohmann::ordered_json orNull(const std::optional<double>& value);
-Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const std::string& where);
+Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const std::string& where,
+                                           const Limit& reach = limits::kScanReach_mm);
 
 }  // namespace ostraka

@@ -17,6 +17,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+constexpr double kLeastExtent_mm = 3;
+constexpr double kLeastExtent_cm = 0.8;  // of a sherd; what is smaller is in m
+
 struct Corners {
   Vector3d a, b, c;
 };
@@ -150,6 +153,13 @@ Result<void> checkExtent(const TriangleMesh& mesh, const std::string& where) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3f& v : mesh.vertices) box.extend(v.cast<double>());
   const double extent_mm = mesh.vertices.empty() ? 0 : box.sizes().maxCoeff();
+  if (extent_mm > 0 && extent_mm < kLeastExtent_mm)
+    return Error::unusable(
+        message("This model is only %1 mm large, less than any sherd, so its unit is probably "
+                "another (%2); export it in mm.",
+                decimal(extent_mm, 3),
+                extent_mm < kLeastExtent_cm ? message("metres") : message("centimetres")),
+        where);
   if (extent_mm <= static_cast<double>(limits::kModelExtent_mm.most)) return {};
   return Error::unusable(message("This model is %1 mm large, more than any vessel, so its unit "
                                  "seems to be another; export it in mm.",

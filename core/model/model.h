@@ -75,8 +75,9 @@ Result<TriangleMesh> decimated(const TriangleMesh& mesh, double max_deviation_mm
 /// degenerate in its indices, none is repeated. `why` says in words what is wrong first.
 bool isClosedManifold(const TriangleMesh& mesh, Message* why = nullptr);
 
-/// What is larger than any vessel (limits::kModelExtent_mm) is in another unit than mm; a raster
-/// over it would take all memory. where: names it in the error. Error: UnusableInput.
+/// What is larger than any vessel (limits::kModelExtent_mm) or smaller than any sherd (3 mm) is in
+/// another unit than mm; a raster over the former would take all memory. where: names it in the
+/// error. Error: UnusableInput.
 Result<void> checkExtent(const TriangleMesh& mesh, const std::string& where);
 
 /// The pixels over a rectangle: per_mm of them to a mm, or fewer where those would be more than

@@ -20,6 +20,9 @@ Eigen::Vector2d distorted(const std::array<double, 5>& d, const Eigen::Vector2d&
           n.y() * radial + d[2] * (r2 + 2 * n.y() * n.y()) + 2 * d[3] * n.x() * n.y()};
 }
 
+// Cameras without a plate stand in a frame of their own, as scans do.
+constexpr double kMost_mm = limits::kScanReach_mm.most;
+
 Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string& where) {
   PosedImage image;
   try {
@@ -44,7 +47,7 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
     Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
     for (int r = 0; r < 3; ++r) {
       for (int c = 0; c < 3; ++c) pose(r, c) = numberIn(value.at("R").at(r).at(c), "R");
-      pose(r, 3) = numberIn(value.at("t").at(r), "t");
+      pose(r, 3) = numberIn(value.at("t").at(r), "t", -kMost_mm, kMost_mm);
     }
     const Eigen::Matrix3d rotation = pose.topLeftCorner<3, 3>();
     const bool rigid =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "base/limits.h"
@@ -43,6 +44,14 @@ Result<RigCamera> cameraFromJson(const nlohmann::json& value, const std::filesys
   Intrinsics& i = camera.intrinsics;
   i.width = wholeAt(value, "width", 1, limits::kImageSide.most);
   i.height = wholeAt(value, "height", 1, limits::kImageSide.most);
+  const auto [shorter, longer] =
+      std::minmax({static_cast<std::uint64_t>(i.width), static_cast<std::uint64_t>(i.height)});
+  if (longer > limits::kRigRatio.most * shorter || longer * shorter > limits::kImagePixels.most)
+    return Error::unusable(
+        message("Camera %1 has pictures of %2 x %3 pixels, which no camera takes; recalibrate the "
+                "rig.",
+                camera.camera, i.width, i.height),
+        file);
   const nlohmann::json& k = value.at("K");
   i.fx = numberIn(k.at(0).at(0), "K", kLeastFocal_px, kMost_px);
   i.fy = numberIn(k.at(1).at(1), "K", kLeastFocal_px, kMost_px);
@@ -52,7 +61,7 @@ Result<RigCamera> cameraFromJson(const nlohmann::json& value, const std::filesys
   for (std::size_t d = 0; d < i.distortion.size(); ++d)
     i.distortion[d] = numberIn(terms.at(d), "dist");
   const Result<Eigen::Isometry3d> pose =
-      isometryFromJson(value.at("camera_from_turntable"), file.string());
+      isometryFromJson(value.at("camera_from_turntable"), file.string(), limits::kPoseReach_mm);
   if (!pose) return pose.error();
   camera.camera_from_turntable = *pose;
   camera.focal_sd_px = numberOr(value, "focal_sd_px", 0.0, 0);
@@ -83,6 +92,9 @@ Result<Rig> readRig(const std::filesystem::path& file) {
     if (json->at("format") != kFormat)
       return Error::unusable(
           message("Another version of Ostraka wrote this rig; recalibrate the rig."), file);
+    if (json->contains("unit") && json->at("unit") != "mm")
+      return Error::unusable(message("The rig's lengths are not in mm; recalibrate the rig."),
+                             file);
     for (const nlohmann::json& value : json->at("cameras")) {
       Result<RigCamera> camera = cameraFromJson(value, file);
       if (!camera) return camera.error();
@@ -92,7 +104,15 @@ Result<Rig> readRig(const std::filesystem::path& file) {
       rig.cameras.push_back(std::move(*camera));
     }
     for (const nlohmann::json& value : json->at("stops")) {
-      rig.stops.push_back(wholeAt(value, "stop", 0, limits::kRigStops.most));
+      const int stop = wholeAt(value, "stop", 0, limits::kRigStops.most);
+      if (std::count(rig.stops.begin(), rig.stops.end(), stop) > 0)
+        return Error::unusable(
+            message("Position %1 appears twice in the rig; recalibrate it.", stop), file);
+      if (rig.stops.size() >= limits::kRigPositions.most)
+        return Error::unusable(message("The rig has more than %1 positions; recalibrate it.",
+                                       limits::kRigPositions.most),
+                               file);
+      rig.stops.push_back(stop);
       rig.stop_angles_rad.push_back(numberAt(value, "angle_deg", -36000, 36000) * M_PI / 180);
     }
     rig.reprojection_rms_px = numberOr(*json, "reprojection_rms_px", 0.0, 0);

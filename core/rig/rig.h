@@ -32,7 +32,8 @@ struct Rig {
   const RigCamera* find(int camera) const;  ///< nullptr when there is none of this number
 };
 
-/// Errors: UnusableInput (not a rig, another version, a camera twice, numbers that are no camera).
+/// Errors: UnusableInput (not a rig, another version, a camera or a stop twice, numbers that are no
+/// camera).
 Result<Rig> readRig(const std::filesystem::path& file);
 /// What an existing file says besides (its "devices") stays as it is.
 Result<void> writeRig(const std::filesystem::path& file, const Rig& rig);

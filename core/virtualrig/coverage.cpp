@@ -46,7 +46,8 @@ struct Tally {
 
 class Look {
  public:
-  Look(const VirtualRig& rig, const CoverageOptions& options) : rig_(rig), options_(options) {
+  Look(const VirtualRig& rig, const CoverageOptions& options, const std::stop_token& asked)
+      : rig_(rig), options_(options), asked_(asked) {
     for (int stop = 0; stop < static_cast<int>(rig.angles_rad.size()); ++stop)
       for (int camera = 0; camera < rig.cameras(); ++camera) {
         poses_.push_back(rig.cameraFromPlate(camera, stop));
@@ -55,14 +56,14 @@ class Look {
   }
 
   // Of each sample the cosine between ray and normal in the least square of enough views of this
-  // side; 0: too few views.
+  // side; 0: too few views, or it was stopped.
   std::vector<float> side(const rendering::Scene& scene, const std::vector<Sample>& samples,
                           Tally& tally) const {
     std::vector<float> square(samples.size(), 0);
     std::vector<std::pair<float, std::size_t>> views;  // cosine, view
     const std::vector<Eigen::Vector3f>&points = scene.vertices(0), &normals = scene.normals(0);
     const double least = std::cos(options_.most_slant_rad);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (std::size_t i = 0; i < samples.size() && !asked_.stop_requested(); ++i) {
       const Eigen::Vector3f& p = points[samples[i].vertex];
       const Eigen::Vector3f& n = normals[samples[i].vertex];
       views.clear();
@@ -98,6 +99,7 @@ class Look {
 
   const VirtualRig& rig_;
   const CoverageOptions& options_;
+  const std::stop_token& asked_;
   std::vector<Eigen::Isometry3d> poses_;
   std::vector<Eigen::Vector3f> eyes_;
 };
@@ -134,11 +136,12 @@ SherdCoverage ofSherd(const vessels::VirtualSherd& sherd, const Look& look,
 
 // How much of the sherds models can rest on: seen squarely, and with a break that both sides see,
 // which ties them together.
-double promise(const std::vector<vessels::VirtualSherd>& sherds, const VirtualRig& rig,
-               const CoverageOptions& options) {
+Result<double> promise(const std::vector<vessels::VirtualSherd>& sherds, const VirtualRig& rig,
+                       const CoverageOptions& options, const std::stop_token& stop) {
+  const Result<std::vector<SherdCoverage>> found = coverage(sherds, rig, options, stop);
+  if (!found) return found.error();
   double sum = 0;
-  for (const SherdCoverage& one : coverage(sherds, rig, options))
-    sum += one.square + 0.3 * one.break_seen;
+  for (const SherdCoverage& one : *found) sum += one.square + 0.3 * one.break_seen;
   return sum / static_cast<double>(sherds.size());
 }
 
@@ -155,12 +158,14 @@ double widestStep(const VirtualRig& rig) {
 
 }  // namespace
 
-std::vector<SherdCoverage> coverage(const std::vector<vessels::VirtualSherd>& sherds,
-                                    const VirtualRig& rig, const CoverageOptions& options) {
-  const Look look(rig, options);
+Result<std::vector<SherdCoverage>> coverage(const std::vector<vessels::VirtualSherd>& sherds,
+                                            const VirtualRig& rig, const CoverageOptions& options,
+                                            const std::stop_token& stop) {
+  const Look look(rig, options, stop);
   std::vector<SherdCoverage> found(sherds.size());
   parallelFor(sherds.size(), options.threads,
               [&](std::size_t i) { found[i] = ofSherd(sherds[i], look, options); });
+  if (stop.stop_requested()) return Error::cancelled();
   return found;
 }
 
@@ -180,13 +185,13 @@ Result<std::vector<CameraMove>> promisingMoves(const std::vector<vessels::Virtua
   constexpr double kWidestStep = 26 * std::numbers::pi / 180;
   std::vector<CameraMove> moves;
   if (sherds.empty()) return moves;
-  const double now = promise(sherds, rig, options);
+  const Result<double> now = promise(sherds, rig, options, stop);
+  if (!now) return now.error();
   const double widest = std::max(kWidestStep, widestStep(rig));
   CameraMove closing{0, 0, -1};
   for (int camera = 0; camera < rig.cameras(); ++camera) {
     CameraMove best{camera, 0, kLeastGain};
     for (const double degrees : {-20.0, -10.0, 10.0, 20.0}) {
-      if (stop.stop_requested()) return Error::cancelled();
       const double then = elevation(rig, camera) * 180 / std::numbers::pi + degrees;
       if (then < 10 || then > 85) continue;
       const double raise = degrees * std::numbers::pi / 180;
@@ -194,7 +199,9 @@ Result<std::vector<CameraMove>> promisingMoves(const std::vector<vessels::Virtua
       Eigen::Isometry3d& pose = moved.camera_from_room[static_cast<std::size_t>(camera)];
       pose = raised(pose, raise);
       if (widestStep(moved) > widest + 1e-9) continue;
-      const double gain = promise(sherds, moved, options) - now;
+      const Result<double> promised = promise(sherds, moved, options, stop);
+      if (!promised) return promised.error();
+      const double gain = *promised - *now;
       if (gain > best.gain) best = {camera, raise, gain};
       if (widest > kWidestStep && widestStep(moved) <= kWidestStep && gain > closing.gain)
         closing = {camera, raise, gain};

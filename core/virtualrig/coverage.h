@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/result.h"
 #include "virtualrig/setup.h"
 
 /// What a rig sees of sherds, by casting rays: no photographs, so it takes seconds.
@@ -25,9 +26,11 @@ struct SherdCoverage {
   double square = 0;
   double outside = 0;  ///< of points and views: the point lies outside of the picture
 };
-/// Each sherd lies at the plate's middle and half-way to the ring in turn; means of both.
-std::vector<SherdCoverage> coverage(const std::vector<vessels::VirtualSherd>& sherds,
-                                    const VirtualRig& rig, const CoverageOptions& options);
+/// Each sherd lies at the plate's middle and half-way to the ring in turn; means of both. Errors:
+/// Cancelled.
+Result<std::vector<SherdCoverage>> coverage(const std::vector<vessels::VirtualSherd>& sherds,
+                                            const VirtualRig& rig, const CoverageOptions& options,
+                                            const std::stop_token& stop);
 
 /// One camera carried about the plate's middle, still looking at the same places.
 struct CameraMove {

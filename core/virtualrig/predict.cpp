@@ -78,7 +78,9 @@ Result<std::vector<CameraMove>> lookByRays(const rig::Rig& rig, const SimulateOp
   const VirtualRig real = asVirtual(rig, rig.cameras.front().intrinsics.width);
   CoverageOptions coverage_options;
   coverage_options.threads = options.threads;
-  const std::vector<SherdCoverage> found = coverage(*sherds, real, coverage_options);
+  const Result<std::vector<SherdCoverage>> looked = coverage(*sherds, real, coverage_options, stop);
+  if (!looked) return looked.error();
+  const std::vector<SherdCoverage>& found = *looked;
   for (std::size_t i = 0; i < found.size(); ++i) {
     SizePrediction& size = sizeOf(prediction, i, options.sherds_per_size);
     size.width_mm += (*sherds)[i].width_mm / options.sherds_per_size;

@@ -68,6 +68,16 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
   EXPECT_TRUE(says(run("--version"), "ostraka "));
 }
 
+TEST_F(CommandLine, AResultThatStandardOutputDoesNotTakeIsAFailure) {
+  for (const char* command :
+       {"--help", "--version", "completion bash", "dense /tmp --json -o x.ply"}) {
+    const Outcome full = run(command, "2>&1 >/dev/full");
+    EXPECT_EQ(full.status, 1) << command;
+    EXPECT_TRUE(says(full, "could not be written to standard output")) << full.text;
+  }
+  EXPECT_EQ(run("--version", "2>&1 >/dev/null").status, 0);
+}
+
 TEST_F(CommandLine, ABoundaryIsForTheOneMethodThatHasIt) {
   const std::string scans = "register --front . --back . --output " + path("out");
   const Outcome other = run(scans + " --boundary paper --registration trimmed");
@@ -202,6 +212,30 @@ TEST_F(CommandLine, DenseSaysWhichPhotographIsMissing) {
   EXPECT_FALSE(fs::exists(path("c.ply")));
   EXPECT_EQ(
       run("dense " + folder_.string() + " --cameras " + path("none.json") + " -o x.ply").status, 2);
+}
+
+TEST_F(CommandLine, DenseOpensPhotographsInTheFolderAlone) {
+  write("photographs/a.jpg", "no image");
+  write("a.jpg", "no image");
+  const auto dense = [&](const std::string& file) {
+    write("cameras.json",
+          R"({"unit":"mm","images":[{"file":")" + file + R"(","width":64,"height":48,
+        "K":[[100,0,32],[0,100,24],[0,0,1]],"dist":[],
+        "R":[[1,0,0],[0,1,0],[0,0,1]],"t":[0,0,100]}]})");
+    const Outcome outcome = run("dense " + path("photographs/") + " --cameras " +
+                                path("cameras.json") + " -o " + path("c.ply"));
+    EXPECT_EQ(outcome.status, 2) << outcome.text;
+    return outcome;
+  };
+  const char* const refused = "is not a path inside its folder";
+  EXPECT_TRUE(says(dense("../a.jpg"), refused));
+  EXPECT_TRUE(says(dense(path("a.jpg")), refused));
+  // `process` names photographs absolutely.
+  for (const std::string& inside : {std::string("./a.jpg"), path("photographs/a.jpg")}) {
+    const Outcome opened = dense(inside);
+    EXPECT_FALSE(says(opened, refused)) << opened.text;
+    EXPECT_FALSE(says(opened, "no such file")) << opened.text;
+  }
 }
 
 TEST_F(CommandLine, ErrorsComeAsJsonToo) {

@@ -41,6 +41,17 @@ TEST(BadPly, HeaderLinesThatCannotBeUnderstoodAreNamedByNumber) {
   expectRefused("ply\nformat ascii 1.0\nelement vertex 1\nproperty list float int v\n", "line 4");
 }
 
+TEST(BadPly, AStatedUnitOtherThanMillimetresIsRefusedByName) {
+  const auto stating = [](const std::string& comment) {
+    return header("ascii", comment + "\nelement vertex 1\n" + kXyz) + "1 2 3\n";
+  };
+  for (const char* unit : {"cm", "m", "inch"})
+    expectRefused(stating(std::string("comment unit ") + unit), std::string("'") + unit + "'");
+  for (const char* comment : {"comment unit mm", "comment unit Millimeters",
+                              "comment unit normals are added", "comment made in m"})
+    EXPECT_TRUE(parsePly(stating(comment), "scan.ply").has_value()) << comment;
+}
+
 TEST(BadPly, CountsThatTheFileCannotHoldAreRefusedBeforeAllocating) {
   for (const char* count : {"1000008", "4000000000", "18446744073709551615"}) {
     expectRefused(

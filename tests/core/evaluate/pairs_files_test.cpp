@@ -64,5 +64,12 @@ TEST(ReadPairsTruth, RefusesATransformThatIsNotRigid) {
   EXPECT_FALSE(readPairsTruth(written(R"({"sherds":[]})")).has_value());
 }
 
+TEST(ReadPairsTruth, RefusesScansOutsideOfItsFolder) {
+  for (const char* front : {"../f.ply", "/tmp/f.ply", "front/../../f.ply"})
+    EXPECT_FALSE(readPairsTruth(written(std::string(R"({"pairs":[{"front":")") + front +
+                                        R"(","back":"b","T_front_from_back":)" + kUnit + "}]}")))
+        << front;
+}
+
 }  // namespace
 }  // namespace ostraka::evaluate

@@ -47,6 +47,24 @@ TEST(ReadTrueSherds, NamesTheFileThatIsWrong) {
   EXPECT_NE(faceless.error().what.english().find("no faces"), std::string::npos);
   EXPECT_FALSE(readTrueSherds(truthFolder(R"({"sherds":[{"mesh":"box.ply"}]})")).has_value());
   EXPECT_FALSE(readTrueSherds(truthFolder("{}")).has_value());
+  EXPECT_FALSE(readTrueSherds(truthFolder(R"({"sherds":[{"mesh":"box.ply","plate_from_model_front":
+      [[1,0,0,1e300],[0,1,0,0],[0,0,1,0],[0,0,0,1]]}]})"))
+                   .has_value())
+      << "farther than any plate";
+}
+
+TEST(ReadTrueSherds, OpensNoMeshOutsideOfItsFolder) {
+  const char* const pose = R"("plate_from_model_front":[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]])";
+  const std::filesystem::path folder = truthFolder("{}"), inside = folder / "inside";
+  std::filesystem::create_directories(inside);
+  for (const std::string& mesh : {std::string("../box.ply"), (folder / "box.ply").string()}) {
+    std::ofstream(inside / "sherds.json")
+        << R"({"sherds":[{"mesh":")" << mesh << "\"," << pose << "}]}";
+    const auto outside = readTrueSherds(inside);
+    ASSERT_FALSE(outside.has_value()) << mesh;
+    EXPECT_EQ(outside.error().code, ErrorCode::UnusableInput);
+    EXPECT_NE(outside.error().where.find("sherds.json"), std::string::npos) << mesh;
+  }
 }
 
 }  // namespace

@@ -142,5 +142,16 @@ TEST(Isometry, RefusesWhatIsNotRigidOrNoMatrix) {
   for (const char* text : bad) EXPECT_FALSE(isometryFromJson(Json::parse(text), "x")) << text;
 }
 
+TEST(Isometry, RefusesAMoveBeyondItsReach) {
+  const auto along = [](const char* x) {
+    return Json::parse(std::string("[[1,0,0,") + x + "],[0,1,0,0],[0,0,1,0],[0,0,0,1]]");
+  };
+  EXPECT_TRUE(isometryFromJson(along("-1000000"), "x").has_value()) << "scans on a site's grid";
+  for (const char* x : {"1000001", "-1e30", "1e300"})
+    EXPECT_FALSE(isometryFromJson(along(x), "x").has_value()) << x;
+  EXPECT_TRUE(isometryFromJson(along("20000"), "x", limits::kPoseReach_mm).has_value());
+  EXPECT_FALSE(isometryFromJson(along("20001"), "x", limits::kPoseReach_mm).has_value());
+}
+
 }  // namespace
 }  // namespace ostraka

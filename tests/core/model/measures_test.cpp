@@ -56,6 +56,18 @@ TEST(Measures, AModelLargerThanAnyVesselIsRefused) {
   }
 }
 
+TEST(Measures, AModelSmallerThanAnySherdIsRefusedWithItsProbableUnit) {
+  EXPECT_TRUE(checkExtent(boxMesh({3.1F, 1, 1}), "7").has_value());
+  EXPECT_TRUE(checkExtent({}, "7").has_value()) << "what is empty has no unit";
+  const auto refusal = [](const Eigen::Vector3f& size) {
+    const Result<void> refused = checkExtent(boxMesh(size), "7");
+    EXPECT_FALSE(refused.has_value());
+    return refused ? std::string() : refused.error().what.english();
+  };
+  EXPECT_NE(refusal({0.05F, 0.04F, 0.005F}).find("(metres)"), std::string::npos);
+  EXPECT_NE(refusal({2.5F, 2, 0.5F}).find("(centimetres)"), std::string::npos);
+}
+
 // A plate of 24 x 18 x 4 mm on a grid: many small faces. taken: where it is positive, nothing is
 // left.
 template <class Taken>

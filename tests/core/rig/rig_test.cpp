@@ -67,6 +67,31 @@ TEST(RigFile, DoesNotOverwriteWhatIsNoRigAtAll) {
   EXPECT_EQ(written.error().code, ErrorCode::UnusableInput);
 }
 
+TEST(RigFile, RefusesNumbersThatNoRigHas) {
+  const std::filesystem::path file = temporaryFile("impossible.json");
+  ASSERT_TRUE(writeRig(file, sample()).has_value());
+  const nlohmann::json good = *readJson(file);
+  const auto refuses = [&](const char* pointer, const nlohmann::json& value) {
+    nlohmann::json json = good;
+    json[nlohmann::json::json_pointer(pointer)] = value;
+    std::ofstream(file) << json;
+    const auto read = readRig(file);
+    return !read && read.error().code == ErrorCode::UnusableInput;
+  };
+  EXPECT_FALSE(refuses("/unit", "mm"));
+  EXPECT_TRUE(refuses("/unit", "cm"));
+  EXPECT_TRUE(refuses("/cameras/0/camera_from_turntable/2/3", 1e30));
+  EXPECT_TRUE(refuses("/cameras/0/width", 100'000)) << "a ratio of no picture";
+  EXPECT_TRUE(refuses("/cameras/0/height", 10)) << "a ratio of no picture";
+  EXPECT_TRUE(refuses("/stops/1/stop", 0)) << "twice";
+  nlohmann::json stops = nlohmann::json::array();
+  for (int k = 0; k < 400; ++k) stops.push_back({{"stop", k}, {"angle_deg", 0.9 * k}});
+  EXPECT_FALSE(refuses("/stops", stops));
+  stops.push_back({{"stop", 400}, {"angle_deg", 360}});
+  EXPECT_TRUE(refuses("/stops", stops));
+  std::filesystem::remove(file);
+}
+
 TEST(RigFile, RefusesWhatIsNoRig) {
   const std::filesystem::path file = temporaryFile("norig.json");
   for (const char* text : {"{}", "[1]", R"({"format":"ostraka-rig/9","cameras":[],"stops":[]})",

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <stop_token>
 
 #include "virtualrig/predict.h"
 
@@ -42,8 +43,9 @@ CoverageOptions quick() {
 TEST(Coverage, IsNearlyWholeForTheDesignedRigAndLessWithoutItsLowCamera) {
   const auto sherds = twoSherds();
   const VirtualRig rig = standardRig();
-  const auto whole = coverage(sherds, rig, quick());
-  const auto part = coverage(sherds, without(rig, 0), quick());  // camera 0 stands at 25 degrees
+  const auto whole = *coverage(sherds, rig, quick(), {});
+  const auto part =
+      *coverage(sherds, without(rig, 0), quick(), {});  // camera 0 stands at 25 degrees
   for (std::size_t i = 0; i < sherds.size(); ++i) {
     EXPECT_GT(whole[i].seen, 0.95);
     EXPECT_EQ(whole[i].outside, 0);
@@ -56,8 +58,24 @@ TEST(Coverage, IsTheSameForAnyNumberOfThreads) {
   one.threads = 1;
   three.threads = 3;
   const auto sherds = twoSherds();
-  const auto a = coverage(sherds, standardRig(), one), b = coverage(sherds, standardRig(), three);
+  const auto a = *coverage(sherds, standardRig(), one, {}),
+             b = *coverage(sherds, standardRig(), three, {});
   for (std::size_t i = 0; i < sherds.size(); ++i) EXPECT_EQ(a[i].seen, b[i].seen);
+}
+
+TEST(Coverage, StopsWhileRaysAreShot) {
+  const auto sherds = twoSherds();
+  std::stop_source stop;
+  stop.request_stop();
+  CoverageOptions endless = quick();  // hours of rays
+  endless.least_views = 1'000'000'000;
+  VirtualRig many = standardRig();
+  many.angles_rad.assign(100'000, 0.0);
+  const auto found = coverage(sherds, many, endless, stop.get_token());
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().code, ErrorCode::Cancelled);
+  EXPECT_EQ(promisingMoves(sherds, many, endless, stop.get_token()).error().code,
+            ErrorCode::Cancelled);
 }
 
 // The designed rig with its cameras at these elevations, degrees.

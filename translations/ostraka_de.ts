@@ -7209,9 +7209,24 @@
       <translation>Einen Ordner dieses Namens gibt es schon; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <source>A name in an export must not contain &apos;%&apos;.</source>
+      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Name in einem Export darf kein '%' enthalten.</translation>
+      <translation>Nicht jedes System bewahrt einen Namen mit einem Zeilenumbruch, einem umgekehrten Schrägstrich oder Zeichen, die kein UTF-8 sind; benennen Sie diese Datei oder diesen Ordner um und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+      <source>On some systems this is the same name as %1; rename one of the two, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf manchen Systemen ist dies derselbe Name wie %1; benennen Sie eine der beiden Dateien um und versuchen Sie es erneut.</translation>
+    </message>
+    <message>
+      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projekt A hat eine andere Datei dieses Namens, die sein Katalog nicht kennt; verschieben Sie sie, es wurde nichts zusammengeführt.</translation>
+    </message>
+    <message>
+      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Ort von Fotos, Ergebnissen oder Modellen, den einzigen Dateien, die ein Zusammenführen schreibt; es wurde nichts zusammengeführt.</translation>
     </message>
     <message>
       <source>Two files of the export would have the same name.</source>
@@ -9504,6 +9519,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>sagt nichts über die Scherbe</translation>
+    </message>
+    <message>
+        <source>share of 1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Anteil an 1</translation>
     </message>
     <message>
         <source>unit guessed from the values; check it</source>

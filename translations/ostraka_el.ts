@@ -7204,9 +7204,24 @@
       <translation>Υπάρχει ήδη φάκελος με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
-      <source>A name in an export must not contain &apos;%&apos;.</source>
+      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα όνομα σε εξαγωγή δεν πρέπει να περιέχει '%'.</translation>
+      <translation>Ένα όνομα με αλλαγή γραμμής, ανάστροφη κάθετο ή χαρακτήρες που δεν είναι UTF-8 δεν διατηρείται σε όλα τα συστήματα· μετονομάστε αυτό το αρχείο ή τον φάκελο και δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+      <source>On some systems this is the same name as %1; rename one of the two, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σε ορισμένα συστήματα αυτό το όνομα είναι ίδιο με το %1· μετονομάστε ένα από τα δύο και δοκιμάστε ξανά.</translation>
+    </message>
+    <message>
+      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το έργο A έχει άλλο αρχείο με αυτό το όνομα, που ο κατάλογός του δεν γνωρίζει· μετακινήστε το, τίποτα δεν συγχωνεύτηκε.</translation>
+    </message>
+    <message>
+      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι θέση φωτογραφιών, αποτελεσμάτων ή μοντέλων, των μόνων αρχείων που γράφει μια συγχώνευση· τίποτα δεν συγχωνεύτηκε.</translation>
     </message>
     <message>
       <source>Two files of the export would have the same name.</source>
@@ -9499,6 +9514,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>δεν λέει τίποτα για το όστρακο</translation>
+    </message>
+    <message>
+        <source>share of 1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>μερίδιο του 1</translation>
     </message>
     <message>
         <source>unit guessed from the values; check it</source>

@@ -7204,9 +7204,24 @@
       <translation>Ya hay una carpeta con este nombre; elija otro nombre.</translation>
     </message>
     <message>
-      <source>A name in an export must not contain &apos;%&apos;.</source>
+      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un nombre de una exportación no puede contener '%'.</translation>
+      <translation>No todos los sistemas conservan un nombre con un salto de línea, una barra invertida o caracteres que no son UTF-8; cambie el nombre de este archivo o de esta carpeta y vuelva a intentarlo.</translation>
+    </message>
+    <message>
+      <source>On some systems this is the same name as %1; rename one of the two, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>En algunos sistemas este nombre es el mismo que %1; cambie uno de los dos y vuelva a intentarlo.</translation>
+    </message>
+    <message>
+      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El proyecto A tiene otro archivo con este nombre que su catálogo no conoce; muévalo, no se ha fusionado nada.</translation>
+    </message>
+    <message>
+      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un lugar de fotografías, resultados o modelos, los únicos archivos que escribe una fusión; no se ha fusionado nada.</translation>
     </message>
     <message>
       <source>Two files of the export would have the same name.</source>
@@ -9499,6 +9514,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>no dice nada del fragmento</translation>
+    </message>
+    <message>
+        <source>share of 1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>parte de 1</translation>
     </message>
     <message>
         <source>unit guessed from the values; check it</source>

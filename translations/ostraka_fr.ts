@@ -7204,9 +7204,24 @@
       <translation>Il y a déjà un dossier de ce nom ; choisissez un autre nom.</translation>
     </message>
     <message>
-      <source>A name in an export must not contain &apos;%&apos;.</source>
+      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un nom dans une exportation ne doit pas contenir '%'.</translation>
+      <translation>Un nom avec un saut de ligne, une barre oblique inverse ou des caractères qui ne sont pas de l’UTF-8 n’est pas conservé par tous les systèmes ; renommez ce fichier ou ce dossier, puis réessayez.</translation>
+    </message>
+    <message>
+      <source>On some systems this is the same name as %1; rename one of the two, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sur certains systèmes, ce nom est le même que %1 ; renommez l’un des deux, puis réessayez.</translation>
+    </message>
+    <message>
+      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le projet A a un autre fichier de ce nom, que son catalogue ne connaît pas ; déplacez-le, rien n’a été fusionné.</translation>
+    </message>
+    <message>
+      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un emplacement de photographies, de résultats ou de modèles, les seuls fichiers qu’une fusion écrit ; rien n’a été fusionné.</translation>
     </message>
     <message>
       <source>Two files of the export would have the same name.</source>
@@ -9499,6 +9514,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>ne dit rien du tesson</translation>
+    </message>
+    <message>
+        <source>share of 1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>part de 1</translation>
     </message>
     <message>
         <source>unit guessed from the values; check it</source>

@@ -7204,9 +7204,24 @@
       <translation>Այս անունով պանակ արդեն կա. ընտրեք այլ անուն։</translation>
     </message>
     <message>
-      <source>A name in an export must not contain &apos;%&apos;.</source>
+      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Արտահանման անունը չպետք է պարունակի '%'։</translation>
+      <translation>Տողադարձ, հակառակ թեք գիծ կամ UTF-8 չհանդիսացող նիշեր պարունակող անունը ոչ բոլոր համակարգերն են պահպանում. վերանվանեք այս ֆայլը կամ պանակը և նորից փորձեք։</translation>
+    </message>
+    <message>
+      <source>On some systems this is the same name as %1; rename one of the two, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որոշ համակարգերում սա նույն անունն է, ինչ %1. վերանվանեք երկուսից մեկը և նորից փորձեք։</translation>
+    </message>
+    <message>
+      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>A նախագիծն ունի այս անունով մեկ այլ ֆայլ, որը նրա կատալոգը չգիտի. տեղափոխեք այն, ոչինչ չի միավորվել։</translation>
+    </message>
+    <message>
+      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա լուսանկարների, արդյունքների կամ մոդելների տեղ չէ, իսկ միավորումը միայն այդ ֆայլերն է գրում. ոչինչ չի միավորվել։</translation>
     </message>
     <message>
       <source>Two files of the export would have the same name.</source>
@@ -9499,6 +9514,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>բեկորի մասին ոչինչ չի ասում</translation>
+    </message>
+    <message>
+        <source>share of 1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>մաս 1-ից</translation>
     </message>
     <message>
         <source>unit guessed from the values; check it</source>

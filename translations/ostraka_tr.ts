@@ -7157,9 +7157,24 @@
       <translation>Bu adda bir klasör zaten var; başka bir ad seçin.</translation>
     </message>
     <message>
-      <source>A name in an export must not contain &apos;%&apos;.</source>
+      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dışa aktarmadaki bir ad '%' içeremez.</translation>
+      <translation>Satır sonu, ters eğik çizgi ya da UTF-8 olmayan karakter içeren bir adı her sistem korumaz; bu dosyayı ya da klasörü yeniden adlandırıp yeniden deneyin.</translation>
+    </message>
+    <message>
+      <source>On some systems this is the same name as %1; rename one of the two, then try again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bazı sistemlerde bu ad %1 ile aynıdır; ikisinden birini yeniden adlandırıp yeniden deneyin.</translation>
+    </message>
+    <message>
+      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>A projesinde bu adda, kataloğunun tanımadığı başka bir dosya var; onu başka yere taşıyın, hiçbir şey birleştirilmedi.</translation>
+    </message>
+    <message>
+      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Burası fotoğrafların, sonuçların ya da modellerin yeri değil; birleştirme yalnız bu dosyaları yazar. Hiçbir şey birleştirilmedi.</translation>
     </message>
     <message>
       <source>Two files of the export would have the same name.</source>
@@ -9451,6 +9466,11 @@
         <source>says nothing about the sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>parça hakkında bir şey söylemiyor</translation>
+    </message>
+    <message>
+        <source>share of 1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>1 üzerinden pay</translation>
     </message>
     <message>
         <source>unit guessed from the values; check it</source>

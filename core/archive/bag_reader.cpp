@@ -44,9 +44,9 @@ Result<Hashes> parseManifest(const std::string& text, const std::string& where) 
     if (!isSha256(hash) || name == std::string::npos)
       return Error::unusable(
           message("The manifest has a line that cannot be read: %1", line.substr(0, 80)), where);
-    if (!hashes.emplace(line.substr(name), hash).second)
-      return Error::unusable(message("The manifest names a file twice: %1", line.substr(name)),
-                             where);
+    const std::string path = fromManifest(line.substr(name));
+    if (!hashes.emplace(path, hash).second)
+      return Error::unusable(message("The manifest names a file twice: %1", path), where);
   }
   return hashes;
 }

@@ -30,11 +30,28 @@ bool sync(std::FILE* file) {
 
 std::string manifestOf(const std::vector<BagFile>& files) {
   std::string text;
-  for (const BagFile& file : files) text += file.sha256 + "  " + file.path + "\n";
+  for (const BagFile& file : files) text += file.sha256 + "  " + inManifest(file.path) + "\n";
   return text;
 }
 
 }  // namespace
+
+// RFC 8493, section 2.1.3; store::checkedPath() leaves no line breaks, the other two.
+std::string inManifest(std::string path) {
+  for (std::size_t at = path.find('%'); at != std::string::npos; at = path.find('%', at + 3))
+    path.replace(at, 1, "%25");
+  return path;
+}
+
+std::string fromManifest(std::string name) {
+  for (std::size_t at = name.find('%'); at != std::string::npos; at = name.find('%', at + 1)) {
+    const std::string code = name.substr(at + 1, 2);
+    if (code == "25") name.erase(at + 1, 2);
+    if (code == "0A" || code == "0a") name.replace(at, 3, "\n");
+    if (code == "0D" || code == "0d") name.replace(at, 3, "\r");
+  }
+  return name;
+}
 
 fs::path folderNamed(const fs::path& folder) {
   return fs::absolute(folder / "").lexically_normal().parent_path();
@@ -53,9 +70,12 @@ Result<BagWriter> BagWriter::begin(const fs::path& target) {
 
 Result<void> BagWriter::take(const std::string& path) {
   const Result<std::string> good = store::checkedPath(path);
-  if (!good) return good.error();
-  if (path.find('%') != std::string::npos)
-    return Error::unusable(message("A name in an export must not contain '%'."), path);
+  if (!good)
+    return Error::unusable(
+        message(
+            "A name with a line break, a backslash or letters that are not UTF-8 is not kept on "
+            "every system; rename this file or folder, then try again."),
+        path);
   return distinct_.add(path);
 }
 

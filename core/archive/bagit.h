@@ -25,6 +25,10 @@ struct BagFile {
   std::int64_t bytes = 0;
 };
 
+/// A path as a manifest has it, '%' as %25, and back. What encodes nothing stays as it is.
+std::string inManifest(std::string path);
+std::string fromManifest(std::string name);
+
 /// Writes a folder after BagIt 1.0 (RFC 8493). Everything goes to a NewFolder; finish() syncs it
 /// and gives it its name. Without finish() nothing stays behind.
 class BagWriter {
@@ -32,7 +36,8 @@ class BagWriter {
   /// Errors: the folder is there already, or cannot be made; NAME.partial holds files of others.
   static Result<BagWriter> begin(const std::filesystem::path& target);
 
-  /// path is relative to data/. Errors: the same name twice, '%' or a line break, a full disk.
+  /// path is relative to data/. Errors: the same name twice, one that other systems
+  /// do not keep, a full disk.
   Result<BagFile> add(const std::string& path, std::string_view bytes);
   /// Copies in pieces, hashing while it reads; stops within a piece. Errors name the source where
   /// it cannot be read, else what cannot be written.

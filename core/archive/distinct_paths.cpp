@@ -11,7 +11,11 @@ Result<void> DistinctPaths::add(const std::string& path) {
     const auto [known, is_new] = spellings_.try_emplace(store::uniqueKey(name), name);
     const bool is_whole = to == std::string::npos;
     if (known->second != name || (is_whole && !is_new))
-      return Error::unusable(message("Two files of the export would have the same name."), path);
+      return Error::unusable(
+          message("On some systems this is the same name as %1; rename one of the two, then try "
+                  "again.",
+                  known->second),
+          path);
     if (is_whole) return {};
   }
 }

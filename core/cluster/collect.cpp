@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using records::BatchState;
 
+const std::string kIncoming = "cluster/incoming/";
 // What people say of a batch's results; the cluster has copies as old as the job.
 const std::vector<std::string> kOfPeople = {"decisions.json", "mask_strokes.json"};
 
@@ -48,9 +49,6 @@ Result<void> checkNames(const fs::path& folder) {
   return review::computedToItsEnd(folder);
 }
 
-fs::path incomingOf(const upkeep::Project& project, const std::string& batch) {
-  return clusterFolder(project.folder()) / "incoming" / batch;
-}
 fs::path replacedOf(const upkeep::Project& project, const std::string& batch) {
   return clusterFolder(project.folder()) / "replaced" / batch;
 }
@@ -84,12 +82,14 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const std::str
   }
   if (place.isRemote()) {
     if (const Result<void> whole = undoHalf(project, batch); !whole) return whole.error();
-    const fs::path incoming = incomingOf(project, batch);
     std::vector<std::string> but = kOfPeople;
     but.emplace_back("work/lock");
-    if (const Result<void> here = place.fetch("results/" + batch, incoming, 0, but, stop); !here)
+    if (const Result<void> here = place.fetch("results/" + batch, kIncoming + batch, 0, but, stop);
+        !here)
       return here.error();
-    if (const Result<void> taken = takePlace(project, batch, incoming); !taken)
+    if (const Result<void> taken =
+            takePlace(project, batch, project.folder() / (kIncoming + batch));
+        !taken)
       return taken.error();
   }
   Result<intake::BatchFigures> figures = intake::enterComputed(project, *record, progress, stop);

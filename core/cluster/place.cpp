@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/message.h"
 #include "colmap/colmap_program.h"
 #include "files/files.h"
 #include "files/scratch_folder.h"
@@ -163,15 +164,23 @@ Result<void> Place::send(const std::vector<std::string>& paths, const std::stop_
   return copy(std::move(arguments), stop);
 }
 
-Result<void> Place::fetch(const std::string& path, const fs::path& to, int most_mb,
+Result<void> Place::fetch(const std::string& path, const std::string& to, int most_mb,
                           const std::vector<std::string>& but, const std::stop_token& stop) const {
   if (!isRemote()) return {};
-  if (const Result<void> made = makeFolder(to); !made) return made;
+  const fs::path here = project_ / to;
+  if (const Result<void> made = makeFolder(here); !made) return made;
+  std::error_code failed;
+  if (fs::canonical(here, failed) != here)
+    return Error{
+        ErrorCode::CannotWrite,
+        message("A link or a file has taken the place of a folder, or a link that of a file; "
+                "replace it with the folder or the file itself."),
+        here.string()};
   std::vector<std::string> arguments{"--delete", "--no-links"};
   if (most_mb > 0) arguments.push_back("--max-size=" + std::to_string(most_mb) + "m");
   for (const std::string& name : but) arguments.push_back("--exclude=/" + name);
   arguments.push_back(host_ + ":" + (fs::path(folder_) / path).string() + "/");
-  arguments.push_back(to.string() + "/");
+  arguments.push_back(here.string() + "/");
   return copy(std::move(arguments), stop);
 }
 

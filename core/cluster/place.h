@@ -31,9 +31,10 @@ class Place {
   /// the same checksum stays, and what is no more in such a folder goes. Nothing is done in the
   /// project's own folder, nor for what is not there. Errors: Failed, Cancelled.
   Result<void> send(const std::vector<std::string>& paths, const std::stop_token& stop) const;
-  /// The other way, into `to`: regular files only, no larger than most_mb (0: any size), and none
-  /// of those names at the top.
-  Result<void> fetch(const std::string& path, const std::filesystem::path& to, int most_mb,
+  /// The other way, into the folder `to` of the project: regular files only, no larger than most_mb
+  /// (0: any size), and none of those names at the top. Error: CannotWrite for a link on the way
+  /// to `to`, of which rsync would delete what the cluster has not.
+  Result<void> fetch(const std::string& path, const std::string& to, int most_mb,
                      const std::vector<std::string>& but, const std::stop_token& stop) const;
 
  private:

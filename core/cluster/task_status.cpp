@@ -151,7 +151,7 @@ Result<std::vector<TaskStatus>> statusOf(const fs::path& project, const Place& p
   if (tasks.anyUncollected()) {
     for (const auto& [path, most_mb] :
          {std::pair("cluster/state", kNoteMost_mb), std::pair("cluster/log", kLogMost_mb)})
-      if (const Result<void> here = place.fetch(path, project / path, most_mb, {}, stop); !here)
+      if (const Result<void> here = place.fetch(path, path, most_mb, {}, stop); !here)
         return here.error();
   }
   std::vector<TaskStatus> all;

@@ -17,31 +17,35 @@
 namespace ostraka {
 namespace {
 
-// Looks at a text before it becomes a value: its depth, and keys that one object has twice, of
-// which nobody could say which one holds. A parser with a callback would walk a whole list after
-// each of its objects.
-template <class Json>
-class Inspection final : public nlohmann::json_sax<Json> {
+// Looks at a text before it is parsed: its depth, and keys that one object has twice, of which
+// nobody could say which one holds. Not while it is parsed: the library's callback walks a whole
+// list after each object in it.
+class Inspection final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  using Base = nlohmann::json_sax<Json>;
+  bool start_object(std::size_t) override {
+    keys_.emplace_back();
+    return goesDeeper();
+  }
+  bool end_object() override {
+    keys_.pop_back();
+    return end_array();
+  }
+  bool start_array(std::size_t) override { return goesDeeper(); }
+  bool end_array() override {
+    --depth_;
+    return true;
+  }
+  bool key(std::string& key) override {
+    if (!keys_.back().insert(key).second) twice = key;
+    return true;
+  }
   bool null() override { return true; }
   bool boolean(bool) override { return true; }
-  bool number_integer(typename Base::number_integer_t) override { return true; }
-  bool number_unsigned(typename Base::number_unsigned_t) override { return true; }
-  bool number_float(typename Base::number_float_t, const typename Base::string_t&) override {
-    return true;
-  }
-  bool string(typename Base::string_t&) override { return true; }
-  bool binary(typename Base::binary_t&) override { return true; }
-  bool start_object(std::size_t) override { return begin(); }
-  bool end_object() override { return end(); }
-  bool start_array(std::size_t) override { return begin(); }
-  bool end_array() override { return end(); }
-  bool key(typename Base::string_t& key) override {
-    if (!keys_.back().insert(key).second && !twice) twice = key;
-    return true;
-  }
-  // The parser proper says what is wrong.
+  bool number_integer(std::int64_t) override { return true; }
+  bool number_unsigned(std::uint64_t) override { return true; }
+  bool number_float(double, const std::string&) override { return true; }
+  bool string(std::string&) override { return true; }
+  bool binary(nlohmann::json::binary_t&) override { return true; }
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
     return false;
   }
@@ -50,28 +54,23 @@ class Inspection final : public nlohmann::json_sax<Json> {
   std::optional<std::string> twice;
 
  private:
-  bool begin() {
-    keys_.emplace_back();
-    too_deep = keys_.size() > limits::kJsonDepth.most;
+  bool goesDeeper() {
+    too_deep = ++depth_ > limits::kJsonDepth.most;
     return !too_deep;
   }
-  bool end() {
-    keys_.pop_back();
-    return true;
-  }
-
-  std::vector<std::set<std::string>> keys_;  // of what is open; a list has none
+  std::uint64_t depth_ = 0;
+  std::vector<std::set<std::string>> keys_;  // of the objects that are open
 };
 
 template <class Json>
 Result<Json> parsed(std::string_view text, const std::string& where) {
   if (text.size() > limits::kJsonBytes.most)
     return Error::unusable(message("The JSON text is larger than 64 MiB."), where);
-  Inspection<Json> inspection;
+  Inspection inspection;
+  nlohmann::json::sax_parse(text, &inspection);
+  if (inspection.too_deep)
+    return Error::unusable(message("The JSON is nested deeper than 64 levels."), where);
   try {
-    Json::sax_parse(text, &inspection);
-    if (inspection.too_deep)
-      return Error::unusable(message("The JSON is nested deeper than 64 levels."), where);
     Json value = Json::parse(text);
     if (inspection.twice)
       return Error::unusable(

@@ -212,6 +212,18 @@ Result<NewFile> OpenFolder::create(const ContainedPath& path) const {
                  named(path));
 }
 
+Result<void> OpenFolder::move(const ContainedPath& from, const ContainedPath& to) const {
+  const auto source = folderOf(from, from.parts().size() - 1, Missing::Refused),
+             target = folderOf(to, to.parts().size() - 1, Missing::Made);
+  if (!source) return source.error();
+  if (!target) return target.error();
+  if (::renameat(source->get(), from.parts().back().c_str(), target->get(),
+                 to.parts().back().c_str()) != 0)
+    return cannotWrite(named(to), errno);
+  ::fsync(target->get());
+  return {};
+}
+
 Result<std::vector<OpenFolder::Entry>> OpenFolder::filesBelow(const ContainedPath& path) const {
   Result<FileDescriptor> folder = folderOf(path, path.parts().size(), Missing::Refused);
   if (!folder) return folder.error();

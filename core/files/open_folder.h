@@ -92,6 +92,9 @@ class OpenFolder {
   /// Folders on the way are made. Errors: UnusableInput for a link on the way or a file that is
   /// there, CannotWrite.
   Result<NewFile> create(const ContainedPath& path) const;
+  /// Gives a file another place below this folder, where it replaces a file. Folders on the way are
+  /// made. Errors: UnusableInput for a link on the way, CannotWrite.
+  Result<void> move(const ContainedPath& from, const ContainedPath& to) const;
   /// Something of this name is there, whatever it is.
   bool has(const ContainedPath& path) const;
   struct Entry {

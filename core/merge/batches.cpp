@@ -5,6 +5,7 @@
 #include "catalogue/batches.h"
 #include "catalogue/settings.h"
 #include "merge/merging.h"
+#include "merge/staged_files.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
 
@@ -12,8 +13,6 @@ namespace ostraka::merge {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kFoldersOfBatches[] = {"batches/", "results/", "models/"};
 
 }  // namespace
 
@@ -111,9 +110,12 @@ void Merging::mergeBags() {
   }
 }
 
-void Merging::addFile(const Table& table, const Values& values, const std::string& from) {
+FileCopy& Merging::addFile(const Table& table, const Values& values, const std::string& from) {
   const std::string to = values[table.column("path")].value_or("");
-  outcome_.copies[to] = {from, to, values[table.column("sha256")].value_or("")};
+  if (!isPlaceOfFiles(to)) throw store::Refused(notAPlaceOfFiles(to));
+  FileCopy& copy = outcome_.copies[to];
+  copy = {from, to, values[table.column("sha256")].value_or("")};
+  return copy;
 }
 
 // A term that one project took away stays away; one that it described otherwise is settled.

@@ -194,7 +194,7 @@ void Merging::mergeRow(const Table& table, const Row& mine, const Row& theirs) {
     if (table.name == "sherd" && unit.name == "number")
       claimNumber(mine.id, wanted[table.column("number")].value_or(""));
     if (table.name == "file" && unit.name == "content")
-      addFile(table, wanted, theirs.values[table.column("path")].value_or(""));
+      addFile(table, wanted, theirs.values[table.column("path")].value_or("")).replaces = true;
     if (table.name == "scan" && unit.name == "place")
       computed_in_b_.insert(wanted[table.column("batch")].value_or(""));
   }

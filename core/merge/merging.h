@@ -99,7 +99,7 @@ class Merging {
   void finishBatches();
   static bool isOfResults(const Table& table, const Values& values,
                           const std::set<std::string>& batches);
-  void addFile(const Table& table, const Values& values, const std::string& from);
+  FileCopy& addFile(const Table& table, const Values& values, const std::string& from);
   void mergeTerms();
   void mergeProject();
   void mergeSettings();

@@ -1,8 +1,9 @@
 #include "merge/staged_files.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 
+#include "base/message.h"
 #include "catalogue/settings.h"
 #include "files/checksum.h"
 #include "files/files.h"
@@ -24,7 +25,35 @@ Error unlikeInB(const std::string& path) {
       path);
 }
 
+// Nothing is there, or what may go. An error: a file that nobody gave up.
+Result<bool> isToBeWritten(const OpenFolder& project, const ContainedPath& place,
+                           const FileCopy& file, const std::string& sha256,
+                           const std::stop_token& stop) {
+  if (file.replaces || !project.has(place)) return true;
+  Result<OpenFile> there = project.read(place);
+  if (!there) return there.error();
+  const Result<Checksum> sum = checksumOf(*there, stop);
+  if (!sum) return sum.error();
+  if (sum->sha256 == sha256) return false;
+  return Error::unusable(
+      message("Project A has another file of this name, which its catalogue does "
+              "not know; move it elsewhere, nothing was merged."),
+      there->name());
+}
+
 }  // namespace
+
+Error notAPlaceOfFiles(const std::string& path) {
+  return Error::unusable(
+      message("Not a place of photographs, results or models, which are the only "
+              "files that a merge writes; nothing was merged."),
+      path);
+}
+
+bool isPlaceOfFiles(const std::string& path) {
+  return std::any_of(std::begin(kFoldersOfBatches), std::end(kFoldersOfBatches),
+                     [&](const char* folder) { return path.starts_with(folder); });
+}
 
 Result<StagedFiles> StagedFiles::begin(catalogue::Catalogue& catalogue, const fs::path& project) {
   StagedFiles files(project);
@@ -46,9 +75,11 @@ Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& f
                                Progress& progress, const std::stop_token& stop) {
   if (files.empty()) return {};
   if (const Result<void> made = makeFolder(project_ / kFolder); !made) return made;
-  const Result<OpenFolder> from = OpenFolder::open(b), to = OpenFolder::open(project_ / kFolder);
+  const Result<OpenFolder> from = OpenFolder::open(b), to = OpenFolder::open(project_ / kFolder),
+                           project = OpenFolder::open(project_);
   if (!from) return from.error();
   if (!to) return to.error();
+  if (!project) return project.error();
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (stop.stop_requested()) return Error::cancelled();
     progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(files.size()));
@@ -71,6 +102,9 @@ Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& f
     if (!sum) return sum.error();
     if (!files[i].sha256.empty() && files[i].sha256 != sum->sha256)
       return unlikeInB((b / files[i].from).string());
+    const Result<bool> needed = isToBeWritten(*project, *place, files[i], sum->sha256, stop);
+    if (!needed) return needed.error();
+    if (!*needed) continue;
     if (const Result<void> whole = copy->finish(); !whole) return whole;
     Result<OpenFile> written = to->read(staged);
     if (!written) return written.error();
@@ -101,19 +135,18 @@ Result<void> StagedFiles::note(catalogue::Catalogue& catalogue) const {
 }
 
 Result<void> StagedFiles::finish(catalogue::Catalogue& catalogue) {
-  std::set<std::string> folders;
+  // The journal may have come with a stranger's project.
+  const Result<OpenFolder> project = OpenFolder::open(project_);
+  if (!project) return project.error();
   for (const auto& [to, name] : staged_) {
-    const Result<ContainedPath> path = ContainedPath::parse(to);
-    if (!path) return path.error();
-    const fs::path from = project_ / kFolder / name, place = project_ / path->text();
-    std::error_code failed;
-    if (!fs::exists(fs::symlink_status(from, failed))) continue;  // it has its place
-    if (folders.insert(place.parent_path().string()).second)
-      if (const Result<void> made = makeFolder(place.parent_path()); !made) return made;
-    fs::rename(from, place, failed);
-    if (failed) return cannotWrite(place, failed.value());
+    const Result<ContainedPath> place = ContainedPath::parse(to),
+                                from = ContainedPath::parse(std::string(kFolder) + "/" + name);
+    if (!place) return place.error();
+    if (!from) return from.error();
+    if (!isPlaceOfFiles(to)) return notAPlaceOfFiles(to);
+    if (!project->has(*from)) continue;  // it has its place
+    if (const Result<void> moved = project->move(*from, *place); !moved) return moved;
   }
-  for (const std::string& folder : folders) syncFolder(folder);
   if (!staged_.empty())
     if (const Result<void> forgotten = catalogue.database().inTransaction([&] {
           catalogue.database().sql("DELETE FROM setting WHERE key = ?").with(kJournal).run();
@@ -155,7 +188,11 @@ Result<std::vector<FileCopy>> filesToCopy(const fs::path& b, const Outcome& outc
     }
   }
   std::vector<FileCopy> files;
-  for (const auto& [to, file] : all) files.push_back(file);
+  for (auto& [to, file] : all) {
+    for (const auto& [theirs, place] : outcome.files_of)
+      file.replaces |= to.starts_with(place + "/");
+    files.push_back(file);
+  }
   return files;
 }
 

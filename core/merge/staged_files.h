@@ -14,6 +14,11 @@
 
 namespace ostraka::merge {
 
+/// Where files of a project lie, a folder a batch: a merge writes nowhere else.
+inline constexpr const char* kFoldersOfBatches[] = {"batches/", "results/", "models/"};
+bool isPlaceOfFiles(const std::string& path);
+Error notAPlaceOfFiles(const std::string& path);
+
 /// Files on their way into a project: they wait in PROJECT/merge.partial, whole, until the
 /// catalogue that names them is saved, and then take their places by renaming. Which go where
 /// stands in the same transaction (setting merge.files), so that a process that was killed in
@@ -24,7 +29,8 @@ class StagedFiles {
   static Result<StagedFiles> begin(catalogue::Catalogue& catalogue,
                                    const std::filesystem::path& project);
   /// Each against its checksum, in B's catalogue and as it was written. Those that B has not are
-  /// listed. Errors: UnusableInput for a file that is not as B's catalogue has it, or a link.
+  /// listed. Errors: UnusableInput for a file that is not as B's catalogue has it, a link, or a
+  /// place where another file lies that FileCopy::replaces does not give up.
   Result<void> copy(const std::filesystem::path& b, const std::vector<FileCopy>& files,
                     Progress& progress, const std::stop_token& stop);
   Result<void> put(const std::string& to, const std::string& bytes);

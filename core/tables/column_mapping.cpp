@@ -54,6 +54,9 @@ double leastOwn(const std::string& field) {
   return field == "weight_g" ? 1 : 15;
 }
 
+// Beyond it a part of a rim is in %: a share is at most 1, and its estimate hardly more.
+constexpr double kMostShare = 1.5;
+
 // From the values; what each of them says itself needs none.
 void proposeUnit(const CsvTable& table, std::size_t column, ColumnChoice& choice) {
   const std::vector<std::string> units = unitsOf(choice.field);
@@ -66,9 +69,15 @@ void proposeUnit(const CsvTable& table, std::size_t column, ColumnChoice& choice
     if (!written.unit.empty() || written.text.empty() || written.text.starts_with('<')) continue;
     if (const Result<double> number = store::parsedNumber(written.text)) values.push_back(*number);
   }
-  choice.unit_idle = values.empty();
-  choice.unit_guessed = !values.empty();
-  if (values.empty()) return;
+  const bool of_a_whole = units.back() == "share";
+  choice.unit_idle = values.empty() ||
+                     (of_a_whole && *std::max_element(values.begin(), values.end()) > kMostShare);
+  choice.unit_guessed = !choice.unit_idle;
+  if (choice.unit_idle) return;
+  if (of_a_whole) {
+    choice.unit = units.back();
+    return;
+  }
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   if (*middle < leastOwn(choice.field)) choice.unit = units[1];

@@ -24,7 +24,7 @@ struct ColumnChoice {
   ChosenBy by = ChosenBy::Person;
   bool unit_guessed = false;              ///< from its values: nothing else says it
   std::vector<std::string> samples = {};  ///< the first values that are not blank
-  bool unit_idle = false;                 ///< nothing says it, and no value needs it
+  bool unit_idle = false;                 ///< nothing says it, and the values leave no other
   bool isOwn() const { return field.starts_with("extra."); }
 };
 

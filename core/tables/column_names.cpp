@@ -228,16 +228,18 @@ std::string fieldOfColumn(std::string_view column, bool of_contexts) {
 std::string unitNamed(std::string_view text) {
   const std::string typed = store::trimmed(text);
   if (typed == "%") return typed;
+  const char* const kShare = "share";  // eve: estimated vessel equivalents; a whole rim is 1
   static const std::map<std::string, std::string> kUnits = {
-      {"mm", "mm"},   {"millimetre", "mm"}, {"millimeter", "mm"}, {"millimetres", "mm"},
-      {"cm", "cm"},   {"centimetre", "cm"}, {"zentimeter", "cm"}, {"centimeter", "cm"},
-      {"m", "m"},     {"g", "g"},           {"gr", "g"},          {"gram", "g"},
-      {"grams", "g"}, {"gramm", "g"},       {"kg", "kg"},         {"kilo", "kg"},
-      {"mg", "mg"},   {"pct", "%"},         {"percent", "%"},     {"prozent", "%"},
-      {"χλστ", "mm"}, {"χιλ", "mm"},        {"εκ", "cm"},         {"γρ", "g"},
-      {"χγρ", "kg"},  {"κιλα", "kg"},       {"մմ", "mm"},         {"սմ", "cm"},
-      {"գ", "g"},     {"գր", "g"},          {"կգ", "kg"},         {"мм", "mm"},
-      {"см", "cm"},   {"г", "g"},           {"кг", "kg"}};
+      {"mm", "mm"},      {"millimetre", "mm"}, {"millimeter", "mm"}, {"millimetres", "mm"},
+      {"cm", "cm"},      {"centimetre", "cm"}, {"zentimeter", "cm"}, {"centimeter", "cm"},
+      {"m", "m"},        {"g", "g"},           {"gr", "g"},          {"gram", "g"},
+      {"grams", "g"},    {"gramm", "g"},       {"kg", "kg"},         {"kilo", "kg"},
+      {"mg", "mg"},      {"pct", "%"},         {"percent", "%"},     {"prozent", "%"},
+      {"χλστ", "mm"},    {"χιλ", "mm"},        {"εκ", "cm"},         {"γρ", "g"},
+      {"χγρ", "kg"},     {"κιλα", "kg"},       {"մմ", "mm"},         {"սմ", "cm"},
+      {"գ", "g"},        {"գր", "g"},          {"կգ", "kg"},         {"мм", "mm"},
+      {"см", "cm"},      {"г", "g"},           {"кг", "kg"},         {"eve", kShare},
+      {"share", kShare}, {"anteil", kShare}};
   const auto found = kUnits.find(store::plainKey(typed));
   return found == kUnits.end() ? std::string() : found->second;
 }
@@ -247,7 +249,7 @@ NameAndUnit nameAndUnit(const std::string& column) {
   while (!text.empty() && std::string_view(")]}.").find(text.back()) != std::string_view::npos)
     text.pop_back();
   const std::size_t before = text.find_last_of(kSeparators);
-  if (before == std::string::npos) return {column, {}};
+  if (before == std::string::npos) return {column, unitNamed(text)};
   const std::string unit = unitNamed(text.substr(before + 1));
   std::string name = withoutMarks(text.substr(0, before));
   if (unit.empty() || name.empty()) return {column, {}};
@@ -259,13 +261,13 @@ NameAndUnit nameAndUnit(const std::string& column) {
 std::vector<std::string> unitsOf(const std::string& field) {
   if (field.ends_with("_mm")) return {"mm", "cm", "m"};
   if (field.ends_with("_g")) return {"g", "kg", "mg"};
-  if (field.ends_with("_pct")) return {"%"};
+  if (field.ends_with("_pct")) return {"%", "share"};
   return {};
 }
 
 int tensBetween(const std::string& unit, const std::string& field) {
   static const std::map<std::string, int> kTens = {{"mm", 0}, {"cm", 1},  {"m", 3}, {"g", 0},
-                                                   {"kg", 3}, {"mg", -3}, {"%", 0}};
+                                                   {"kg", 3}, {"mg", -3}, {"%", 0}, {"share", 2}};
   const auto found = kTens.find(unit);
   return found == kTens.end() || unitsOf(field).empty() ? 0 : found->second;
 }

@@ -10,12 +10,14 @@ namespace ostraka::tables {
 std::string fieldOfColumn(std::string_view column, bool of_contexts);
 
 /// A column's name taken apart: "Gewicht (kg)", "weight_kg" and "Gewicht in kg" are Gewicht and kg.
+/// What is nothing but a unit is both: "eve" is a share of 1 by its name.
 struct NameAndUnit {
   std::string name, unit;  ///< unit as in unitsOf(); empty where the name says none
 };
 NameAndUnit nameAndUnit(const std::string& column);
 
-/// mm, cm, m, g, kg, mg, %, or empty: how a unit is written in the program's languages.
+/// mm, cm, m, g, kg, mg, %, share (of 1), or empty: how a unit is written in the program's
+/// languages.
 std::string unitNamed(std::string_view text);
 
 /// The units that a field's values may have, its own first; empty of one without numbers.

@@ -60,11 +60,9 @@ struct Usual {
   const char* field;  ///< its beginning
   double least, most, factor;
 };
-constexpr Usual kUsual[] = {{"length_mm", 3, 600, 8},
-                            {"width_mm", 2, 600, 8},
-                            {"thickness_", 0.5, 100, 8},
-                            {"rim_diameter_mm", 10, 1000, 8},
-                            {"weight_g", 0.1, 5000, 500}};
+constexpr Usual kUsual[] = {{"length_mm", 3, 600, 8},    {"width_mm", 2, 600, 8},
+                            {"thickness_", 0.5, 100, 8}, {"rim_diameter_mm", 10, 1000, 8},
+                            {"rim_pct", 1, 100, 500},    {"weight_g", 0.1, 5000, 500}};
 
 const Usual* usualOf(const std::string& field) {
   const auto* const found =

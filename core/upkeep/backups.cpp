@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <ctime>
+#include <optional>
 #include <set>
+#include <utility>
 
+#include "catalogue/history.h"
+#include "catalogue/settings.h"
 #include "files/files.h"
 #include "store/database.h"
 #include "store/file_header.h"
 #include "store/partial_file.h"
+#include "store/schema_check.h"
 #include "upkeep/project.h"
 
 namespace ostraka::upkeep {
@@ -22,6 +27,21 @@ const std::size_t kDayLetters = kBackup.size() + 8;
 // Made while the clock was ahead, or by no program of ours: it says nothing of how new it is.
 bool isOfLater(const fs::path& file, std::int64_t now_ms) {
   return file.filename().string() > kBackup + timeStamp(now_ms) + "~";
+}
+
+// None of what is no catalogue of ours: it may have come with a stranger's archive.
+std::optional<Backup> readBackup(const fs::path& file) {
+  if (!store::checkSchema(file)) return std::nullopt;
+  const auto database = store::Database::open(file, store::Database::Mode::ReadOnly);
+  if (!database) return std::nullopt;
+  const Result<Backup> read = (*database)->asResult([&] {
+    Backup backup{file, {}, 0};
+    store::Statement row =
+        (*database)->sql("SELECT id, (SELECT ifnull(max(number), 0) FROM history) FROM project");
+    if (row.next()) row >> backup.project >> backup.history;
+    return backup;
+  });
+  return read && !read->project.empty() ? std::optional(*read) : std::nullopt;
 }
 
 }  // namespace
@@ -56,19 +76,22 @@ Result<fs::path> backUpInto(const fs::path& folder, const catalogue::Catalogue& 
 Result<fs::path> Project::backUp(int keep, int days) const {
   Result<fs::path> file = backUpInto(folder_, catalogue_, {});
   if (!file) return file;
-  // Copies made before an update or a repair are for life; only the others make room.
+  const Result<records::ProjectRecord> project = catalogue::Settings(catalogue_).project();
+  if (!project) return project.error();
+  // Copies made before an update or a repair are for life, and so are those with changes that this
+  // one lacks; only the others of this project make room.
+  const std::int64_t history = catalogue::History(catalogue_).length();
   std::error_code ignored;
-  const std::uintmax_t bytes = fs::file_size(*file, ignored);
   int seen = 0;
   std::set<std::string> seen_days;
-  for (const fs::path& old : backups()) {
-    const std::string name = old.filename().string();
-    if (name.find("-before-") != std::string::npos || isOfLater(old, catalogue_.now())) continue;
+  for (const Backup& old : copiesOf(project->id, backups())) {
+    const std::string name = old.file.filename().string();
+    if (name.find("-before-") != std::string::npos || isOfLater(old.file, catalogue_.now()) ||
+        old.history > history)
+      continue;
     const bool last_of_its_day = seen_days.insert(name.substr(0, kDayLetters)).second;
     const bool kept_for_its_day = last_of_its_day && static_cast<int>(seen_days.size()) <= days;
-    const bool much_larger = fs::file_size(old, ignored) > bytes + bytes / 4;
-    if (++seen > keep && !kept_for_its_day && !much_larger && old != *file)
-      fs::remove(old, ignored);
+    if (++seen > keep && !kept_for_its_day && old.file != *file) fs::remove(old.file, ignored);
   }
   return file;
 }
@@ -103,6 +126,19 @@ std::vector<fs::path> backupsOf(const fs::path& folder, std::int64_t now_ms) {
   std::stable_partition(files.begin(), files.end(),
                         [&](const fs::path& file) { return !isOfLater(file, now_ms); });
   return files;
+}
+
+std::vector<Backup> copiesOf(std::string project, const std::vector<fs::path>& files) {
+  std::vector<Backup> copies;
+  for (const fs::path& file : files) {
+    std::optional<Backup> copy = readBackup(file);
+    if (!copy) continue;
+    if (project.empty()) project = copy->project;
+    if (copy->project == project) copies.push_back(std::move(*copy));
+  }
+  std::stable_sort(copies.begin(), copies.end(),
+                   [](const Backup& a, const Backup& b) { return a.history > b.history; });
+  return copies;
 }
 
 std::vector<fs::path> Project::backups() const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -13,6 +14,16 @@ std::string timeStamp(std::int64_t now_ms);
 /// Of a project's folder, the newest first; those of a time that is still to come are last.
 std::vector<std::filesystem::path> backupsOf(const std::filesystem::path& folder,
                                              std::int64_t now_ms);
+/// A copy of a catalogue, and the number of the last change that it contains.
+struct Backup {
+  std::filesystem::path file;
+  std::string project;  ///< its id
+  std::int64_t history = 0;
+};
+/// Those of `files` that are catalogues of one project, the one whose history goes furthest first,
+/// as the clock may have been wrong; equal ones stay in their order. project: its id; empty: the
+/// project of the first. All but their schema may be damaged.
+std::vector<Backup> copiesOf(std::string project, const std::vector<std::filesystem::path>& files);
 /// A copy of the project's catalogue in backups/, read back; kind stands behind its time. Copies of
 /// the kinds -before-update and -before-repair are never removed.
 Result<std::filesystem::path> backUpInto(const std::filesystem::path& folder,

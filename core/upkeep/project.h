@@ -42,9 +42,9 @@ class Project {
   std::filesystem::path batchFolder(const std::string& number) const;
   std::filesystem::path resultsFolder(const std::string& number) const;
 
-  /// Into backups/, checked by reading it back. This one and the newest `keep` stay, of each of the
-  /// latest `days` (UTC) with a copy the last one, and all that are larger by more than a quarter:
-  /// catalogues grow, so something is missing in this one. Returns the file.
+  /// Into backups/, checked by reading it back. This one and the `keep` whose history goes furthest
+  /// stay, of each of the latest `days` (UTC) with a copy the last one, all with changes that this
+  /// one lacks, and what is no copy of this project. Returns the file.
   Result<std::filesystem::path> backUp(int keep = 20, int days = 30) const;
   /// The same if anything was changed since the newest copy, and that is `after` old or more.
   /// Returns whether a copy was made.

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/message.h"
+#include "catalogue/settings.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "files/open_folder.h"
@@ -111,7 +112,7 @@ class Repair {
       fs::copy_file(file_.string() + kWal, copy->path().string() + kWal, failed);
     if (failed) return cannotWrite(file_, failed.value());
     progress_.report(0, 4);
-    if (Result<void> found = findBackups(); !found) return found.error();
+    backups_ = backupsOf(project_, clock_());
     const Result<PageRepair> pages = repairPages(copy->path(), backups_);
     if (!pages) return pages.error();
     report_.pages = pages->pages;
@@ -162,16 +163,23 @@ class Repair {
     return catalogue.checkIntegrity();
   }
 
-  // The newest first; the first whole one is what rows are taken from.
-  Result<void> findBackups() {
-    backups_ = backupsOf(project_, clock_());
-    for (const fs::path& backup : backups_) {
+  // Empty where the file says nothing, or is not ours. Its WAL is left to be read over the pages
+  // that come from the backup.
+  std::string projectOf(const fs::path& file) const {
+    const Result<catalogue::Catalogue> catalogue = opened(file, store::Database::Mode::ReadOnly);
+    if (!catalogue || !store::checkSchema(catalogue->database())) return {};
+    const Result<records::ProjectRecord> project = catalogue::Settings(*catalogue).project();
+    return project ? project->id : std::string();
+  }
+
+  // The first whole one is what rows are taken from.
+  Result<void> findBase(const fs::path& damaged) {
+    for (const Backup& backup : copiesOf(projectOf(damaged), backups_)) {
       if (stop_.stop_requested()) return Error::cancelled();
-      if (!store::checkSchema(backup)) continue;  // it may have come with a stranger's archive
       const Result<catalogue::Catalogue> catalogue =
-          opened(backup, store::Database::Mode::ReadOnly);
+          opened(backup.file, store::Database::Mode::ReadOnly);
       if (!catalogue || !catalogue->checkIntegrity() || !checkPaths(*catalogue)) continue;
-      base_ = backup;
+      base_ = backup.file;
       break;
     }
     return {};
@@ -179,6 +187,7 @@ class Repair {
 
   Result<void> makeFrom(const fs::path& damaged, const PageRepair& pages,
                         store::PartialFile& fresh) {
+    if (Result<void> found = findBase(damaged); !found) return found;
     if (base_.empty())
       return Error{
           ErrorCode::Damaged,

@@ -34,12 +34,12 @@ struct RepairReport {
 };
 
 /// Makes a damaged catalogue whole: pages that their own checksums prove, then row by row from the
-/// newest whole backup and the history. Writes the new catalogue beside it, checks it, backs it up,
-/// keeps the damaged file and renames. Nobody may have the project open, and nobody can open it
-/// meanwhile. A repair that was killed is ended by the next one. A whole catalogue is left as it
-/// is; a backup that was put in its place loses the WAL of the file that it replaced, which is kept
-/// as `damaged`-wal. Errors: in use, no whole backup where one is needed, CannotWrite, Cancelled;
-/// then everything is as it was.
+/// whole backup of this project whose history goes furthest, and the history. Writes the new
+/// catalogue beside it, checks it, backs it up, keeps the damaged file and renames. Nobody may have
+/// the project open, and nobody can open it meanwhile. A repair that was killed is ended by the
+/// next one. A whole catalogue is left as it is; a backup that was put in its place loses the WAL
+/// of the file that it replaced, which is kept as `damaged`-wal. Errors: in use, no whole backup
+/// where one is needed, CannotWrite, Cancelled; then everything is as it was.
 Result<RepairReport> repairCatalogue(const std::filesystem::path& project, Progress& progress,
                                      std::stop_token stop,
                                      const catalogue::Catalogue::Clock& clock = {});

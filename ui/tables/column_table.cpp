@@ -99,11 +99,12 @@ QWidget* ColumnTable::unitBox(int row, const tables::ColumnChoice& choice) {
   box->setObjectName(QStringLiteral("columnUnit%1").arg(row));
   box->setAccessibleName(tr("Unit of the column %1").arg(QString::fromStdString(choice.column)));
   for (const std::string& unit : tables::unitsOf(choice.field))
-    box->addItem(QString::fromStdString(unit));
-  box->setCurrentText(QString::fromStdString(choice.unit));
+    box->addItem(unit == "share" ? tr("share of 1") : QString::fromStdString(unit),
+                 QString::fromStdString(unit));
+  box->setCurrentIndex(box->findData(QString::fromStdString(choice.unit)));
   connect(box, &QComboBox::activated, &model_,
           [this, row, box, field = QString::fromStdString(choice.field)](int at) {
-            model_.setColumn(row, field, box->itemText(at));
+            model_.setColumn(row, field, box->itemData(at).toString());
           });
   return box;
 }

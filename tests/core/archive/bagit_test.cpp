@@ -93,9 +93,38 @@ TEST_F(Bag, NamesThatCouldBeMistakenAreRefused) {
   Result<BagWriter> bag = BagWriter::begin(target);
   ASSERT_TRUE(bag->add("a/B.txt", "1"));
   EXPECT_FALSE(bag->add("a/b.TXT", "2")) << "the same file on other systems";
-  for (const char* name : {"../x", "/x", "a%41", "a\nb", "", "a/../b"})
+  for (const char* name : {"../x", "/x", "a\nb", "a\\b", "\xFF.jpg", "", "a/../b"})
     EXPECT_FALSE(bag->add(name, "2")) << name;
   EXPECT_FALSE(bag->addFile("c", folder.path() / "not there", {}));
+}
+
+TEST_F(Bag, NamesWithPerCentSignsAreEncodedInTheManifestAlone) {
+  Result<BagWriter> bag = BagWriter::begin(target);
+  const std::vector<std::string> names = {"%.jpg", "%25.jpg", "50%/%2525%0A.jpg"};
+  for (const std::string& name : names) {
+    ASSERT_TRUE(bag->add(name, name)) << name;
+    EXPECT_EQ(fromManifest(inManifest(name)), name);
+  }
+  ASSERT_TRUE(bag->finish({}));
+  const auto files = check();
+  ASSERT_TRUE(files) << files.error().sentence();
+  ASSERT_EQ(files->size(), names.size());
+  for (const BagFile& file : *files) EXPECT_EQ("data/" + *readFile(target / file.path), file.path);
+  const std::string manifest = *readFile(target / "manifest-sha256.txt");
+  EXPECT_NE(manifest.find("  data/50%25/%252525%250A.jpg\n"), std::string::npos) << manifest;
+  for (const char* name : {"data/50%.jpg", "data/%41", "%"})
+    EXPECT_EQ(fromManifest(name), name) << "of a program that encodes nothing";
+  EXPECT_EQ(fromManifest("a%0D%0a"), "a\r\n");
+}
+
+TEST_F(Bag, ARefusedNameIsNamedAndItsTwinToo) {
+  Result<BagWriter> bag = BagWriter::begin(target);
+  ASSERT_TRUE(bag->add("front/a.jpg", "1"));
+  const auto twin = bag->add("front/A.jpg", "2");
+  ASSERT_FALSE(twin);
+  EXPECT_EQ(twin.error().where, "front/A.jpg");
+  EXPECT_NE(twin.error().what.english().find("front/a.jpg"), std::string::npos);
+  EXPECT_EQ(bag->add("front/\xFF.jpg", "3").error().where, "front/\xFF.jpg");
 }
 
 TEST_F(Bag, AChangedAMissingAndAnUnlistedFileAreNoticed) {

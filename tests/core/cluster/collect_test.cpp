@@ -140,6 +140,26 @@ TEST_F(CollectFromAfar, ALineThatBreaksLosesNothing) {
   EXPECT_EQ(sherdsOf(one), 3u);
 }
 
+// rsync would delete there what the cluster has not.
+TEST_F(CollectFromAfar, NothingIsDeletedThroughALink) {
+  if (!hasRsync()) GTEST_SKIP() << "rsync is not installed";
+  queuedBatch();
+  ASSERT_TRUE(submitAll());
+  runTasks(there());
+  const fs::path elsewhere = folder_.path() / "elsewhere";
+  fs::create_directories(elsewhere);
+  put(elsewhere / "mine.txt", "mine");
+  for (const char* name : {"state", "incoming"}) {
+    const fs::path folder = clusterFolder(project_->folder()) / name;
+    fs::remove_all(folder);
+    fs::create_directory_symlink(elsewhere, folder);
+    EXPECT_FALSE(collect(*project_, quiet, {})) << name;
+    EXPECT_EQ(textOf(elsewhere / "mine.txt"), "mine") << name;
+    fs::remove(folder);
+  }
+  EXPECT_THAT(collectAll().batches, ElementsAre("B0001")) << "the results are still there";
+}
+
 class TakePlace : public ClusterProject {
  protected:
   TakePlace() {

@@ -67,6 +67,20 @@ TEST_F(AnOpenFolder, FollowsNoLinkOnTheWayNorAtItsEnd) {
   EXPECT_EQ(*readFile(root_ / "outside/file.txt"), "outside");
 }
 
+TEST_F(AnOpenFolder, MovesAFileOnlyWithinItself) {
+  fs::create_directory_symlink(root_ / "outside", root_ / "inside/folder");
+  const OpenFolder folder = inside();
+  EXPECT_FALSE(folder.move(path("below/file.txt"), path("folder/moved.txt")));
+  EXPECT_FALSE(folder.move(path("folder/file.txt"), path("below/moved.txt")));
+  EXPECT_EQ(textOf("below/file.txt"), "inside");
+  EXPECT_EQ(entries("outside"), 1u);
+  ASSERT_TRUE(write(folder, "new.txt"));
+  ASSERT_TRUE(folder.move(path("new.txt"), path("below/file.txt")));
+  EXPECT_EQ(textOf("below/file.txt"), "new") << "what was there is replaced";
+  ASSERT_TRUE(folder.move(path("below/file.txt"), path("made/on/the/way.txt")));
+  EXPECT_EQ(textOf("made/on/the/way.txt"), "new");
+}
+
 TEST_F(AnOpenFolder, GivesWhatACatalogueNamesOnlyFromWithin) {
   Result<OpenFile> file = OpenFile::within(root_ / "inside", "below/file.txt");
   ASSERT_TRUE(file) << file.error().sentence();

@@ -38,6 +38,16 @@ class MergedFiles : public TwoHouses {
                                      project.resultsFolder("B0002"), {}, quiet, {}));
     return Batches(project.catalogue()).get(row)->id;
   }
+  void nameInB(const std::string& path, const std::string& bytes) {
+    records::FileRecord f;
+    f.path = path;
+    f.sha256 = sha256(bytes);
+    f.bytes = static_cast<std::int64_t>(bytes.size());
+    f.media_type = "image/jpeg";
+    f.role = "photo";
+    put(b_.folder() / path, bytes);
+    EXPECT_TRUE(Files(b_.catalogue()).save(f, anna));
+  }
   void everyFileIsThere() {
     for (const records::FileRecord& file : valueIn(Files(catalogue()).all()))
       EXPECT_EQ(sha256(bytesOf(project_->folder() / file.path)), file.sha256) << file.path;
@@ -111,6 +121,48 @@ TEST_F(MergedFiles, WhatAKilledMergeCopiedInVainGoes) {
   merged(*project_, b_);
   EXPECT_FALSE(fs::exists(project_->folder() / "merge.partial"));
   everyFileIsThere();
+}
+
+// Anybody may have written B.
+TEST_F(MergedFiles, NoneComesToAPlaceThatIsNotOfABatch) {
+  nameInB("backups/catalogue-20260101-000000-000.sqlite", "of B");
+  const std::string before = contentIn(*project_);
+  const Result<MergeReport> report = tried(*project_, b_, {});
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().where, testing::HasSubstr("backups/"));
+  EXPECT_EQ(contentIn(*project_), before);
+  EXPECT_FALSE(fs::exists(project_->folder() / "backups/catalogue-20260101-000000-000.sqlite"));
+}
+
+TEST_F(MergedFiles, NoneReplacesAFileThatACatalogueDoesNotKnow) {
+  const std::string path = "batches/B0001/front/more.jpg";
+  put(project_->folder() / path, "of A");
+  nameInB(path, "of B");
+  const std::string before = contentIn(*project_);
+  const Result<MergeReport> report = tried(*project_, b_, {});
+  ASSERT_FALSE(report);
+  EXPECT_THAT(report.error().where, testing::HasSubstr(path));
+  EXPECT_EQ(contentIn(*project_), before);
+  EXPECT_EQ(bytesOf(project_->folder() / path), "of A");
+  put(project_->folder() / path, "of B");
+  EXPECT_TRUE(merged(*project_, b_).entered) << "the same bytes are the same file";
+  everyFileIsThere();
+}
+
+TEST_F(MergedFiles, AJournalOfAStrangerMovesNothingFromOrToElsewhere) {
+  put(folder_.path() / "mine.txt", "mine");
+  fs::create_directories(folder_.path() / "elsewhere");
+  fs::create_directory_symlink(folder_.path() / "elsewhere", project_->folder() / "batches/B0009");
+  for (const auto& [to, name] :
+       {std::pair("batches/B0008/mine.txt", "../../mine.txt"),
+        std::pair("batches/B0009/mine.txt", "1"), std::pair("backups/mine.txt", "1")}) {
+    put(project_->folder() / "merge.partial/1", "theirs");
+    ASSERT_TRUE(
+        Settings(catalogue()).setValue("merge.files", nlohmann::json::object({{to, name}}).dump()));
+    EXPECT_FALSE(tried(*project_, b_, {})) << to;
+    EXPECT_FALSE(fs::exists(project_->folder() / to)) << to;
+  }
+  EXPECT_EQ(bytesOf(folder_.path() / "mine.txt"), "mine");
 }
 
 TEST_F(MergedFiles, ABatchThatOnlyBComputedGetsItsResults) {

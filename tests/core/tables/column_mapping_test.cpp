@@ -159,6 +159,33 @@ TEST_F(Columns, TakeTheUnitOfTheirHeadingWhateverFieldIsChosen) {
   EXPECT_FALSE(mapping.columns[1].unit_guessed);
 }
 
+TEST_F(Columns, OfVesselEquivalentsAreSharesOfOneByTheirName) {
+  for (const char* name : {"eve", "EVE", "rim eve", "Rim EVE"}) {
+    const ColumnChoice rim =
+        map(std::string("number;") + name + "\nX-1;0,15\nX-2;0,9\n")->columns[1];
+    EXPECT_EQ(rim.field, "rim_pct") << name;
+    EXPECT_EQ(rim.unit, "share") << name;
+    EXPECT_FALSE(rim.unit_guessed) << name;
+  }
+  EXPECT_EQ(map("number;EVE (%)\nX-1;15\n")->columns[1].unit, "%");
+  import("Nummer;Fundort;Schnitt;Befund;EVE\nX-1;ARM1;T3;0012;0,15\n");
+  EXPECT_EQ(valueIn("X-1", "rim_pct"), "15");
+}
+
+TEST_F(Columns, OfRimsWithoutAUnitAreGuessedToBeSharesWhereAllValuesCanBe) {
+  const ColumnChoice shares = map("number;rim preserved\nX-1;0,15\nX-2;1,05\n")->columns[1];
+  EXPECT_EQ(shares.unit, "share");
+  EXPECT_TRUE(shares.unit_guessed);
+  constexpr const char* kPercent =
+      "Nummer;Fundort;Schnitt;Befund;Rand erhalten\nX-1;ARM1;T3;0012;15\nX-2;ARM1;T3;0012;1\n";
+  EXPECT_EQ(map(kPercent)->columns[4].unit, "%");
+  EXPECT_FALSE(import(kPercent).held) << "fifteen rims are no part of one";
+  const ColumnChoice next =
+      map("Nummer;Fundort;Schnitt;Befund;Rand erhalten\nX-3;ARM1;T3;0012;0,4\n")->columns[4];
+  EXPECT_EQ(next.by, ChosenBy::Earlier);
+  EXPECT_TRUE(next.unit_guessed) << "the last table's values say nothing about this one's";
+}
+
 TEST_F(Columns, WithUncertaintiesHaveAGuessedUnitToo) {
   EXPECT_TRUE(map("number;Dicke\nX-1;0,6 ± 0,1\n")->columns[1].unit_guessed);
   EXPECT_EQ(map("number;Dicke\nX-1;0,6 ± 0,1\n")->columns[1].unit, "cm");

@@ -44,7 +44,9 @@ TEST(ColumnNames, SayTheirUnitInBracketsAndBehindTheirName) {
         std::tuple("weight_g", "weight", "g"), std::tuple("Länge, mm", "Länge", "mm"),
         std::tuple("Breite in cm", "Breite", "cm"), std::tuple("βάρος (γρ.)", "βάρος", "g"),
         std::tuple("rim, %", "rim", "%"), std::tuple("Munsell", "Munsell", ""),
-        std::tuple("kg", "kg", ""), std::tuple("munsell core", "munsell core", "")}) {
+        std::tuple("kg", "kg", "kg"), std::tuple("EVE", "EVE", "share"),
+        std::tuple("rim eve", "rim", "share"), std::tuple("EVE (%)", "EVE", "%"),
+        std::tuple("munsell core", "munsell core", "")}) {
     const NameAndUnit parts = nameAndUnit(column);
     EXPECT_EQ(parts.name, name);
     EXPECT_EQ(parts.unit, unit) << column;

@@ -87,6 +87,12 @@ TEST_F(Numbers, ThatHardlyASherdHasAsk) {
   EXPECT_EQ(import(table("weight_g", {"0.4", "900"})).questions.size(), 2u);
 }
 
+TEST_F(Numbers, OfRimsBelowOnePerCentAsk) {
+  const ImportReport report = import(table("rim_pct", {"0.15", "12", "100"}));
+  EXPECT_THAT(linesOf(report.questions), ElementsAre(2));
+  EXPECT_EQ(report.fresh, 2);
+}
+
 TEST_F(Numbers, FarFromTheOthersOfTheirColumnAsk) {
   const std::string diameters = table("rim_diameter_mm", {"24", "240", "0.24"});
   const ImportReport report = import(diameters);

@@ -206,6 +206,38 @@ TEST_F(ProjectFolder, OldBackupsMakeRoomForNewOnes) {
   EXPECT_GT(project_->backups()[0], project_->backups()[1]) << "the newest first";
 }
 
+// The newer copies were made while the clock stood years ago.
+TEST_F(ProjectFolder, BackupsWithTheShortestHistoryMakeRoomWhateverTheClockSaid) {
+  const fs::path folder = project_->folder() / "backups";
+  const fs::path first = *project_->backUp(3, 0);
+  std::vector<fs::path> kept;
+  for (int i = 0; i < 2; ++i) {
+    numbered(context12);
+    kept.push_back(folder / ("catalogue-20200101-00000" + std::to_string(i) + "-000.sqlite"));
+    fs::rename(*project_->backUp(3, 0), kept.back());
+  }
+  numbered(context12);
+  kept.push_back(*project_->backUp(3, 0));
+  EXPECT_FALSE(fs::exists(first)) << "all that it contains is in each of the others";
+  for (const fs::path& file : kept) EXPECT_TRUE(fs::exists(file)) << file;
+}
+
+TEST_F(ProjectFolder, BackupsWithChangesThatTheCatalogueLacksStay) {
+  const fs::path early = *project_->backUp();
+  numbered(context12);
+  const fs::path late = *project_->backUp();
+  const fs::path folder = project_->folder();
+  project_.reset();
+  for (const char* part : {"", "-wal", "-shm"})
+    fs::remove(folder / (std::string("catalogue.sqlite") + part));
+  fs::copy_file(early, folder / "catalogue.sqlite");
+  project_ = std::make_unique<Project>(
+      catalogue::valueIn(Project::open(folder, [this] { return now_ms += 1; })));
+  for (int i = 0; i < 5; ++i) ASSERT_TRUE(project_->backUp(1, 0));
+  EXPECT_TRUE(fs::exists(late));
+  EXPECT_EQ(project_->backups().size(), 2u);
+}
+
 TEST_F(ProjectFolder, TheLastBackupOfEachDayStays) {
   constexpr std::int64_t kDay_ms = 24 * 3600 * 1000;
   std::vector<fs::path> last_of_day;

@@ -1,0 +1,60 @@
+// Which backup a repair begins with.
+#include "catalogue/history.h"
+#include "catalogue/settings.h"
+#include "tests/core/catalogue/flipped_bits.h"
+#include "tests/core/catalogue/small_project.h"
+#include "upkeep/repair.h"
+
+namespace ostraka::upkeep {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RepairBase : public catalogue::SmallProject {
+ protected:
+  fs::path folder() const { return folder_.path() / "project"; }
+  fs::path file() const { return folder() / "catalogue.sqlite"; }
+  RepairReport repaired() {
+    return catalogue::valueIn(
+        repairCatalogue(folder(), quiet_, {}, [this] { return now_ms += 1; }));
+  }
+  void fill(int sherds) {
+    for (int i = 0; i < sherds; ++i) EXPECT_TRUE(set(numbered(context12), "ware", "grey"));
+  }
+  QuietProgress quiet_;
+};
+
+// A laptop whose clock battery is empty starts years ago.
+TEST_F(RepairBase, IsTheBackupWithTheLongestHistoryWhateverTheClockSaid) {
+  ASSERT_TRUE(project_->backUp());
+  fill(10);
+  const std::string content = *catalogue::contentOf(catalogue().database());
+  const fs::path full = folder() / "backups" / "catalogue-20200101-000000-000.sqlite";
+  fs::rename(*project_->backUp(), full);
+  project_.reset();
+  fs::resize_file(file(), 0);
+  EXPECT_EQ(repaired().backup, full);
+  EXPECT_EQ(*catalogue::contentOf(folder()), content);
+}
+
+TEST_F(RepairBase, IsNoBackupOfAnotherProjectHoweverLongItsHistory) {
+  fill(3);
+  records::ProjectRecord record;
+  record.code = "NEW";
+  Project other = catalogue::valueIn(
+      Project::create(folder_.path() / "other", record, [this] { return now_ms += 1; }));
+  for (int i = 0; i < 100; ++i) {
+    record.title = std::to_string(i);
+    ASSERT_TRUE(catalogue::Settings(other.catalogue()).setProject(record, {}));
+  }
+  ASSERT_GT(catalogue::History(other.catalogue()).length(),
+            catalogue::History(catalogue()).length());
+  fs::copy_file(*other.backUp(), folder() / "backups" / "catalogue-20260101-000000-000.sqlite");
+  const fs::path own = *project_->backUp();
+  project_.reset();
+  fs::resize_file(file(), 0);
+  EXPECT_EQ(repaired().backup, own);
+}
+
+}  // namespace
+}  // namespace ostraka::upkeep

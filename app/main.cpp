@@ -8,6 +8,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "batch/photograph.h"
 #include "command.h"
 #include "help.h"
 #include "interrupt.h"
@@ -107,6 +108,7 @@ int runCommandLine(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  batch::makeOpenCvThrowBadAlloc();
   const int status = runCommandLine(argc, argv);
   // What was printed waits in a buffer up to here: a full disk shows only now.
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;

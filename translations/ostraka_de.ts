@@ -5664,6 +5664,26 @@
       <translation>Das Bild nennt eine Größe von %1 x %2 Pixeln, die sich nicht verwenden lässt.</translation>
     </message>
     <message>
+      <source>The network&apos;s file is damaged; copy it again, or export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datei des Netzes ist beschädigt; noch einmal kopieren oder exportieren.</translation>
+    </message>
+    <message>
+      <source>A layer of the network has &apos;%1&apos; %2, but only %3 to %4 can be used; use another network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Schicht des Netzes hat „%1“ %2, aber nur %3 bis %4 sind verwendbar; ein anderes Netz verwenden.</translation>
+    </message>
+    <message>
+      <source>The network&apos;s weights are in another file; export it as one file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Gewichte des Netzes stehen in einer anderen Datei; als eine Datei exportieren.</translation>
+    </message>
+    <message>
+      <source>The network takes %1 GB of memory for one photograph, but at most %2 GB can be used; use a smaller network, or one with a smaller input.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Netz braucht %1 GB Speicher für ein Foto, aber höchstens %2 GB sind verwendbar; ein kleineres Netz oder eines mit kleinerer Eingabe verwenden.</translation>
+    </message>
+    <message>
       <source>The JPEG image is damaged; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das JPEG-Bild ist beschädigt; noch einmal kopieren.</translation>

@@ -5659,6 +5659,26 @@
       <translation>Η εικόνα δηλώνει μέγεθος %1 x %2 εικονοστοιχεία, που δεν μπορεί να χρησιμοποιηθεί.</translation>
     </message>
     <message>
+      <source>The network&apos;s file is damaged; copy it again, or export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο του δικτύου είναι κατεστραμμένο· αντιγράψτε το ή εξαγάγετέ το ξανά.</translation>
+    </message>
+    <message>
+      <source>A layer of the network has &apos;%1&apos; %2, but only %3 to %4 can be used; use another network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα επίπεδο του δικτύου έχει «%1» %2, αλλά μόνο τιμές από %3 έως %4 μπορούν να χρησιμοποιηθούν· χρησιμοποιήστε άλλο δίκτυο.</translation>
+    </message>
+    <message>
+      <source>The network&apos;s weights are in another file; export it as one file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα βάρη του δικτύου βρίσκονται σε άλλο αρχείο· εξαγάγετέ το ως ένα αρχείο.</translation>
+    </message>
+    <message>
+      <source>The network takes %1 GB of memory for one photograph, but at most %2 GB can be used; use a smaller network, or one with a smaller input.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το δίκτυο χρειάζεται %1 GB μνήμης για μία φωτογραφία, αλλά μπορούν να χρησιμοποιηθούν το πολύ %2 GB· χρησιμοποιήστε μικρότερο δίκτυο ή ένα με μικρότερη είσοδο.</translation>
+    </message>
+    <message>
       <source>The JPEG image is damaged; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα JPEG είναι κατεστραμμένη· αντιγράψτε την ξανά.</translation>

@@ -5659,6 +5659,26 @@
       <translation>La imagen declara un tamaño de %1 x %2 píxeles, que no se puede usar.</translation>
     </message>
     <message>
+      <source>The network&apos;s file is damaged; copy it again, or export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El archivo de la red está dañado; cópielo o expórtelo de nuevo.</translation>
+    </message>
+    <message>
+      <source>A layer of the network has &apos;%1&apos; %2, but only %3 to %4 can be used; use another network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una capa de la red tiene «%1» %2, pero solo se pueden usar valores de %3 a %4; use otra red.</translation>
+    </message>
+    <message>
+      <source>The network&apos;s weights are in another file; export it as one file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los pesos de la red están en otro archivo; expórtela como un solo archivo.</translation>
+    </message>
+    <message>
+      <source>The network takes %1 GB of memory for one photograph, but at most %2 GB can be used; use a smaller network, or one with a smaller input.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La red ocupa %1 GB de memoria para una fotografía, pero se pueden usar como máximo %2 GB; use una red más pequeña o con una entrada más pequeña.</translation>
+    </message>
+    <message>
       <source>The JPEG image is damaged; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen JPEG está dañada; cópiela otra vez.</translation>

@@ -5659,6 +5659,26 @@
       <translation>L’image annonce une taille de %1 x %2 pixels, inutilisable.</translation>
     </message>
     <message>
+      <source>The network&apos;s file is damaged; copy it again, or export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le fichier du réseau est endommagé ; copiez-le ou exportez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>A layer of the network has &apos;%1&apos; %2, but only %3 to %4 can be used; use another network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une couche du réseau a « %1 » %2, mais seules les valeurs de %3 à %4 sont utilisables ; utilisez un autre réseau.</translation>
+    </message>
+    <message>
+      <source>The network&apos;s weights are in another file; export it as one file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les poids du réseau se trouvent dans un autre fichier ; exportez-le en un seul fichier.</translation>
+    </message>
+    <message>
+      <source>The network takes %1 GB of memory for one photograph, but at most %2 GB can be used; use a smaller network, or one with a smaller input.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le réseau prend %1 Go de mémoire pour une photographie, mais %2 Go au plus sont utilisables ; utilisez un réseau plus petit ou avec une entrée plus petite.</translation>
+    </message>
+    <message>
       <source>The JPEG image is damaged; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image JPEG est endommagée ; copiez-la à nouveau.</translation>

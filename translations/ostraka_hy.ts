@@ -5659,6 +5659,26 @@
       <translation>Պատկերը նշում է %1 x %2 պիքսել չափ, որը պիտանի չէ։</translation>
     </message>
     <message>
+      <source>The network&apos;s file is damaged; copy it again, or export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցանցի ֆայլը վնասված է. նորից պատճենե՛ք կամ արտահանե՛ք այն։</translation>
+    </message>
+    <message>
+      <source>A layer of the network has &apos;%1&apos; %2, but only %3 to %4 can be used; use another network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցանցի մի շերտում «%1»-ը %2 է, բայց կարելի է օգտագործել միայն %3-ից %4 արժեքները. օգտագործե՛ք այլ ցանց։</translation>
+    </message>
+    <message>
+      <source>The network&apos;s weights are in another file; export it as one file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցանցի կշիռները այլ ֆայլում են. արտահանե՛ք այն որպես մեկ ֆայլ։</translation>
+    </message>
+    <message>
+      <source>The network takes %1 GB of memory for one photograph, but at most %2 GB can be used; use a smaller network, or one with a smaller input.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցանցը մեկ լուսանկարի համար %1 ԳԲ հիշողություն է պահանջում, բայց կարելի է օգտագործել առավելագույնը %2 ԳԲ. օգտագործե՛ք ավելի փոքր ցանց կամ ավելի փոքր մուտքով ցանց։</translation>
+    </message>
+    <message>
       <source>The JPEG image is damaged; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JPEG պատկերը վնասված է. նորից պատճենեք։</translation>

@@ -5612,6 +5612,26 @@
       <translation>Resim %1 x %2 piksel boyut bildiriyor; bu kullanılamaz.</translation>
     </message>
     <message>
+      <source>The network&apos;s file is damaged; copy it again, or export it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağın dosyası bozuk; yeniden kopyalayın ya da dışa aktarın.</translation>
+    </message>
+    <message>
+      <source>A layer of the network has &apos;%1&apos; %2, but only %3 to %4 can be used; use another network.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağın bir katmanında “%1” %2, ancak yalnızca %3 ile %4 arası kullanılabilir; başka bir ağ kullanın.</translation>
+    </message>
+    <message>
+      <source>The network&apos;s weights are in another file; export it as one file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağın ağırlıkları başka bir dosyada; tek dosya olarak dışa aktarın.</translation>
+    </message>
+    <message>
+      <source>The network takes %1 GB of memory for one photograph, but at most %2 GB can be used; use a smaller network, or one with a smaller input.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ağ bir fotoğraf için %1 GB bellek kullanıyor, ancak en çok %2 GB kullanılabilir; daha küçük bir ağ ya da girdisi daha küçük bir ağ kullanın.</translation>
+    </message>
+    <message>
       <source>The JPEG image is damaged; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JPEG resmi bozuk; yeniden kopyalayın.</translation>

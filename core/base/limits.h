@@ -41,8 +41,9 @@ inline constexpr Limit kRigRatio{"Longer side of a rig's pictures by the shorter
                                  "cameras have 1 to 2"};
 inline constexpr Limit kImageSide{"Width or height of an image", 100'000, "pixels",
                                   "larger ones are damaged headers"};
-inline constexpr Limit kImagePixels{"Pixels of an image", std::uint64_t{1} << 30, "pixels",
-                                    "OpenCV decodes no more"};
+inline constexpr Limit kImagePixels{
+    "Pixels of an image", 400'000'000, "pixels",
+    "the largest sensors have 200 million; they take 10 bytes each"};
 inline constexpr Limit kImageBytes{"Image file", 2047 * kMiB, "bytes",
                                    "OpenCV counts the bytes of an image with 31 bits"};
 inline constexpr Limit kTexturePixels{"Pixels of a model's texture", std::uint64_t{1} << 26,
@@ -51,6 +52,8 @@ inline constexpr Limit kJpegScans{"Scans of a JPEG image", 100, "scans",
                                   "each is a pass over the whole image; cameras write about 10"};
 inline constexpr Limit kNetworkBytes{"Network for masks (ONNX)", 1024 * kMiB, "bytes",
                                      "it is held in memory twice while it is read"};
+inline constexpr Limit kNetworkRunBytes{"What layers of a network for masks give to one another",
+                                        2048 * kMiB, "bytes", "the program's own takes 0.1 GB"};
 inline constexpr Limit kVertices{"Vertices of a PLY file", 200'000'000, "vertices",
                                  "they take up to 8 GB of memory"};
 inline constexpr Limit kFaces{"Faces of a PLY file", 200'000'000, "faces",
@@ -83,13 +86,13 @@ inline constexpr Limit kValueBytes{"Text of a field in the catalogue", kMiB, "by
                                    "a remark of 500 pages"};
 
 inline constexpr Limit kAll[] = {
-    kFileBytes,      kJsonBytes,       kJsonDepth,        kPlateMarkers, kPlateReach_mm,
-    kPoseReach_mm,   kScanReach_mm,    kBoardSquares,     kRigCameras,   kRigStops,
-    kRigPositions,   kRigRatio,        kImageSide,        kImagePixels,  kImageBytes,
-    kTexturePixels,  kJpegScans,       kNetworkBytes,     kVertices,     kFaces,
-    kFaceCorners,    kDecisions,       kDecisionReplaces, kMaskStrokes,  kMaskPoints,
-    kModelExtent_mm, kRasterPixels,    kManifestBytes,    kTableBytes,   kTableRows,
-    kTableColumns,   kTableFieldBytes, kValueBytes};
+    kFileBytes,     kJsonBytes,      kJsonDepth,       kPlateMarkers,     kPlateReach_mm,
+    kPoseReach_mm,  kScanReach_mm,   kBoardSquares,    kRigCameras,       kRigStops,
+    kRigPositions,  kRigRatio,       kImageSide,       kImagePixels,      kImageBytes,
+    kTexturePixels, kJpegScans,      kNetworkBytes,    kNetworkRunBytes,  kVertices,
+    kFaces,         kFaceCorners,    kDecisions,       kDecisionReplaces, kMaskStrokes,
+    kMaskPoints,    kModelExtent_mm, kRasterPixels,    kManifestBytes,    kTableBytes,
+    kTableRows,     kTableColumns,   kTableFieldBytes, kValueBytes};
 
 }  // namespace limits
 }  // namespace ostraka

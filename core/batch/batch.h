@@ -103,6 +103,14 @@ struct ReadBatchOptions {
 Result<Batch> readBatch(const std::filesystem::path& folder, const ReadBatchOptions& options,
                         Progress& progress);
 
+/// Pixels of the largest photograph.
+double largestPixels(const Batch& batch);
+/// Memory that such a one takes, MB, while it is decoded and its markers are sought.
+double originalMb(const Batch& batch);
+/// How many of `threads` (0: all processors) may have one at a time, so that all take half of the
+/// memory that is free (free_mb; 0: not known), at least 1: fine patterns take twice as much.
+int threadsForOriginals(const Batch& batch, int threads, double free_mb);
+
 Result<Plate> readPlate(const std::filesystem::path& file);
 /// The same for photographs by hand, which lie over a sheet whatever plate.json says: without
 /// "sheet" the paper is taken around the markers, with as much margin as there is between them, and

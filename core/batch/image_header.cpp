@@ -6,6 +6,7 @@
 #include "base/limits.h"
 #include "base/message.h"
 #include "batch/heif_image.h"
+#include "batch/jpeg_image.h"
 #include "batch/raw_image.h"
 #include "files/files.h"
 
@@ -188,7 +189,7 @@ Result<ImageSize> imageSize(std::string_view text, const std::string& where) {
     return Error::unusable(message("The file is empty; copy it from the camera again."), where);
   if (hasRawEnding(where)) return rawSize(text, where);
   if (isHeif(text)) return heifSize(text, where);
-  if (text.starts_with("\xFF\xD8\xFF")) return jpegSize(bytes, where);
+  if (isJpeg(text)) return jpegSize(bytes, where);
   if (text.starts_with("\x89PNG\r\n\x1A\n")) return pngSize(bytes, where);
   if (text.starts_with(std::string_view("II*\0", 4))) return tiffSize(bytes, false, where);
   if (text.starts_with(std::string_view("MM\0*", 4))) return tiffSize(bytes, true, where);

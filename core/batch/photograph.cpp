@@ -1,6 +1,8 @@
 #include "batch/photograph.h"
 
 #include <cmath>
+#include <new>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -9,6 +11,7 @@
 #include "base/text.h"
 #include "batch/heif_image.h"
 #include "batch/image_header.h"
+#include "batch/jpeg_image.h"
 #include "batch/raw_image.h"
 #include "files/files.h"
 
@@ -21,7 +24,9 @@ Result<cv::Mat> decoded(std::string_view bytes, const std::string& where, int fl
   const Result<ImageSize> size = imageSize(bytes, where);
   if (!size) return size.error();
   const Result<cv::Mat> image =
-      isHeif(bytes) ? decodeHeif(bytes, where) : Result<cv::Mat>(decodedByOpenCv(bytes, flags));
+      isHeif(bytes)   ? decodeHeif(bytes, where)
+      : isJpeg(bytes) ? decodeJpeg(bytes, *size, flags == cv::IMREAD_GRAYSCALE ? 1 : 3, where)
+                      : Result<cv::Mat>(decodedByOpenCv(bytes, flags));
   if (!image) return image.error();
   if (image->empty() || image->cols != size->width || image->rows != size->height)
     return Error::unusable(message("The image cannot be decoded; copy it again."), where);
@@ -43,6 +48,13 @@ cv::Mat decodedByOpenCv(std::string_view bytes, int flags) {
   } catch (const cv::Exception&) {
     return {};
   }
+}
+
+void makeOpenCvThrowBadAlloc() {
+  cv::redirectError([](int status, const char*, const char*, const char*, int, void*) -> int {
+    if (status == cv::Error::StsNoMem) throw std::bad_alloc();
+    return 0;
+  });
 }
 
 bool hasPhotographEnding(const std::filesystem::path& file) {

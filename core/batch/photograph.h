@@ -23,6 +23,10 @@ Result<cv::Mat> decodePhotograph(std::string_view bytes, const std::string& wher
 /// The image of a file's bytes, empty where OpenCV cannot decode it; flags: OpenCV's IMREAD_.
 cv::Mat decodedByOpenCv(std::string_view bytes, int flags);
 
+/// From now on OpenCV throws std::bad_alloc where the memory does not suffice, in place of a
+/// cv::Exception that looks like a defect or a damaged file. For the start of a program.
+void makeOpenCvThrowBadAlloc();
+
 /// A mask or label image as 8-bit grey values, unscaled. Errors as above.
 Result<cv::Mat> readMask(const std::filesystem::path& file);
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/parallel.h"
 #include "batch/photograph.h"
@@ -33,12 +34,14 @@ Result<std::vector<ShotMarkers>> findBatchMarkers(const batch::Batch& batch, int
                                                   Progress& progress, std::stop_token stop) {
   std::vector<ShotMarkers> shots(batch.shots.size());
   std::vector<std::optional<Error>> failed(shots.size());
-  const bool done = inBlocks(shots.size(), threads, progress, stop, [&](std::size_t i) {
+  const int at_once = batch::threadsForOriginals(batch, threads, freeMemoryMb());
+  const bool done = inBlocks(shots.size(), at_once, progress, stop, [&](std::size_t i) {
     const Result<cv::Mat> photograph = batch::readPhotograph(batch.shots[i].file);
     if (!photograph) {
       shots[i].unreadable = photograph.error().sentence();
       return;
     }
+    if (stop.stop_requested()) return;  // the search takes as long again
     Result<std::vector<rig::SeenMarker>> seen = rig::findPlateMarkers(*photograph, *batch.plate);
     if (seen)
       shots[i].markers = std::move(*seen);
@@ -56,7 +59,9 @@ Result<std::vector<TargetView>> findBatchBoards(const batch::Batch& batch, int t
   std::vector<TargetView> views(batch.calibration.size());
   std::vector<Message> unreadable(views.size());
   std::vector<std::optional<Error>> failed(views.size());
-  const bool done = inBlocks(views.size(), threads, progress, stop, [&](std::size_t i) {
+  // By the cameras that the shots are from.
+  const int at_once = batch::threadsForOriginals(batch, threads, freeMemoryMb());
+  const bool done = inBlocks(views.size(), at_once, progress, stop, [&](std::size_t i) {
     const Result<cv::Mat> photograph = batch::readPhotograph(batch.calibration[i].file);
     if (!photograph) {
       unreadable[i] = photograph.error().sentence();

@@ -48,11 +48,14 @@ bool isTakenUp(const TaskStatus* before) {
 
 // Oldest first.
 Result<std::vector<Wanted>> wantedOf(const upkeep::Project& project,
-                                     const std::vector<TaskStatus>& known, int most,
-                                     Submitted& submitted, const std::stop_token& stop) {
+                                     const std::vector<TaskStatus>& known,
+                                     const SubmitOptions& options, Submitted& submitted,
+                                     const std::stop_token& stop) {
   Result<std::vector<records::BatchRecord>> batches = catalogue::Batches(project.catalogue()).all();
   if (!batches) return batches.error();
   std::reverse(batches->begin(), batches->end());
+  pipeline::ProcessOptions run;
+  run.threads = options.ask.cores;
   std::vector<Wanted> wanted;
   for (const records::BatchRecord& batch : *batches) {
     if (stop.stop_requested()) return Error::cancelled();
@@ -62,7 +65,7 @@ Result<std::vector<Wanted>> wantedOf(const upkeep::Project& project,
       ++submitted.already;
       continue;
     }
-    if (most > 0 && static_cast<int>(wanted.size()) == most) break;
+    if (options.most > 0 && static_cast<int>(wanted.size()) == options.most) break;
     const fs::path folder = project.batchFolder(batch.number);
     if (decisions::holdsScans(folder)) {
       submitted.warnings.push_back(
@@ -75,7 +78,7 @@ Result<std::vector<Wanted>> wantedOf(const upkeep::Project& project,
       submitted.warnings.push_back(read.error().sentence());
       continue;
     }
-    wanted.push_back({batch.number, pipeline::needsOf(*read, {}), before});
+    wanted.push_back({batch.number, pipeline::needsOf(*read, run, 0), before});
   }
   return wanted;
 }
@@ -184,8 +187,7 @@ Result<Submitted> submit(upkeep::Project& project, const SubmitOptions& options,
   const Result<std::vector<TaskStatus>> known = statusOf(project.folder(), *place, *tasks, stop);
   if (!known) return known.error();
   Submitted submitted;
-  const Result<std::vector<Wanted>> wanted =
-      wantedOf(project, *known, options.most, submitted, stop);
+  const Result<std::vector<Wanted>> wanted = wantedOf(project, *known, options, submitted, stop);
   if (!wanted) return wanted.error();
   if (wanted->empty()) return submitted;
   if (const Result<void> ready = place->prepare(stop); !ready) return ready.error();

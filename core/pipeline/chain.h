@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/memory.h"
 #include "batch/batch.h"
 #include "decisions/decisions.h"
 #include "decisions/pair_sides.h"
@@ -34,6 +35,10 @@ struct Run {
   Progress& progress;
   std::stop_token stop;
 
+  /// Those that may each have a whole photograph.
+  int threadsForOriginals() const {
+    return batch::threadsForOriginals(batch, options.threads, freeMemoryMb());
+  }
   const std::string& photographsOf(batch::Side side) const {
     return photographs[side == batch::Side::Front ? 0 : 1];
   }

@@ -106,7 +106,7 @@ Result<SidePoses> poseSideWithoutPlate(const Run& run, batch::Side side,
       colmap::poseWithColmap(shots, workspace, options, progress, run.stop);
   if (!found) return found.error();
   const Result<std::optional<checks::KnownScale>> known =
-      checks::knownScale(run.batch, side, *found, run.options.threads, run.stop);
+      checks::knownScale(run.batch, side, *found, run.threadsForOriginals(), run.stop);
   if (!known) return known.error();
   SidePoses posed{
       colmap::scaledTo(*found, *known ? (*known)->mm_per_unit : checks::nominalScale(*found)),
@@ -219,7 +219,7 @@ Result<void> leaveOutSpoilt(const Run& run, calibration::BatchPoses& poses,
   checks::PhotoCheckOptions options;
   options.one_camera = run.batch.way == batch::Way::FreeCamera;
   options.megapixels = workingMegapixels(run.options, run.batch);
-  options.threads = run.options.threads;
+  options.threads = run.threadsForOriginals();
   const Result<checks::PhotoFindings> found =
       checks::checkPhotographs(poses.images, *run.batch.plate, options, run.stop);
   if (!found) return found.error();

@@ -31,10 +31,7 @@ int photographsOfASide(const batch::Batch& batch) {
 }
 
 double largestMegapixels(const batch::Batch& batch) {
-  double pixels = 0;
-  for (const batch::Shot& shot : batch.shots)
-    pixels = std::max(pixels, static_cast<double>(shot.width) * shot.height);
-  return pixels / kPixelsPerMegapixel;
+  return batch::largestPixels(batch) / kPixelsPerMegapixel;
 }
 
 // The program that a later stage would miss; empty: none.
@@ -61,10 +58,13 @@ double workingMegapixels(const ProcessOptions& options, const batch::Batch& batc
   return options.megapixels.value_or(usualMegapixels(photographsOfASide(batch)));
 }
 
-Needs needsOf(const batch::Batch& batch, const ProcessOptions& options) {
+Needs needsOf(const batch::Batch& batch, const ProcessOptions& options, double free_memory_mb) {
   Needs needs;
   needs.megapixels = std::min(largestMegapixels(batch), workingMegapixels(options, batch));
-  needs.memory_mb = kBase_mb + kEachMegapixel_mb * needs.megapixels * photographsOfASide(batch);
+  const double originals_mb =
+      batch::threadsForOriginals(batch, options.threads, free_memory_mb) * batch::originalMb(batch);
+  const double reduced_mb = kEachMegapixel_mb * needs.megapixels * photographsOfASide(batch);
+  needs.memory_mb = kBase_mb + std::max(originals_mb, reduced_mb);
   needs.core_s = kEachMegapixel_s * needs.megapixels * static_cast<double>(batch.shots.size());
   return needs;
 }
@@ -82,7 +82,7 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
                                "the program %1, which is not installed; install it.",
                                missing),
                  batch.folder.string()};
-  Preflight ahead{needsOf(batch, options), {}, {}};
+  Preflight ahead{needsOf(batch, options, free_memory_mb), {}, {}};
   std::set<int> cameras, stops;
   for (const batch::Shot& shot : batch.shots) {
     cameras.insert(shot.camera);

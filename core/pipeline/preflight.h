@@ -27,9 +27,11 @@ double usualMegapixels(int photographs_of_a_side);
 /// What masks and stereo work on, at most.
 double workingMegapixels(const ProcessOptions& options, const batch::Batch& batch);
 
-Needs needsOf(const batch::Batch& batch, const ProcessOptions& options);
+/// The originals come first, as many at one time as threads may have (threadsForOriginals), then
+/// what they are averaged down to. free_memory_mb: 0 when the system does not say.
+Needs needsOf(const batch::Batch& batch, const ProcessOptions& options, double free_memory_mb);
 
-/// free_memory_mb: 0 when the system does not say. Errors: Missing for a program that a later
+/// Errors: Missing for a program that a later
 /// stage would ask for, and those of batch::maskSource.
 Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& options,
                             double free_memory_mb);

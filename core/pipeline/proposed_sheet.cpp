@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/text.h"
 #include "rig/sheet_layout.h"
@@ -59,7 +60,7 @@ Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& opti
     if (shot.side == batch::Side::Front) fronts.push_back(shot.file);
   rig::SheetLayoutOptions how;
   how.marker_mm = options.marker_mm.value_or(kGuessedMarker_mm);
-  how.threads = options.threads;
+  how.threads = batch::threadsForOriginals(batch, options.threads, freeMemoryMb());
   Result<rig::SheetLayout> sheet = rig::proposeSheet(fronts, how, progress, std::move(stop));
   if (!sheet) {
     // Without a word about markers there need not be any.

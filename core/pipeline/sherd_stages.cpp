@@ -196,7 +196,7 @@ texture::SherdViews viewsOf(const Run& run, const Poses& poses, const Masks& fro
     take(transformed(backs[static_cast<std::size_t>(pair.back)].cloud, pair.front_from_back));
     sherds.push_back(std::move(sherd));
   }
-  return {std::move(photographs), std::move(sherds), run.options.threads};
+  return {std::move(photographs), std::move(sherds), run.threadsForOriginals()};
 }
 
 Result<stages::StageRecord> modelStage(const Run& run, const std::string& number,

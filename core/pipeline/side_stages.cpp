@@ -143,7 +143,7 @@ Result<mask::MaskResult> makeMasks(const Run& run, const std::vector<rig::PosedI
   const Result<batch::MaskSource> source = batch::maskSource(run.options.masks, run.batch);
   if (!source) return source.error();
   if (*source == batch::MaskSource::Given) return givenMasks(run, images);
-  const Result<std::vector<cv::Mat>> photographs = photographsOf(images, run.options.threads);
+  const Result<std::vector<cv::Mat>> photographs = photographsOf(images, run.threadsForOriginals());
   if (!photographs) return photographs.error();
   if (*source == batch::MaskSource::Network) return networkMasks(run, *photographs);
   if (*source == batch::MaskSource::Views)
@@ -280,7 +280,7 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
                               used.size()),
                 message("Check the masks, and whether sherds were on the plate.")),
           (run.work / (std::string("masks_") + batch::name(side))).string()};
-    const Result<std::vector<cv::Mat>> photographs = photographsOf(used, run.options.threads);
+    const Result<std::vector<cv::Mat>> photographs = photographsOf(used, run.threadsForOriginals());
     if (!photographs) return photographs.error();
     std::vector<stereo::View> views;
     for (std::size_t i = 0; i < used.size(); ++i)

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
+#include <map>
+#include <new>
+#include <numeric>
 #include <opencv2/dnn.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,109 +17,16 @@
 #include "base/limits.h"
 #include "base/message.h"
 #include "files/files.h"
+#include "segmentation/onnx_file.h"
 #include "segmentation/shipped_network.h"
 
 namespace ostraka::segmentation {
 namespace {
 
-/// One field of a protocol buffer message: a number, or a run of bytes.
-struct Field {
-  std::uint32_t number = 0;
-  std::uint64_t value = 0;
-  std::string_view bytes;
-};
-
-std::optional<std::uint64_t> readVarint(std::string_view& text) {
-  std::uint64_t value = 0;
-  for (int shift = 0; shift < 64 && !text.empty(); shift += 7) {
-    const auto byte = static_cast<unsigned char>(text.front());
-    text.remove_prefix(1);
-    value |= static_cast<std::uint64_t>(byte & 0x7F) << shift;
-    if ((byte & 0x80) == 0) return value;
-  }
-  return std::nullopt;
-}
-
-// The message's fields in order; stops at the first that is broken.
-std::vector<Field> fieldsOf(std::string_view text) {
-  std::vector<Field> fields;
-  while (!text.empty()) {
-    const auto key = readVarint(text);
-    if (!key) break;
-    Field field{static_cast<std::uint32_t>(*key >> 3), 0, {}};
-    std::size_t length = 0;
-    switch (*key & 7) {
-      case 0: {
-        const auto value = readVarint(text);
-        if (!value) return fields;
-        field.value = *value;
-        break;
-      }
-      case 1:
-        length = 8;
-        break;
-      case 5:
-        length = 4;
-        break;
-      case 2: {
-        const auto size = readVarint(text);
-        if (!size || *size > text.size()) return fields;
-        length = static_cast<std::size_t>(*size);
-        break;
-      }
-      default:
-        return fields;
-    }
-    if (length > text.size()) return fields;
-    field.bytes = text.substr(0, length);
-    text.remove_prefix(length);
-    fields.push_back(field);
-  }
-  return fields;
-}
-
 constexpr std::int64_t kMaxInputPx = 8192;  // 800 MB as three channels of float
 // Of a network that takes any size: the longer side, and what both are multiples of (five
 // halvings).
 constexpr int kFreeInput_px = 1024, kFreeMultiple_px = 32;
-
-/// Shape of the model's image input; -1 where it is free.
-using InputShape = std::vector<std::int64_t>;
-
-// ONNX: ModelProto.graph = 7; GraphProto.initializer = 5, input = 11; TensorProto.name = 8;
-// ValueInfoProto.name = 1, type = 2; TypeProto.tensor_type = 1; Tensor.shape = 2; dim = 1; value
-// = 1.
-std::optional<InputShape> inputShapeOf(std::string_view model) {
-  for (const Field& graph : fieldsOf(model)) {
-    if (graph.number != 7) continue;
-    std::set<std::string_view> weights;
-    for (const Field& tensor : fieldsOf(graph.bytes))
-      if (tensor.number == 5)
-        for (const Field& part : fieldsOf(tensor.bytes))
-          if (part.number == 8) weights.insert(part.bytes);
-    for (const Field& input : fieldsOf(graph.bytes)) {
-      if (input.number != 11) continue;
-      std::string_view name;
-      InputShape shape;
-      for (const Field& part : fieldsOf(input.bytes)) {
-        if (part.number == 1) name = part.bytes;
-        if (part.number != 2) continue;
-        for (const Field& type : fieldsOf(part.bytes))
-          for (const Field& tensor : fieldsOf(type.bytes)) {
-            if (type.number != 1 || tensor.number != 2) continue;
-            for (const Field& dim : fieldsOf(tensor.bytes)) {
-              std::int64_t size = -1;
-              for (const Field& value : fieldsOf(dim.bytes))
-                if (value.number == 1) size = static_cast<std::int64_t>(value.value);
-              shape.push_back(size > 0 ? size : -1);
-            }
-          }
-      }
-      if (!weights.contains(name)) return shape;
-    }
-  }
-  return std::nullopt;
-}
 
 Error unusable(const std::string& onnx, const std::string& what) {
   return Error::unusable(
@@ -153,6 +63,37 @@ cv::Mat1f probabilityOf(const cv::Mat& output) {
   return sherd;
 }
 
+// Of what the layers give to one another: the most that is held at one time, as each layer's is
+// until the last that reads it has run. They run in the order of their numbers. The net has its
+// input already.
+double heldBytes(cv::dnn::Net& net, const cv::dnn::MatShape& input) {
+  net.dump();  // lays the layers out without a run: before, OpenCV 4.6 has wrong sizes for some
+  std::vector<int> ids;
+  std::vector<std::vector<cv::dnn::MatShape>> in, out;
+  net.getLayersShapes(input, ids, in, out);
+  std::map<int, std::size_t> place;
+  for (std::size_t i = 0; i < ids.size(); ++i) place[ids[i]] = i;
+  std::vector<double> bytes(ids.size(), 0.0);
+  std::vector<std::size_t> last_reader(ids.size(), ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    for (const cv::dnn::MatShape& shape : out[i])
+      bytes[i] += std::accumulate(shape.begin(), shape.end(), double{sizeof(float)},
+                                  [](double product, int side) { return product * side; });
+    for (const cv::Ptr<cv::dnn::Layer>& read : net.getLayerInputs(ids[i]))
+      if (const auto found = place.find(net.getLayerId(read->name)); found != place.end())
+        last_reader[found->second] = i;
+  }
+  double held = 0, most = 0;
+  std::vector<double> read_last(ids.size() + 1, 0.0);
+  for (std::size_t i = 0; i < ids.size(); ++i) read_last[last_reader[i]] += bytes[i];
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    held += bytes[i];
+    most = std::max(most, held);
+    held -= read_last[i];
+  }
+  return most;
+}
+
 Result<cv::Mat1f> probability(const cv::Mat& photograph, std::string_view model,
                               const std::string& where) {
   if (photograph.type() != CV_8UC3 || photograph.empty())
@@ -163,10 +104,22 @@ Result<cv::Mat1f> probability(const cv::Mat& photograph, std::string_view model,
   try {
     cv::dnn::Net net = cv::dnn::readNetFromONNX(model.data(), model.size());
     net.setPreferableBackend(cv::dnn::DNN_BACKEND_OPENCV);
+    constexpr double kMost = limits::kNetworkRunBytes.most, kBytesPerGb = 1e9;
     net.setInput(pictureBlob(photograph, *size));
+    const double held = heldBytes(net, {1, 3, size->height, size->width});
+    if (held > kMost)
+      return Error::unusable(
+          message("The network takes %1 GB of memory for one photograph, but at most %2 GB can be "
+                  "used; use a smaller network, or one with a smaller input.",
+                  decimal(held / kBytesPerGb, 1), decimal(kMost / kBytesPerGb, 1)),
+          where);
     output = net.forward();
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const cv::Exception& problem) {
     return unusable(where, "The network cannot be run (" + problem.err + ")");
+  } catch (const std::exception& problem) {  // of protobuf
+    return unusable(where, std::string("The network cannot be run (") + problem.what() + ")");
   }
   if (output.dims != 4 || output.type() != CV_32F || output.size[0] != 1 || output.size[1] < 1 ||
       output.size[1] > 2 || output.size[2] < 1 || output.size[3] < 1)
@@ -186,6 +139,7 @@ cv::Mat1b inBytes(const cv::Mat1f& probability) {
 
 Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
                                   const std::string& where) {
+  if (const Result<void> right = checkOnnx(model, where); !right) return right.error();
   const std::optional<InputShape> shape = inputShapeOf(model);
   if (!shape || shape->size() != 4)
     return unusable(where, "The network does not take an image as input");

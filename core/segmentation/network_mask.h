@@ -11,7 +11,7 @@ namespace ostraka::segmentation {
 /// Width and height, pixels, at which the network takes a photograph of this size: what its file
 /// (ONNX, the bytes of `model`) fixes, else at most 1024 on the longer side, both multiples of 32.
 /// Errors: UnusableInput names `where` when the network has no image input of three channels within
-/// 8192 x 8192 pixels.
+/// 8192 x 8192 pixels, and those of checkOnnx.
 Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
                                   const std::string& where);
 

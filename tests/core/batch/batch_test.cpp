@@ -199,5 +199,17 @@ TEST(ReadBatch, StopsAtABrokenPlateFile) {
   EXPECT_THAT(batch.error().sentence(), HasSubstr("plate.json"));
 }
 
+TEST(ThreadsForOriginals, TakeHalfOfWhatIsFreeAndAreNeverNone) {
+  Batch batch;
+  batch.shots.push_back({Side::Front, 0, 0, "a.jpg", {}, 10'000, 10'000});  // 1 GB
+  batch.shots.push_back({Side::Front, 0, 1, "b.jpg", {}, 100, 100});
+  EXPECT_EQ(threadsForOriginals(batch, 16, 8000), 4);
+  EXPECT_EQ(threadsForOriginals(batch, 3, 8000), 3);
+  EXPECT_EQ(threadsForOriginals(batch, 16, 100), 1);
+  EXPECT_EQ(threadsForOriginals(batch, 16, 0), 16) << "free memory is not known";
+  EXPECT_GE(threadsForOriginals(batch, 0, 0), 1);
+  EXPECT_EQ(threadsForOriginals(Batch{}, 16, 8000), 16);
+}
+
 }  // namespace
 }  // namespace ostraka::batch

@@ -43,12 +43,21 @@ TEST_P(EveryFormat, SurvivesChangedBytes) {
       damaged[random() % std::min<std::size_t>(damaged.size(), 400)] = static_cast<char>(random());
     const auto size = imageSize(damaged, "x");
     if (size) {
-      EXPECT_LE(static_cast<std::int64_t>(size->width) * size->height, 1LL << 30);
+      EXPECT_LE(static_cast<std::uint64_t>(size->width) * size->height, limits::kImagePixels.most);
     }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, EveryFormat, testing::Values(".jpg", ".png", ".tif"));
+
+// Telephones write 200 megapixels; a small file can claim a thousand.
+TEST(CheckedSize, TakesWhatSensorsHaveAndNoMore) {
+  EXPECT_TRUE(checkedSize(16320, 12240, "a.jpg").has_value());
+  const Result<ImageSize> bomb = checkedSize(32000, 32000, "a.jpg");
+  ASSERT_FALSE(bomb.has_value());
+  EXPECT_THAT(bomb.error().sentence().english(),
+              HasSubstr("a.jpg: The image header states a size"));
+}
 
 TEST(ImageSize, RefusesAJpegWithMoreScansThanAnyCameraWrites) {
   const std::string whole = encoded(".jpg", 61, 37);

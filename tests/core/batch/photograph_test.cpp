@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <new>
 #include <opencv2/core.hpp>
 
 #include "batch_folder.h"
@@ -57,6 +58,13 @@ TEST(ReadPhotograph, RefusesACutOffPicture) {
   ASSERT_FALSE(image.has_value());
   EXPECT_EQ(image.error().code, ErrorCode::UnusableInput);
   EXPECT_THAT(image.error().sentence(), testing::HasSubstr("a.jpg"));
+}
+
+TEST(MakeOpenCvThrowBadAlloc, ChangesWhatIsThrownForALackOfMemoryAlone) {
+  makeOpenCvThrowBadAlloc();
+  EXPECT_THROW(cv::error(cv::Error::StsNoMem, "none left", "f", "a.cpp", 1), std::bad_alloc);
+  EXPECT_THROW(cv::error(cv::Error::StsBadArg, "bad", "f", "a.cpp", 1), cv::Exception);
+  cv::redirectError(nullptr);
 }
 
 TEST(ReadMask, KeepsLabels) {

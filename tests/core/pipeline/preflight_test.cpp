@@ -17,6 +17,12 @@ batch::Batch batchOf(int width, int height, int stops = 8) {
   return batch;
 }
 
+ProcessOptions onThreads(int threads) {
+  ProcessOptions options;
+  options.threads = threads;
+  return options;
+}
+
 TEST(Preflight, SaysWhatThereIsAndWhatItWillTake) {
   const Result<Preflight> ahead = preflight(batchOf(2592, 1944), {}, 8000);
   ASSERT_TRUE(ahead.has_value()) << ahead.error().sentence();
@@ -39,8 +45,8 @@ TEST(Preflight, NamesTheFileThatDescribesTheSheetWhereverItLies) {
 }
 
 TEST(Preflight, LargePhotographsAreReducedAndTakeLittleMore) {
-  const auto small = preflight(batchOf(2592, 1944), {}, 0);
-  const auto large = preflight(batchOf(6000, 4000), {}, 0);
+  const auto small = preflight(batchOf(2592, 1944), onThreads(4), 0);
+  const auto large = preflight(batchOf(6000, 4000), onThreads(4), 0);
   ASSERT_TRUE(small && large);
   EXPECT_DOUBLE_EQ(large->megapixels, 5);
   EXPECT_NEAR(large->memory_mb, small->memory_mb, 50);
@@ -48,10 +54,23 @@ TEST(Preflight, LargePhotographsAreReducedAndTakeLittleMore) {
   EXPECT_TRUE(large->warnings.empty()) << "free memory is not known";
 }
 
+// 200 megapixels: 2 GB for each that is decoded at one time.
+TEST(Preflight, TheOriginalsThatAreDecodedAtOneTimeCount) {
+  const batch::Batch batch = batchOf(16320, 12240, 1);  // three a side: pictures take 0.5 GB
+  EXPECT_NEAR(preflight(batch, onThreads(1), 0)->memory_mb, 2080, 20);
+  EXPECT_NEAR(preflight(batch, onThreads(4), 0)->memory_mb, 8070, 20);
+  const auto bounded = preflight(batch, onThreads(16), 9000);
+  EXPECT_NEAR(bounded->memory_mb, 4080, 20) << "two of them fit into half of 9 GB";
+  EXPECT_TRUE(bounded->warnings.empty());
+  const auto scarce = preflight(batch, onThreads(16), 1500);
+  ASSERT_EQ(scarce->warnings.size(), 1u);
+  EXPECT_THAT(scarce->warnings[0], HasSubstr("This needs about 2.1 GB of memory, but only 1.5 GB"));
+}
+
 // Measured: 943 s for 40 photographs of 5 megapixels (tests/bench/RESULTS.md).
 TEST(Preflight, TimeGrowsWithPhotographsAndTheirPixels) {
-  EXPECT_NEAR(needsOf(batchOf(2592, 1944), {}).core_s, 943 * 48 / 40, 20);
-  EXPECT_NEAR(needsOf(batchOf(1600, 1200), {}).core_s, 943 * 48 / 40 * 1.92 / 5, 10);
+  EXPECT_NEAR(needsOf(batchOf(2592, 1944), {}, 0).core_s, 943 * 48 / 40, 20);
+  EXPECT_NEAR(needsOf(batchOf(1600, 1200), {}, 0).core_s, 943 * 48 / 40 * 1.92 / 5, 10);
 }
 
 TEST(Preflight, TheLargerSidesPhotographsDecideOnMemory) {
@@ -82,7 +101,7 @@ TEST(Preflight, ManyPhotographsAreReducedUntilFourGigabytesHoldThem) {
   EXPECT_DOUBLE_EQ(usualMegapixels(400), 1);
   const batch::Batch batch = batchOf(4000, 3000, 16);  // 48 a side
   EXPECT_NEAR(preflight(batch, {}, 0)->megapixels, 2.54, 0.01);
-  EXPECT_NEAR(preflight(batch, {}, 0)->memory_mb, 4096, 1);
+  EXPECT_NEAR(preflight(batch, onThreads(4), 0)->memory_mb, 4096, 1);
   ProcessOptions asked;
   asked.megapixels = 7;
   EXPECT_EQ(preflight(batch, asked, 0)->megapixels, 7);

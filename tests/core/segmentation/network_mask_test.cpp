@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,25 @@ std::string valueInfo(const std::string& name, const std::vector<int>& dims) {
   return bytes(1, name) + bytes(2, bytes(1, number(1, 1) + bytes(2, shape)));
 }
 
+std::filesystem::path written(const std::string& name, const std::string& graph) {
+  const std::string model = number(1, 7) + bytes(7, graph) + bytes(8, bytes(1, "") + number(2, 13));
+  const auto path = std::filesystem::path(testing::TempDir()) / (name + ".onnx");
+  EXPECT_TRUE(writeFileAtomically(path, model).has_value());
+  return path;
+}
+
+std::string convolution(const std::string& input, const std::string& weights,
+                        const std::string& output, const std::string& attribute = {}) {
+  const std::string kernel = bytes(1, "kernel_shape") + number(8, 1) + number(8, 1) + number(20, 7);
+  return bytes(1, bytes(1, input) + bytes(1, weights) + bytes(2, output) + bytes(3, output) +
+                      bytes(4, "Conv") + bytes(5, kernel) +
+                      (attribute.empty() ? "" : bytes(5, attribute)));
+}
+
+std::string freeInputAndOutput() {
+  return bytes(11, valueInfo("x", {1, 3, 0, 0})) + bytes(12, valueInfo("y", {1, 1, 0, 0}));
+}
+
 // out = weights * rgb + bias, one row of three weights per output channel.
 std::filesystem::path network(const std::string& name, std::vector<float> weights,
                               std::vector<float> bias, int height, int width) {
@@ -56,10 +76,7 @@ std::filesystem::path network(const std::string& name, std::vector<float> weight
       bytes(5, tensor("b", {channels}, bias)) + bytes(11, valueInfo("w", {channels, 3, 1, 1})) +
       bytes(11, valueInfo("x", {1, 3, height, width})) +
       bytes(12, valueInfo("y", {1, channels, height, width}));
-  const std::string model = number(1, 7) + bytes(7, graph) + bytes(8, bytes(1, "") + number(2, 13));
-  const auto path = std::filesystem::path(testing::TempDir()) / (name + ".onnx");
-  EXPECT_TRUE(writeFileAtomically(path, model).has_value());
-  return path;
+  return written(name, graph);
 }
 
 // Left half red (255, 0, 0), right half blue.
@@ -67,6 +84,14 @@ cv::Mat halves(int width, int height) {
   cv::Mat picture(height, width, CV_8UC3, cv::Scalar(255, 0, 0));
   picture.colRange(0, width / 2) = cv::Scalar(0, 0, 255);
   return picture;
+}
+
+std::string refusalOf(const std::filesystem::path& onnx) {
+  const auto mask = maskByNetwork(halves(1024, 768), onnx);
+  if (mask) return "";
+  EXPECT_EQ(mask.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(mask.error().sentence().english(), testing::HasSubstr(onnx.filename().string()));
+  return mask.error().what.english();
 }
 
 TEST(NetworkMask, OneChannelOfLogitsBecomesTheLogisticFunction) {
@@ -119,6 +144,61 @@ TEST(NetworkMask, ThreeOutputChannelsAreRefused) {
   const auto mask = maskByNetwork(halves(64, 32), onnx);
   ASSERT_FALSE(mask.has_value());
   EXPECT_THAT(mask.error().sentence(), testing::HasSubstr("three.onnx"));
+}
+
+// Two convolutions of 1 x 1: 3 to 2048 to 1 channels. 1024 x 768 x 2048 floats are 6.4 GB.
+TEST(NetworkMask, ANetworkThatTakesMoreMemoryThanTheLimitIsRefusedBeforeItRuns) {
+  const auto wide = [](int channels) {
+    const std::vector<float> weights(static_cast<std::size_t>(channels) * 3, 0.01F);
+    return bytes(5, tensor("a", {channels, 3, 1, 1}, weights)) +
+           bytes(5, tensor("b", {1, channels, 1, 1}, std::vector<float>(channels, 0.01F)));
+  };
+  const std::string nodes = convolution("x", "a", "h") + convolution("h", "b", "y");
+  EXPECT_THAT(refusalOf(written("wide", nodes + wide(2048) + freeInputAndOutput())),
+              testing::HasSubstr("takes 6.5 GB of memory"));
+  EXPECT_EQ(refusalOf(written("narrow", nodes + wide(8) + freeInputAndOutput())), "");
+}
+
+// OpenCV reads as many weights as the shape says.
+TEST(NetworkMask, WeightsThatAreNotAllThereAreRefused) {
+  for (const std::vector<int>& dims : std::vector<std::vector<int>>{
+           {33'000'000, 3, 1, 1}, {512, 3, 1, 1}, {1, 1, 1, 1, 2}, {1, 0, 1, 1}})
+    EXPECT_THAT(
+        refusalOf(written("short", convolution("x", "w", "y") +
+                                       bytes(5, tensor("w", dims, {0.5F})) + freeInputAndOutput())),
+        testing::HasSubstr("damaged"));
+  // Nothing is what the shape says, but no convolution's weights.
+  EXPECT_THAT(refusalOf(written("none", convolution("x", "w", "y") +
+                                            bytes(5, tensor("w", {1, 0, 1, 1}, {})) +
+                                            freeInputAndOutput())),
+              testing::HasSubstr("damaged"));
+  EXPECT_THAT(refusalOf(written("elsewhere", convolution("x", "w", "y") +
+                                                 bytes(5, number(1, 3) + number(2, 1) +
+                                                              bytes(8, "w") + number(14, 1)) +
+                                                 freeInputAndOutput())),
+              testing::HasSubstr("in another file"));
+}
+
+TEST(NetworkMask, SettingsThatOpenCvDividesByAreRefused) {
+  const std::string weights = bytes(5, tensor("w", {1, 3, 1, 1}, {1, 0, 0}));
+  const auto with = [&](const std::string& setting) {
+    return written("setting", convolution("x", "w", "y", setting) + weights + freeInputAndOutput());
+  };
+  EXPECT_THAT(refusalOf(with(bytes(1, "group") + number(3, 0) + number(20, 2))),
+              testing::HasSubstr("'group' 0"));
+  EXPECT_THAT(refusalOf(with(bytes(1, "strides") + number(8, 1) + number(8, 0) + number(20, 7))),
+              testing::HasSubstr("'strides' 0"));
+  EXPECT_THAT(
+      refusalOf(with(bytes(1, "dilations") + bytes(8, varint(1) + varint(5000)) + number(20, 7))),
+      testing::HasSubstr("'dilations' 5000"));
+  EXPECT_EQ(refusalOf(with(bytes(1, "strides") + number(8, 1) + number(8, 1) + number(20, 7))), "");
+}
+
+// protobuf throws an exception of its own.
+TEST(NetworkMask, ALayerWithoutAnInputIsRefused) {
+  const std::string node = bytes(1, bytes(2, "y") + bytes(3, "n") + bytes(4, "Transpose"));
+  EXPECT_THAT(refusalOf(written("transpose", node + freeInputAndOutput())),
+              testing::HasSubstr("cannot be run"));
 }
 
 TEST(ShippedNetwork, FindsNothingOnBarePaper) {

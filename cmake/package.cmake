@@ -3,7 +3,6 @@
 include(GNUInstallDirs)
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # the program only, not the tests
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
-configure_file(packaging/changelog.in ${CMAKE_BINARY_DIR}/changelog @ONLY)
 set(icons ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable)
 install(FILES packaging/ostraka.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES packaging/org.ostraka.ostraka.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
@@ -13,31 +12,28 @@ install(FILES resources/icons/ostraka.svg DESTINATION ${icons}/apps)
 install(FILES resources/icons/ostraka.svg DESTINATION ${icons}/mimetypes
         RENAME application-x-ostraka-project.svg)
 install(FILES packaging/udev/70-ostraka.rules DESTINATION lib/udev/rules.d)
-install(FILES README.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY packaging/cluster DESTINATION ${CMAKE_INSTALL_DOCDIR}/packaging)
 install(FILES resources/docs/review-light.png resources/docs/catalogue-light.png
         DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources/docs)
 install(DIRECTORY resources/manual DESTINATION ${CMAKE_INSTALL_DOCDIR}
         PATTERN *.qrc EXCLUDE)
+install(FILES packaging/debian/doc-base DESTINATION ${CMAKE_INSTALL_DATADIR}/doc-base
+        RENAME ostraka)
 
 # Manual pages and completions are what the program says of itself; packages want pages compressed.
 set(says ${CMAKE_BINARY_DIR}/says)
 install(CODE "
   file(REMOVE_RECURSE ${says})
-  file(MAKE_DIRECTORY ${says}/completion ${says}/doc)
+  file(MAKE_DIRECTORY ${says}/completion)
   execute_process(COMMAND $<TARGET_FILE:ostraka> man-pages ${says}/man COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND sh -c \"gzip -9n ${says}/man/*.1\" COMMAND_ERROR_IS_FATAL ANY)
-  configure_file(${CMAKE_SOURCE_DIR}/CHANGELOG.md ${says}/doc/changelog COPYONLY)
-  configure_file(${CMAKE_BINARY_DIR}/changelog ${says}/doc/changelog.Debian COPYONLY)
-  execute_process(COMMAND gzip -9n ${says}/doc/changelog ${says}/doc/changelog.Debian
-    COMMAND_ERROR_IS_FATAL ANY)
   foreach(shell bash zsh fish)
     execute_process(COMMAND $<TARGET_FILE:ostraka> completion \${shell}
       OUTPUT_FILE ${says}/completion/\${shell} COMMAND_ERROR_IS_FATAL ANY)
   endforeach()")
 install(DIRECTORY ${says}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-install(DIRECTORY ${says}/doc/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${says}/completion/bash RENAME ostraka
         DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(FILES ${says}/completion/zsh RENAME _ostraka
@@ -48,11 +44,6 @@ install(FILES ${says}/completion/fish RENAME ostraka.fish
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ostraka)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "3D models of potsherds from photographs of both their sides")
-set(CPACK_PACKAGE_DESCRIPTION "A plate of potsherds is photographed from all around, the sherds are turned
-over by hand and photographed again. Ostraka finds out which back belongs
-to which front, joins both sides along the broken edge, and keeps the
-sherds in a catalogue with their measures.")
 set(CPACK_PACKAGE_CONTACT "Ostraka maintainers <maintainers@ostraka.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -63,26 +54,47 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-translations-l10n, fonts-dejavu-core")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "colmap, openssh-client, rsync, slurm-client")
-# Three packages: the program; the library; the headers, for those who build with it.
+# Three packages: the program; the library; the headers, for those who build with it. A description
+# is the summary and, below it, the rest; the common one of CPack would become each one's summary.
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL program)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME ostraka)
+set(packages ostraka)
+set(about "A plate of potsherds is photographed from all around, the sherds are turned
+over by hand and photographed again. Ostraka finds out which back belongs
+to which front, joins both sides along the broken edge, and keeps the
+sherds in a catalogue with their measurements.")
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
+    "3D models of potsherds from photographs of both their sides\n${about}")
 if(TARGET ostraka_shared)
   get_target_property(soversion ostraka_shared SOVERSION)
-  set(CPACK_COMPONENTS_ALL program library development)
-  set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "Shared library of Ostraka")
-  set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers of Ostraka's C++ API")
-  set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libostraka${soversion})
+  list(APPEND CPACK_COMPONENTS_ALL library development)
+  list(APPEND packages libostraka${soversion} libostraka-dev)
+  set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "3D models of potsherds (shared library)\n${about}
+\nThis package has the library, which other programs use.")
   set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+  set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/debian/triggers)
   set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
-  set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libostraka-dev)
+  set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "3D models of potsherds (headers)\n${about}
+\nThis package has the headers of the C++ API, and what find_package(Ostraka)
+reads.")
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
   set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
       "libostraka${soversion} (= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}), libeigen3-dev")
-  install(FILES packaging/copyright COMPONENT library
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libostraka${soversion})
-  install(FILES packaging/copyright COMPONENT development
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libostraka-dev)
 endif()
+
+# What each of them has to hold: who owns it, what changed, and what lintian need not say.
+set(changes ${CMAKE_BINARY_DIR}/changes)
+configure_file(CHANGELOG.md ${changes}/changelog COPYONLY)
+configure_file(packaging/changelog.in ${changes}/changelog.Debian @ONLY)
+execute_process(COMMAND gzip -9nkf changelog changelog.Debian WORKING_DIRECTORY ${changes}
+  COMMAND_ERROR_IS_FATAL ANY)
+foreach(component package IN ZIP_LISTS CPACK_COMPONENTS_ALL packages)
+  string(TOUPPER ${component} upper)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package})
+  install(FILES packaging/copyright ${changes}/changelog.gz ${changes}/changelog.Debian.gz
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+  install(FILES packaging/debian/${component}.lintian-overrides RENAME ${package}
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT ${component})
+endforeach()
 include(CPack)

@@ -98,7 +98,7 @@ void tell(const CaptureEvent& event, Session& session) {
       break;
     case CaptureEventKind::ShotKept:
       for (const Message& sentence : event.check.sentences())
-        session.progress.note(NoteLevel::Warning, shot + ": " + sentence);
+        session.progress.note(NoteLevel::Warning, about(shot, sentence));
       break;
     default:
       break;

@@ -116,7 +116,7 @@ void printChanges(const std::vector<tables::ChangedValue>& changes) {
 
 void printRefusal(const tables::Refusal& refusal, const std::string& remedy) {
   show(stderr, "line %d, %s '%s': %s%s\n", refusal.line, refusal.column.c_str(),
-       refusal.value.c_str(), refusal.reason.c_str(), remedy.c_str());
+       refusal.value.c_str(), refusal.reason.english().c_str(), remedy.c_str());
 }
 
 void printRefusals(const tables::ImportReport& report) {

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 constexpr int kNoteMost_mb = 1, kLogMost_mb = 8;
 constexpr std::size_t kMostBytes = std::size_t{8} << 20, kLongestWords = 500;
-constexpr int kKilled = 128 + 9;  // as a shell gives it: by the kernel, where memory is short
+constexpr int kTerminated = 128 + 15;  // Slurm ended it before the script heard of that
+constexpr int kKilled = 128 + 9;       // as a shell gives it: by the kernel, where memory is short
 
 TaskStatus failedWith(const Task& task, Cause cause, std::string words) {
   return {task, TaskState::Failed, cause, std::move(words)};
@@ -79,6 +80,7 @@ TaskStatus judgeEnd(const Task& task, const StateNote& note, std::string_view lo
   if (note.time_up) return failedFor(task, Cause::Time);
   if (note.exit_status == kKilled || tellsOfMemory(log)) return failedFor(task, Cause::Memory);
   if (!note.room) return failedFor(task, Cause::Disk);
+  if (note.exit_status == kTerminated) return failedFor(task, Cause::Node);
   const std::string said = lastSentence(log);
   return failedWith(task, Cause::Program,
                     said.empty()

@@ -1,5 +1,6 @@
 #include "files/json_message.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -22,11 +23,12 @@ ordered_json valueJson(const MessageValue& value) {
     case MessageValue::Kind::Count:
       return value.count;
     case MessageValue::Kind::Decimal:
+      if (!std::isfinite(value.number.value)) return value.english();
       return {{"decimal", value.number.value}, {"digits", value.number.digits}};
     case MessageValue::Kind::Message:
       break;
   }
-  return {{"message", toJson(value.message.front())}};
+  return ordered_json::object({{"message", toJson(value.message.front())}});
 }
 
 std::optional<Message> messageOf(const json& value, int depth);
@@ -42,7 +44,8 @@ std::optional<MessageValue> valueOf(const json& value, int depth) {
   if (value.size() != 2 || !value.contains("decimal") || !value.contains("digits")) return {};
   const json& number = value["decimal"];
   const json& digits = value["digits"];
-  if (!number.is_number() || !digits.is_number_unsigned() || digits > kMostDigits) return {};
+  if (!number.is_number() || !digits.is_number_integer() || digits < 0 || digits > kMostDigits)
+    return {};
   return MessageValue(decimal(number.get<double>(), digits.get<int>()));
 }
 

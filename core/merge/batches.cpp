@@ -156,6 +156,7 @@ void Merging::mergeProject() {
                                theirs =
                                    store::valueOrThrow(catalogue::Settings(projects_.b).project());
   records::ProjectRecord merged = mine;
+  bool differs = false;
   struct Field {
     const char* name;
     std::string records::ProjectRecord::*value;
@@ -170,10 +171,12 @@ void Merging::mergeProject() {
     const std::string &a = mine.*field.value, &b = theirs.*field.value;
     if (a != b &&
         decide(&project, {field.name, "project#1", {field.name}, a, b, field.name, a, b}) ==
-            Take::B)
+            Take::B) {
       merged.*field.value = b;
+      differs = true;
+    }
   }
-  if (outcome_.unsettled()) return;
+  if (outcome_.unsettled() || !differs) return;
   store::valueOrThrow(catalogue::Settings(projects_.a).setProject(merged, provenance_));
 }
 

@@ -72,7 +72,7 @@ std::vector<Message> messagesAt(const ordered_json& figures, const char* key) {
   const auto list = figures.find(key);
   if (list == figures.end()) return {};
   Result<std::vector<Message>> read = messagesFromJson(*list, key);
-  return read ? std::move(*read) : std::vector<Message>();
+  return read ? std::move(*read) : std::vector<Message>{Message(list->dump())};
 }
 
 Result<StageRecord> runStage(const FolderLock& held, const std::string& name,

@@ -39,7 +39,8 @@ Result<StageRecord> runStage(const FolderLock& work_folder, const std::string& n
                              const nlohmann::ordered_json& key, const StageWork& work,
                              Progress& progress);
 
-/// Messages among a stage's figures; none where there are none.
+/// Messages among a stage's figures; none where there are none. What is no list of messages is said
+/// as it is: a doubt must not get lost.
 std::vector<Message> messagesAt(const nlohmann::ordered_json& figures, const char* key);
 
 }  // namespace ostraka::stages

@@ -15,7 +15,8 @@ using Eigen::Vector2d;
 using Sparse = Eigen::SparseMatrix<double>;
 using Entries = std::vector<Eigen::Triplet<double>>;
 
-constexpr int kReach = 16;  // texels: where a correction ends
+constexpr double kApart = 0.01;  // texels: places of one edge within a chart differ by rounding
+constexpr int kReach = 16;       // texels: where a correction ends
 // Weights of a correction's slope and of the pull towards none, beside the step at a place.
 constexpr double kSmoothCorrection = 0.03, kNoCorrection = 3e-4;
 constexpr int kRounds = 200;
@@ -145,9 +146,12 @@ std::vector<Seam> seamsOf(const TriangleMesh& mesh, const std::vector<Chart>& ch
       }
   std::stable_sort(halves.begin(), halves.end(),
                    [](const Half& a, const Half& b) { return a.edge < b.edge; });
+  const auto apart = [](const Seam::Line& a, const Seam::Line& b) {
+    return std::max((a[0] - b[0]).norm(), (a[1] - b[1]).norm()) > kApart;
+  };
   std::vector<Seam> seams;
   for (std::size_t i = 0; i + 1 < halves.size(); ++i)
-    if (halves[i].edge == halves[i + 1].edge && halves[i].line != halves[i + 1].line)
+    if (halves[i].edge == halves[i + 1].edge && apart(halves[i].line, halves[i + 1].line))
       seams.push_back({halves[i].line, halves[i + 1].line});
   return seams;
 }

@@ -126,7 +126,8 @@ int mergeTwo(const std::filesystem::path& folder, int rows) {
     const double time = milliseconds([&] {
       report = merge::mergeInto(*a, b->folder(), merge::MergeMode::Enter, {}, {}, quiet, {});
     });
-    if (!report) return std::fprintf(stderr, "%s\n", report.error().sentence().english().c_str()), 1;
+    if (!report)
+      return std::fprintf(stderr, "%s\n", report.error().sentence().english().c_str()), 1;
     std::printf("%-40s %8d rows  %9.1f s\n", what, report->added + report->changed, time / 1000);
   }
   return 0;

@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
   const auto made = model::closeModel(*front, *back, *front_from_back, options, quiet, {});
   const double closed = seconds();
   if (!made) return refuse(made.error());
-  std::string why = "closed, manifold";
+  Message why = "closed, manifold";
   model::isClosedManifold(made->mesh, &why);
   const model::Measures m = model::measure(made->mesh);
   const double measured = seconds();

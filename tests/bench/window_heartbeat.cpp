@@ -282,7 +282,7 @@ int main(int argc, char** argv) {
                 beat_late.at_ms / 1000);
     for (const Part& part : beat_late.parts)
       std::printf("    %6.1f ms, own %6.1f, waited %ld times, preempted %ld  %s\n", part.passed_ms,
-                  part.own_ms, part.waited, part.preempted, part.what.english().c_str());
+                  part.own_ms, part.waited, part.preempted, part.what.c_str());
   }
   print("a bare thread beside it", bare);
   print("computed by the window's thread between two beats", own);

@@ -6,6 +6,8 @@
 #include <stop_token>
 #include <string>
 
+#include "base/message.h"
+
 namespace ostraka::ui {
 
 /// A job asks a person to do something ("Turn the table to mark 3.") and waits for the answer.

@@ -303,7 +303,7 @@ TEST_F(Export, TheTableNamesTheFilesOfEachSherd) {
 TEST_F(Export, TablesSayWhereTheMassLiesOfModelsThatGoAlong) {
   ASSERT_TRUE(exportTo("with", {Form::Csv, Form::Ply}));
   ASSERT_TRUE(exportTo("without", {Form::Csv}));
-  for (const auto& [folder, centre] : {std::pair("with", "0.25"), std::pair("without", "")}) {
+  for (const auto& [folder, centre] : {std::pair("with", "2"), std::pair("without", "")}) {
     const auto table =
         tables::parseCsv(*readFile(folder_.path() / folder / "data/sherds.csv"), "sherds.csv");
     ASSERT_TRUE(table);
@@ -353,7 +353,8 @@ TEST_F(Export, AWholeBatchWithoutItsResultsIsNamedWhenViewsAreWanted) {
   const Result<Exported> done = exportTo("out", {Form::Csv, Form::Views});
   ASSERT_TRUE(done) << done.error().sentence();
   ASSERT_EQ(done->warnings.size(), 1u);
-  EXPECT_NE(done->warnings[0].english().find("No pictures with masks and poses of B0001"), std::string::npos);
+  EXPECT_NE(done->warnings[0].english().find("No pictures with masks and poses of B0001"),
+            std::string::npos);
   EXPECT_FALSE(fs::exists((folder_.path() / "out").string() + ".views"));
 }
 

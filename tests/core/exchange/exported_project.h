@@ -18,7 +18,7 @@ class ExportedProject : public catalogue::SmallProject {
  protected:
   ExportedProject() : batch(newBatch({bag4})), out(project_->resultsFolder("B0001"), 3) {
     TriangleMesh mesh;
-    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    mesh.vertices = {{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {0, 0, 8}};
     mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
     for (const char* number : {"01", "02", "03"}) {
       const auto folder = project_->resultsFolder("B0001") / "sherds" / number;

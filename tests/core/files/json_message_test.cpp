@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace ostraka {
@@ -20,6 +21,12 @@ TEST(JsonMessage, ComesBackWithTemplateAndValues) {
   EXPECT_EQ(read->values()[2].kind, MessageValue::Kind::Decimal);
   EXPECT_EQ(read->values()[3].message.front().templateWords(), "it is not open");
   EXPECT_EQ(toJson(words)["text"], words.english());
+}
+
+TEST(JsonMessage, ANumberThatJsonDoesNotKnowIsWrittenOut) {
+  const Message words = message("It is %1 mm off.", decimal(std::nan(""), 2));
+  const auto text = toJson(words).dump();
+  EXPECT_EQ(*messageFromJson(nlohmann::json::parse(text), "x"), words);
 }
 
 TEST(JsonMessage, WordsWithoutATemplateAreAString) {

@@ -100,7 +100,7 @@ class ExportScreenTest : public QObject {
     QVERIFY(form(exchange::Form::Drawings)->isChecked());
     QVERIFY(!form(exchange::Form::Csv)->isChecked());
     QCOMPARE(child<QComboBox>("exportScale")->currentText(), QString("fit to A4"));
-    QVERIFY(child<QComboBox>("exportDetail")->currentText().contains("0.4 mm"));
+    QVERIFY(child<QComboBox>("exportDetail")->currentText().contains("1 MB"));
     QVERIFY2(child<QLineEdit>("target")->text().startsWith(sample_->folder() + "/"),
              qPrintable(child<QLineEdit>("target")->text()));
   }

@@ -97,7 +97,7 @@ class ImportTest : public QObject {
     QSignalSpy imported(&importer, &BatchImporter::imported);
     std::string sentence;
     connect(&importer, &BatchImporter::failed, this,
-            [&](const Error& error) { sentence = error.sentence(); });
+            [&](const Error& error) { sentence = error.sentence().english(); });
     importer.start(QString::fromStdString(path("half").string()), ImportKind::Scans, {});
     QTRY_VERIFY(!sentence.empty());
     QVERIFY(sentence.find("back/") != std::string::npos);
@@ -118,7 +118,7 @@ class ImportTest : public QObject {
     importer.setSession(session_.get());
     QString why;
     connect(&importer, &BatchImporter::failed, this,
-            [&](const Error& error) { why = QString::fromStdString(error.what); });
+            [&](const Error& error) { why = QString::fromStdString(error.what.english()); });
     importer.start(QString::fromStdString(path("absent").string()), ImportKind::Scans, {});
     QTRY_VERIFY(!why.isEmpty());
     QVERIFY2(why.startsWith('<') && why.endsWith('>') && why.contains("front/"), qPrintable(why));
@@ -226,7 +226,7 @@ class ImportTest : public QObject {
     importer.setSession(session_.get());
     std::string sentence;
     connect(&importer, &BatchImporter::failed, this,
-            [&](const Error& error) { sentence = error.sentence(); });
+            [&](const Error& error) { sentence = error.sentence().english(); });
     QSignalSpy imported(&importer, &BatchImporter::imported);
     importer.start(QString::fromStdString(path("week").string()), ImportKind::Photographs, {});
     QTRY_VERIFY2(imported.count() == 1, sentence.c_str());
@@ -258,7 +258,7 @@ class ImportTest : public QObject {
     importer.setSession(session_.get());
     std::string sentence;
     connect(&importer, &BatchImporter::failed, this,
-            [&](const Error& error) { sentence = error.sentence(); });
+            [&](const Error& error) { sentence = error.sentence().english(); });
     importer.start(QString::fromStdString(path("bare").string()), ImportKind::Photographs, {});
     QTRY_VERIFY2(sentence.find("plate.json") != std::string::npos, sentence.c_str());
     QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());
@@ -366,7 +366,7 @@ class ImportTest : public QObject {
     QSignalSpy there(&importer, &BatchImporter::alreadyThere);
     std::string sentence;
     connect(&importer, &BatchImporter::failed, this,
-            [&](const Error& error) { sentence = error.sentence(); });
+            [&](const Error& error) { sentence = error.sentence().english(); });
     const QString from = QString::fromStdString(path("up").string());
     sides.sheet = path("sheets/plate.json");
     importer.start(from, ImportKind::Photographs, {}, sides);
@@ -396,7 +396,7 @@ class ImportTest : public QObject {
     importer.setSession(session_.get());
     std::string sentence;
     connect(&importer, &BatchImporter::failed, this,
-            [&](const Error& error) { sentence = error.sentence(); });
+            [&](const Error& error) { sentence = error.sentence().english(); });
     importer.start(QString::fromStdString(path("holiday").string()), ImportKind::Photographs, {});
     QTRY_VERIFY(!sentence.empty());
     QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());

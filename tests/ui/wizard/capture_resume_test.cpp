@@ -221,7 +221,7 @@ class CaptureResumeTest : public QObject {
     again.wizard.rig()->choose(source);
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::ShootFront);
     QVERIFY(again.wizard.fault().has_value());
-    QVERIFY2(QString::fromStdString(again.wizard.fault()->what)
+    QVERIFY2(QString::fromStdString(again.wizard.fault()->what.english())
                  .contains(QString::number(2 * cameras) + " photograph"),
              again.wizard.fault()->what.english().c_str());
     QCOMPARE(again.wizard.side()->stopsDone(), 2);

@@ -86,14 +86,22 @@ int finish(const Session& session, int status, nlohmann::ordered_json result,
                 [&words] { show(stdout, "%s\n", words.c_str()); });
 }
 
+static const char* wordsOf(WhenStopped stopped) {
+  switch (stopped) {
+    case WhenStopped::GoesOn:
+      return "Cancelled. Complete stages are kept; run the same command to continue from there.";
+    case WhenStopped::RemovedItsBatch:
+      return "Cancelled. The incomplete batch was removed.";
+    case WhenStopped::BeginsAnew:
+      break;
+  }
+  return "Cancelled. Run the same command to start again.";
+}
+
 int fail(const Session& session, const Error& error, WhenStopped when_stopped) {
   const bool stopped = error.code == ErrorCode::Cancelled;
   std::string sentence = error.sentence().english();
-  if (stopped && error.what == Error::cancelled().what)
-    sentence = when_stopped == WhenStopped::GoesOn
-                   ? "Cancelled. Complete stages are kept; run the same command to continue "
-                     "from there."
-                   : "Cancelled. Run the same command to start again.";
+  if (stopped && error.where.empty()) sentence = wordsOf(when_stopped);
   session.finishProgress();
   show(stderr, "ostraka: %s\n", sentence.c_str());
   if (session.json)

@@ -59,7 +59,7 @@ void addPairing(CLI::App& command, pairing::Method& pairing, registration::Metho
 void checkBoundary(registration::Method registration, registration::Boundary boundary);
 
 /// What the same command does after a person stopped it.
-enum class WhenStopped { BeginsAnew, GoesOn };
+enum class WhenStopped { BeginsAnew, GoesOn, RemovedItsBatch };
 
 /// Says what went wrong on standard error, with --json as an object on standard output, and gives
 /// the exit status.

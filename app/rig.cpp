@@ -30,10 +30,7 @@ int runSimulate(const SimulateOptions& options, Session& session) {
   if (const Result<void> checked = options.check(); !checked) return fail(session, checked.error());
   session.progress.begin(options.scans_only ? "scans" : "photographs", 1.0);
   const Result<void> made = virtualrig::simulateBatch(options, session.progress, session.stop);
-  if (!made && made.error().code == ErrorCode::Cancelled)
-    return fail(session,
-                {ErrorCode::Cancelled, "Cancelled. The incomplete batch was removed.", {}});
-  if (!made) return fail(session, made.error());
+  if (!made) return fail(session, made.error(), WhenStopped::RemovedItsBatch);
   const std::string output = options.output.string();
   return finish(session, Whole,
                 {{"output", output}, {"sherds", options.sherds}, {"seed", options.seed}},

@@ -59,13 +59,12 @@ class GphotoCamera final : public devices::Camera {
   Result<void> open() {
     const std::lock_guard lock(gphotoLock());
     if (serial_.starts_with("ptpip:")) return openAt({"PTP/IP Camera", serial_});
-    Result<void> best =
-        Error{ErrorCode::Missing, message("The camera is not plugged in."), serial_};
+    std::optional<Error> trouble;
     std::string others;
     for (const GphotoPort& seen : detectGphoto(context_.get())) {
       const Result<void> opened = openAt(seen);
       if (!opened) {
-        best = opened;
+        trouble = opened.error();
         continue;
       }
       if (const std::string found = text("serialnumber"); found == serial_ || serial_.empty()) {
@@ -76,12 +75,13 @@ class GphotoCamera final : public devices::Camera {
       }
       letGo();
     }
-    if (!others.empty() && best.error().what == message("The camera is not plugged in."))
-      return Error{
-          ErrorCode::Missing,
-          message("The camera with this serial number is not plugged in; found: %1.", others),
-          serial_};
-    return best;
+    if (trouble) return *trouble;
+    return Error{
+        ErrorCode::Missing,
+        others.empty()
+            ? message("The camera is not plugged in.")
+            : message("The camera with this serial number is not plugged in; found: %1.", others),
+        serial_};
   }
 
   devices::CameraId id() const override { return {"gphoto2", model_, serial_, port_}; }

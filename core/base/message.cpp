@@ -4,7 +4,8 @@
 
 namespace ostraka {
 
-MessageValue::MessageValue(const Message& words) : kind(Kind::Message), message{words} {}
+MessageValue::MessageValue(const Message& words)
+    : kind(Kind::Message), message(std::make_shared<const Message>(words)) {}
 
 std::string MessageValue::english() const {
   switch (kind) {
@@ -15,7 +16,7 @@ std::string MessageValue::english() const {
     case Kind::Decimal:
       return fixed(number.value, number.digits);
     case Kind::Message:
-      return message.front().english();
+      return message->english();
   }
   return text;
 }

@@ -2,6 +2,7 @@
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -46,7 +47,7 @@ struct MessageValue {
   std::string text;
   std::int64_t count = 0;
   Decimal number;
-  std::vector<Message> message;  ///< of kind Message: that one
+  std::shared_ptr<const Message> message;  ///< of kind Message; else none
 };
 
 /// An English sentence or phrase with places %1 to %N, each of them there at least once; checked

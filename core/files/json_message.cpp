@@ -28,7 +28,7 @@ ordered_json valueJson(const MessageValue& value) {
     case MessageValue::Kind::Message:
       break;
   }
-  return ordered_json::object({{"message", toJson(value.message.front())}});
+  return ordered_json::object({{"message", toJson(*value.message)}});
 }
 
 std::optional<Message> messageOf(const json& value, int depth);

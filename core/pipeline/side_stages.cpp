@@ -215,7 +215,7 @@ namespace {
 // Whether one of the values is this file, or a path that ends in it.
 bool names(const Message& message, const std::string& file) {
   return std::any_of(message.values().begin(), message.values().end(), [&](const MessageValue& v) {
-    return v.kind == MessageValue::Kind::Message ? names(v.message.front(), file)
+    return v.kind == MessageValue::Kind::Message ? names(*v.message, file)
                                                  : v.text.find(file) != std::string::npos;
   });
 }

@@ -18,7 +18,7 @@ QString written(const MessageValue& value) {
     case MessageValue::Kind::Decimal:
       return locale.toString(value.number.value, 'f', value.number.digits);
     case MessageValue::Kind::Message:
-      return wordsOf(value.message.front());
+      return wordsOf(*value.message);
   }
   return {};
 }

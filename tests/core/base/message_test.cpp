@@ -32,8 +32,8 @@ TEST(Message, HoldsOtherMessages) {
   const Message words = message("The catalogue is damaged (%1).", inner);
   EXPECT_EQ(words, "The catalogue is damaged (its pages are inconsistent).");
   ASSERT_EQ(words.values()[0].kind, MessageValue::Kind::Message);
-  EXPECT_EQ(words.values()[0].message.front().templateWords(), "its pages are inconsistent");
-  EXPECT_EQ(inOne(inner, words).values()[1].message.front().templateWords(), words.templateWords());
+  EXPECT_EQ(words.values()[0].message->templateWords(), "its pages are inconsistent");
+  EXPECT_EQ(inOne(inner, words).values()[1].message->templateWords(), words.templateWords());
 }
 
 // Words of another program, or of a person, are no template: nobody translates them.
@@ -52,7 +52,7 @@ TEST(Message, OfATableIsTheSame) {
 TEST(Message, OfAnErrorNamesWhereItIs) {
   const Error error = Error::unusable(message("It has %1 points.", 7), "scan.ply");
   EXPECT_EQ(error.sentence(), "scan.ply: It has 7 points.");
-  EXPECT_EQ(error.sentence().values()[1].message.front().templateWords(), "It has %1 points.");
+  EXPECT_EQ(error.sentence().values()[1].message->templateWords(), "It has %1 points.");
   EXPECT_EQ(linesOf({error.sentence(), error.what}),
             "scan.ply: It has 7 points.\nIt has 7 points.");
 }

@@ -19,7 +19,7 @@ TEST(JsonMessage, ComesBackWithTemplateAndValues) {
   ASSERT_EQ(read->values().size(), 4u);
   EXPECT_EQ(read->values()[1].kind, MessageValue::Kind::Count);
   EXPECT_EQ(read->values()[2].kind, MessageValue::Kind::Decimal);
-  EXPECT_EQ(read->values()[3].message.front().templateWords(), "it is not open");
+  EXPECT_EQ(read->values()[3].message->templateWords(), "it is not open");
   EXPECT_EQ(toJson(words)["text"], words.english());
 }
 

@@ -83,8 +83,9 @@ Result<void> startPosition(RigDevices& devices, const SideOptions& options, Sess
   const bool fresh =
       missing->size() == devices.cameras.size() * static_cast<std::size_t>(options.stops);
   if (!fresh) return {};
-  session.progress.note(NoteLevel::Info,
-                        "capture: the table has no zero switch; it counts from where it stands");
+  session.progress.note(
+      NoteLevel::Info,
+      "capture: the turntable has no zero switch; angles count from its present position");
   return devices.turntable->zeroHere(session.stop);
 }
 
@@ -147,12 +148,15 @@ Result<SideResult> shoot(const CaptureArguments& arguments, batch::Side side, Ri
   if (!done) {
     Error error = done.error();
     if (error.code != ErrorCode::Cancelled)
-      error.what =
-          inOne(error.what,
-                "What was photographed so far is safe; start the same command again to go on.");
+      error.what = inOne(error.what,
+                         "The photographs so far are saved; run the same command again to resume.");
     return error;
   }
   SideResult result{*done, done->check.sentences};
+  if (!done->flagged.empty())
+    result.sentences.push_back(
+        "Photographs kept despite problems: " + std::to_string(done->flagged.size()) +
+        "; check them before you continue.");
   if (side == batch::Side::Back) {
     const Result<std::optional<SideCheck>> front = checkFront(arguments, devices, session);
     if (!front) return front.error();
@@ -234,7 +238,7 @@ int runCapture(const CaptureArguments& arguments, Session& session) {
 
 void addCapture(CLI::App& root, Command& chosen) {
   CLI::App* command =
-      root.add_subcommand("capture", "Photograph one side of a batch; goes on where it broke off");
+      root.add_subcommand("capture", "Photograph one side of a batch; resumes where it stopped");
   auto arguments = std::make_shared<CaptureArguments>();
   command->add_option("--rig", arguments->rig, "RIG.json, or the word virtual")->required();
   command->add_option("--side", arguments->side, "front, back, or both (virtual rig only)")
@@ -254,7 +258,7 @@ void addCapture(CLI::App& root, Command& chosen) {
   command->add_option("--width", rig.width, "Virtual rig: width of a photograph in pixels")
       ->capture_default_str();
   command->add_option("--turn-speed", rig.turn_deg_s,
-                      "Virtual rig: degrees a second of the table; 0: at once");
+                      "Virtual rig: degrees per second of the turntable; 0: immediately");
   command->add_option("--settle", rig.settle_s, "Virtual rig: seconds that the table settles");
   command->callback([arguments, &chosen] {
     arguments->virtual_rig.stops = arguments->stops;

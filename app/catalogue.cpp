@@ -88,7 +88,7 @@ int runExport(const Options& options, Session& session) {
   for (const Message& warning : done->warnings) show(stderr, "%s\n", warning.english().c_str());
   const std::vector<std::string> missing = namesOf(done->without_file);
   if (!missing.empty())
-    show(stderr, "No file of these forms, since the sherds have none: %s.\n",
+    show(stderr, "No files in these formats, since the sherds have none: %s.\n",
          joined(missing, ", ").c_str());
   const bool nothing = done->without_file.size() == how.forms.size();
   const int status = done->warnings.empty() && !nothing ? Whole : NotWhole;
@@ -131,7 +131,7 @@ int runEnter(const Options& options, Session& session) {
                  {"warnings", warnings}},
                 options.batch + ": " + std::to_string(entered->new_sherds) + " new sherds, " +
                     std::to_string(entered->models) + " models, " + std::to_string(entered->open) +
-                    " want a person.");
+                    " to review.");
 }
 
 int runArchive(const Options& options, Session& session) {
@@ -317,7 +317,7 @@ void addCatalogue(CLI::App& root, Command& chosen) {
   addProject(out, *options);
   addOutput(out, *options, "New folder for the export");
   out->add_option("--filter", options->filter, "Which sherds, as in the window: rim thickness>6");
-  out->add_option("--forms", options->forms, "What is written")
+  out->add_option("--forms", options->forms, "Formats to write")
       ->delimiter(',')
       ->transform(CLI::CheckedTransformer(formsByName()))
       ->default_str("csv,json,ply,glb,pictures");

@@ -69,13 +69,14 @@ nlohmann::ordered_json jsonOf(const std::vector<TaskStatus>& all) {
                     {"cause", wordOf(one.cause)},
                     {"job", one.task.job},
                     {"task", one.task.number},
-                    {"words", one.words}});
+                    {"words", one.words.english()}});
   return list;
 }
 
 void printLines(const std::vector<TaskStatus>& all) {
   for (const TaskStatus& one : all)
-    show(stdout, "%-8s %-9s %s\n", one.task.batch.c_str(), wordOf(one.state), one.words.c_str());
+    show(stdout, "%-8s %-9s %s\n", one.task.batch.c_str(), wordOf(one.state),
+         one.words.english().c_str());
 }
 
 void printWarnings(const std::vector<Message>& warnings) {
@@ -101,7 +102,7 @@ int runSubmit(const ClusterOptions& options, Session& session) {
   std::string words = "Submitted batches: " + std::to_string(done->batches.size()) +
                       "; on the cluster before: " + std::to_string(done->already) + ".";
   if (!done->batches.empty())
-    words += formatted(" Asked for each: %.1f GB of memory, %d minutes. Array of Slurm: ",
+    words += formatted(" Requested for each: %.1f GB of memory, %d minutes. Slurm array: ",
                        done->memory_mb / 1000.0, done->minutes) +
              joined(done->arrays, ", ") + ".";
   return finish(session, done->warnings.empty() ? Whole : NotWhole,
@@ -166,11 +167,9 @@ void addCluster(CLI::App& root, Command& chosen) {
       "cluster", "Process the batches of a project on a cluster with Slurm, and enter the results");
   command->require_subcommand(1);
   command->footer(
-      "Batches that wait in the project's queue are handed over once, however often 'submit' "
-      "runs;\n"
-      "one that failed is handed over again and goes on from its last complete stage. Nothing "
-      "runs\n"
-      "in the background: 'status' asks Slurm, 'collect' enters what is complete.");
+      "Batches in the project's queue are submitted once, however often 'submit' runs; one that\n"
+      "failed is submitted again and resumes after its last complete stage. Nothing runs in the\n"
+      "background: 'status' asks Slurm, 'collect' enters complete results.");
   auto options = std::make_shared<ClusterOptions>();
   const auto add = [&](const char* name, const char* words,
                        int (*run)(const ClusterOptions&, Session&)) {
@@ -183,10 +182,11 @@ void addCluster(CLI::App& root, Command& chosen) {
     });
     return one;
   };
-  CLI::App* submit = add("submit", "Hand over the batches that wait", runSubmit);
-  submit->add_option("--host", options->submit.host,
-                     "USER@LOGIN:/FOLDER where batches go by rsync; else the cluster must see the "
-                     "project's folder");
+  CLI::App* submit = add("submit", "Submit the waiting batches", runSubmit);
+  submit->add_option(
+      "--host", options->submit.host,
+      "USER@LOGIN:/FOLDER to which rsync copies the batches; else the cluster must see the "
+      "project's folder");
   submit->add_option("--cores", options->submit.ask.cores, "Processor cores for each batch")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));

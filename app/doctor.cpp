@@ -98,7 +98,7 @@ Finding disk(const fs::path& folder) {
                             (speed < 0 ? "" : ", writes " + fixed(speed, 0) + " MB a second");
   if (speed < 0) return {State::Missing, "disk", words + "; nothing can be written there"};
   if (static_cast<double>(space.available) < 5e9)
-    return {State::Missing, "disk", words + "; a batch takes about 1 GB: make room"};
+    return {State::Missing, "disk", words + "; a batch takes about 1 GB: free some space"};
   if (speed < 20) return {State::Slow, "disk", words + "; that is slow for photographs"};
   return {State::Good, "disk", words};
 }

@@ -238,7 +238,7 @@ Result<void> evaluateAny(const EvaluateArguments& arguments, Session& session, S
     return evaluateRegister(arguments, session, sheet);
   return Error::unusable(
       "There is nothing here to compare with " + arguments.truth.string() +
-          ": it takes a folder of `process` and a truth with sherds.json, a folder of "
+          "; give a folder of `process` and a truth with sherds.json, a folder of "
           "`register` and one with truth.json, or two PLY files.",
       arguments.output.string());
 }

@@ -36,7 +36,7 @@ Interrupt::Interrupt() {
     char byte = 0;
     while (::read(wake_read_, &byte, 1) == 1 && byte == 's') {
       if (source_.stop_requested()) ::_exit(1);
-      std::fputs("\nostraka: stopping; once more ends it at once.\n", stderr);
+      std::fputs("\nostraka: stopping; press Ctrl-C again to end immediately.\n", stderr);
       source_.request_stop();
     }
   });

@@ -47,8 +47,8 @@ int run(const app::Command& chosen, bool json, bool quiet, bool verbose) {
     return chosen(session);
   } catch (const std::bad_alloc&) {
     return app::fail(session, {ErrorCode::Failed,
-                               "The memory does not suffice; close other programs, or use fewer "
-                               "threads (--threads).",
+                               "Not enough memory; close other programs, or use fewer threads "
+                               "(--threads).",
                                {}});
   } catch (const std::exception& error) {
     return app::fail(session,

@@ -68,7 +68,7 @@ std::string exitStatus() {
          ".TP\n.B 2\nThe command line or the input cannot be used; the message names the file and "
          "what to do.\n"
          ".TP\n.B 3\nNeeds review: ambiguous pairs, or a photographed side that looks wrong.\n"
-         ".PP\nWith \\-\\-json the object holds the status, too, as exit_status.\n";
+         ".PP\nWith \\-\\-json the object also contains the status, as exit_status.\n";
 }
 
 std::string pageOf(const CLI::App& app, const CLI::App& root, const std::string& name,

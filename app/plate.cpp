@@ -37,8 +37,8 @@ int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem
          options.ruler_measured_mm == 0 ? " as drawn" : " as measured");
     if (print->markers_cut > 0)
       show(stdout,
-           print->markers_cut == 1 ? "%d marker lies on a seam; glue it with care.\n"
-                                   : "%d markers lie on a seam; glue those with care.\n",
+           print->markers_cut == 1 ? "%d marker is on a seam; glue it with care.\n"
+                                   : "%d markers are on a seam; glue those with care.\n",
            print->markers_cut);
     if (options.ruler_measured_mm == 0)
       show(stdout,

@@ -107,16 +107,14 @@ void addProcess(CLI::App& root, Command& chosen) {
       root.add_subcommand("process", "Turn photographs of sherds into complete models");
   command->footer(
       "PHOTOGRAPHS is a batch folder (front/, back/, plate.json), or a folder with photographs by\n"
-      "hand of the front; BACK then has those of the back. A camera at rest over a round plate\n"
-      "that turns gives such folders, too. Names and formats are as the camera left them.\n"
-      "plate.json of the sheet lies beside the photographs, in the folder above, or is named.\n"
-      "Without it markers are sought in the photographs; without markers COLMAP finds the "
-      "cameras,\n"
-      "and the result has no scale but that of scale.json.\n"
+      "hand of the front; BACK then has those of the back. A fixed camera over a turning round\n"
+      "plate gives such folders, too. Names and formats are as the camera left them.\n"
+      "plate.json of the sheet is beside the photographs, in the folder above, or is named.\n"
+      "Without it, markers are detected in the photographs; without markers, COLMAP finds the\n"
+      "cameras, and only scale.json gives the result a scale.\n"
       "\n"
-      "Stopped or killed, the same command goes on from the last whole stage. Open "
-      "OUT/report.html\n"
-      "to look at the result.");
+      "If stopped or killed, the same command resumes after the last complete stage. Open\n"
+      "OUT/report.html to see the result.");
   auto options = std::make_shared<ProcessOptions>();
   command
       ->add_option("PHOTOGRAPHS", options->batch,
@@ -149,9 +147,9 @@ void addProcess(CLI::App& root, Command& chosen) {
   command
       ->add_option(
           "--megapixels", options->megapixels,
-          "Photographs of more millions of pixels are averaged down to this for masks and "
-          "stereo: more takes more memory and time; else 5, or fewer where a side has more "
-          "than 24 photographs, so that 4 GB of memory suffice")
+          "Larger photographs are averaged down to this many megapixels for masks and stereo: "
+          "more takes more memory and time; default 5, or fewer if a side has more than 24 "
+          "photographs, so that 4 GB of memory are enough")
       ->check(CLI::Range(0.3, 1000.0));
   command->add_flag_callback(
       "--draft", [options] { options->megapixels = pipeline::kDraftMegapixels; },

@@ -47,7 +47,7 @@ void addHandHeld(CLI::App& command, SimulateOptions& options, rendering::HandHel
         hand.photographs = photographs;
         options.hand_held = hand;
       },
-      "No rig: so many photographs a side by hand over a printed sheet on a table");
+      "No rig: this many hand-held photographs per side over a printed sheet on a table");
   const auto choice = [&](const char* name, const char* help, auto& value, const auto& names,
                           const char* standard) {
     command.add_option(name, value, help)
@@ -60,7 +60,7 @@ void addHandHeld(CLI::App& command, SimulateOptions& options, rendering::HandHel
                                                      {"a3", rendering::SheetSize::A3},
                                                      {"letter", rendering::SheetSize::Letter}},
          "a4");
-  choice("--table", "What the sheet lies on", hand.table,
+  choice("--table", "The surface under the sheet", hand.table,
          std::map<std::string, rendering::TableKind>{
              {"wood", rendering::TableKind::Wood},
              {"cloth", rendering::TableKind::Cloth},
@@ -84,7 +84,7 @@ void addHandHeld(CLI::App& command, SimulateOptions& options, rendering::HandHel
       ->needs(by_hand);
   command
       .add_option("--clutter", hand.clutter,
-                  "Things beside the sherds, 0 to 4: scale bar, label, colour card, pencil")
+                  "Objects beside the sherds, 0 to 4: scale bar, label, colour card, pencil")
       ->capture_default_str()
       ->needs(by_hand);
   for (const char* of_a_rig : {"--stops", "--plate", "--scans-only", "--scan-noise", "--fault"})
@@ -102,7 +102,7 @@ void addSimulate(CLI::App& rig, Command& chosen) {
   command->add_option("--sherds", options->sherds, "Number of sherds")->capture_default_str();
   command
       ->add_option("--mesh", options->meshes,
-                   "Photograph this closed mesh (PLY, mm) in place of sherds; once for each thing")
+                   "Photograph this closed mesh (PLY, mm) instead of sherds; once per object")
       ->check(CLI::ExistingFile)
       ->excludes("--sherds");
   command->add_option("--width", options->width, "Width of a photograph in pixels")
@@ -141,7 +141,7 @@ void addSimulate(CLI::App& rig, Command& chosen) {
       "cloth\n"
       "on a third of the markers), shadow (of a hand, at one stop), truncated (two files cut "
       "off).");
-  command->add_option("--fault", options->fault, "Something that goes wrong on purpose, see below")
+  command->add_option("--fault", options->fault, "A deliberate fault, see below")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, Fault>{{"blur", Fault::Blur},
                                                                {"missing", Fault::Missing},

@@ -77,7 +77,8 @@ void print(const Prediction& p) {
       show(stdout, "         %d of %d got no model.\n", s.without_model, s.sherds);
     sherds += s.sherds;
   }
-  show(stdout, "A batch of %d photographs takes %.0f s on this computer, and each sherd its own.\n",
+  show(stdout,
+       "A batch of %d photographs takes %.0f s on this computer, plus the time of each sherd.\n",
        p.photographs, p.expectedSeconds(p.fixed_seconds));
   // A computer to itself keeps nine tenths of its processors at work.
   if (const double idle = p.processors / (0.9 * p.threads); idle < 0.8)
@@ -120,7 +121,7 @@ void addRigPredict(CLI::App& rig, Command& chosen) {
   command->footer(
       "Virtual sherds of about 26, 48 and 82 mm, matte and on the standard dark plate, are\n"
       "photographed by the rig's own cameras at its stops and go through the whole chain; the\n"
-      "models are compared with the truth. 90 % of a model's surface lie within 'accuracy' of\n"
+      "models are compared with the truth. 90 % of a model's surface is within 'accuracy' of\n"
       "the truth; 'completeness' is the share of the truth within 0.25 mm of the model. 'seen'\n"
       "comes from rays: by three photographs of a side; breaks by both sides. Rays also say which\n"
       "camera, 10 or 20 degrees higher or lower, would look at the sherds more squarely, or close "

@@ -1677,7 +1677,7 @@
       <translation>Es wird gesucht, was die Kamera festhält</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie haben %1 Scherben gezählt, die Fotos zeigen %2: Suchen Sie eine, die verdeckt ist, eine andere berührt oder gar nicht hingelegt wurde.</translation>
     </message>
@@ -1712,7 +1712,7 @@
       <translation>Mehrere Beuteletiketten sind zu sehen: %1. Nur das dieser Scherben liegen lassen.</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <source>You counted %1 sherds, the photographs show %2: check whether one is in fragments or an object is not a sherd, or correct the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sie haben %1 Scherben gezählt, die Fotos zeigen %2: Sehen Sie nach, ob eine in Teilen daliegt oder etwas, das keine Scherbe ist, oder berichtigen Sie die Zahl.</translation>
     </message>
@@ -5089,82 +5089,29 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Doubts</name>
-    <message>
-      <source>(%1, %2) mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>(%1, %2) mm</translation>
-    </message>
-    <message>
-      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Scherben konnten nicht gezählt werden: zu wenige Marken der Platte sind zu sehen.</translation>
-    </message>
-    <message>
-      <source>No sherd is visible on the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Auf der Platte ist keine Scherbe zu sehen.</translation>
-    </message>
-    <message>
-      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherben berühren sich fast oder ganz bei %1 von der Mitte der Platte: auseinanderrücken und neu aufnehmen.</translation>
-    </message>
-    <message>
-      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Was bei %1 von der Mitte der Platte liegt, wurde als eine gezählt, kann aber zwei Scherben sein, die sich berühren: dort nachsehen; wenn ja, auseinanderrücken und neu aufnehmen.</translation>
-    </message>
-    <message>
-      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Rückseite sieht aus wie die Vorderseite: die Scherben umdrehen und neu aufnehmen.</translation>
-    </message>
-    <message>
-      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Scherben der Rückseite konnten nicht gezählt werden: die Bilder vergleichen, bevor die Platte abgeräumt wird.</translation>
-    </message>
-    <message>
-      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Scherben der Vorderseite konnten nicht gezählt werden: die Bilder vergleichen, bevor die Platte abgeräumt wird.</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Vorderseite zeigte %1 Scherben, die Rückseite %2: die fehlende suchen, bevor die Platte abgeräumt wird.</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Vorderseite zeigte %1 Scherben, die Rückseite %2: prüfen, ob eine hinzukam oder zerbrach.</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::Error</name>
     <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <source>The disk has only %1 MB left, and a batch needs more. Nothing is lost: free some space, then resume.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auf dem Datenträger sind nur noch %1 MB frei; ein Durchgang braucht mehr. Nichts ist verloren: Platz schaffen, dann fortsetzen.</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <source>%1: this number was entered on the plate, but there is no sherd with a context in that place; assign it in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Diese Nummer wurde auf der Platte eingetippt, aber dort liegt keine Scherbe mit einem Befund; vergeben Sie sie im Katalog.</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <source>%1: this number was entered on the plate, but it belongs to another sherd; check which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: diese Nummer wurde auf der Platte getippt, gehört aber einer anderen Scherbe; nachsehen, welche der beiden sie trägt, und der anderen eine neue geben.</translation>
     </message>
     <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <source>Pairs were decided or masks edited while the batch was being processed; reprocess it to apply them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Während der Durchgang verarbeitet wurde, wurden Paare entschieden oder Masken bearbeitet. Dafür neu verarbeiten.</translation>
     </message>
     <message>
-      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <source>Sherds counted on the plate: %1, but another number was found; check the map for a sherd that is missing or was split in two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Auf der Platte gezählte Scherben: %1. Gefunden wurde eine andere Zahl; suchen Sie auf dem Plan nach einer, die fehlt oder zerteilt ist.</translation>
     </message>
@@ -5189,7 +5136,7 @@
       <translation>Die Kamera antwortet nicht und schläft vielleicht. Ihre automatische Abschaltung ausschalten.</translation>
     </message>
     <message>
-      <source>The camera stays busy; switch it off and on.</source>
+      <source>The camera remains busy; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kamera bleibt beschäftigt; aus- und wieder einschalten.</translation>
     </message>
@@ -5454,7 +5401,7 @@
       <translation>Der JSON-Text ist größer als 64 MiB.</translation>
     </message>
     <message>
-      <source>The JSON is nested deeper than 64 levels.</source>
+      <source>The JSON is nested more than 64 levels deep.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das JSON ist tiefer als 64 Ebenen verschachtelt.</translation>
     </message>
@@ -5579,14 +5526,14 @@
       <translation>Derselbe Ordner wurde für Vorder- und Rückseite genannt; den Ordner jeder Seite wählen.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Vorderseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; ringsum mehr aufnehmen.</translation>
+      <translation>Brauchbare Fotos der Vorderseite: %1; mindestens %2 sind nötig. Weitere aus allen Richtungen aufnehmen.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Rückseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; ringsum mehr aufnehmen.</translation>
+      <translation>Brauchbare Fotos der Rückseite: %1; mindestens %2 sind nötig. Weitere aus allen Richtungen aufnehmen.</translation>
     </message>
     <message>
       <source>The HEIC image is damaged; copy it again.</source>
@@ -5609,7 +5556,7 @@
       <translation>In diesen %2 Fotos wurde kein Bogen mit mindestens %1 Marken aus OpenCVs Wörterbüchern gefunden; Fotos aufnehmen, die mehr vom Bogen zeigen, oder seine plate.json nennen.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that are far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Keine plate.json beschreibt den Bogen: %1 Marken aus %2 mit Seiten von %3 mm wurden in den Fotos gefunden (%4 px) und dafür genommen. Den Abstand zweier weit auseinanderliegender Marken messen und mit plate.json im Ausgabeordner vergleichen.</translation>
     </message>
@@ -5634,14 +5581,14 @@
       <translation>Das Bild hat %1 x %2 Pixel, die übrigen dieser Kamera haben %3 x %4; dieses Foto wird ausgelassen.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Vorderseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; Fotos mit Namen wie %3 dorthin legen.</translation>
+      <translation>Brauchbare Fotos der Vorderseite: %1; mindestens %2 sind nötig. Fotos hinzufügen, die %3 heißen.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Rückseite hat %1 brauchbare Fotos, mindestens %2 werden gebraucht; Fotos mit Namen wie %3 dorthin legen.</translation>
+      <translation>Brauchbare Fotos der Rückseite: %1; mindestens %2 sind nötig. Fotos hinzufügen, die %3 heißen.</translation>
     </message>
     <message>
       <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
@@ -5804,9 +5751,9 @@
       <translation>Dieser Durchgang wurde auf einer anderen Platte begonnen; mit jener Platte weitermachen oder einen neuen Durchgang beginnen.</translation>
     </message>
     <message>
-      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
+      <source>This batch started with another setup (cameras: %1, positions: %2; now: %3 and %4); choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dieser Durchgang wurde mit %1 Kameras und %2 Positionen begonnen, nicht mit %3 und %4; einen anderen Ordner wählen.</translation>
+      <translation>Dieser Durchgang begann mit einem anderen Aufbau (Kameras: %1, Positionen: %2; jetzt: %3 und %4); einen anderen Ordner wählen.</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
@@ -6494,7 +6441,7 @@
       <translation>Diese Ergebnisse von 'ostraka process' sind unvollständig; es noch einmal laufen lassen.</translation>
     </message>
     <message>
-      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <source>Another program is entering results of this batch; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein anderes Programm trägt gerade Ergebnisse dieses Durchgangs ein; dieses wartet, bis es fertig ist.</translation>
     </message>
@@ -7019,7 +6966,7 @@
       <translation>Der Text ist kein gültiges UTF-8 oder enthält ein Nullbyte.</translation>
     </message>
     <message>
-      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <source>The text contains control characters, which documents cannot contain; type it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Text enthält Steuerzeichen, die Dokumente nicht enthalten können; ihn neu eingeben.</translation>
     </message>
@@ -7189,7 +7136,7 @@
       <translation>Das kann ein Randstück sein (%1 %); wenn ja, es so kennzeichnen und neu zeichnen.</translation>
     </message>
     <message>
-      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <source>The drawing&apos;s scale must be between 1:20 and 5:1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Maßstab der Zeichnung muss zwischen 1:20 und 5:1 liegen.</translation>
     </message>
@@ -7209,19 +7156,19 @@
       <translation>Das Verzeichnis der Dateien fehlt; das ist kein Export von Ostraka.</translation>
     </message>
     <message>
-      <source>The manifest has a line that cannot be read: %1</source>
+      <source>The manifest has a line that cannot be read (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Verzeichnis der Dateien hat eine unlesbare Zeile: %1</translation>
+      <translation>Das Manifest hat eine unlesbare Zeile (%1), deshalb wurde nichts gelesen; den Ordner noch einmal kopieren.</translation>
     </message>
     <message>
-      <source>The manifest names a file outside the folder: %1</source>
+      <source>The manifest names a file outside the folder (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Verzeichnis der Dateien nennt eine Datei außerhalb des Ordners: %1</translation>
+      <translation>Das Manifest nennt eine Datei außerhalb des Ordners (%1), deshalb wurde nichts gelesen; den Ordner noch einmal kopieren.</translation>
     </message>
     <message>
-      <source>The manifest names a file twice: %1</source>
+      <source>The manifest names the file %1 twice, so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Verzeichnis der Dateien nennt eine Datei zweimal: %1</translation>
+      <translation>Das Manifest nennt die Datei %1 zweimal, deshalb wurde nichts gelesen; den Ordner noch einmal kopieren.</translation>
     </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
@@ -7229,7 +7176,7 @@
       <translation>Einen Ordner dieses Namens gibt es schon; einen anderen Namen wählen.</translation>
     </message>
     <message>
-      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
+      <source>Not every system supports names with a line break, a backslash or characters that are not UTF-8; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nicht jedes System bewahrt einen Namen mit einem Zeilenumbruch, einem umgekehrten Schrägstrich oder Zeichen, die kein UTF-8 sind; benennen Sie diese Datei oder diesen Ordner um und versuchen Sie es erneut.</translation>
     </message>
@@ -7239,12 +7186,12 @@
       <translation>Auf manchen Systemen ist dies derselbe Name wie %1; benennen Sie eine der beiden Dateien um und versuchen Sie es erneut.</translation>
     </message>
     <message>
-      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <source>Project A has another file with this name, which its catalogue does not list; nothing was merged. Move that file elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projekt A hat eine andere Datei dieses Namens, die sein Katalog nicht kennt; verschieben Sie sie, es wurde nichts zusammengeführt.</translation>
     </message>
     <message>
-      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kein Ort von Fotos, Ergebnissen oder Modellen, den einzigen Dateien, die ein Zusammenführen schreibt; es wurde nichts zusammengeführt.</translation>
     </message>
@@ -7254,12 +7201,12 @@
       <translation>Zwei Dateien des Exports hätten denselben Namen.</translation>
     </message>
     <message>
-      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <source>Another import into this project is running; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein anderer Import in dieses Projekt läuft gerade; dieser wartet, bis er beendet ist.</translation>
     </message>
     <message>
-      <source>Files that were missing from the project and came back: %1.</source>
+      <source>Files that were missing from the project and are restored: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dateien, die im Projekt fehlten und wiederhergestellt wurden: %1.</translation>
     </message>
@@ -7309,19 +7256,19 @@
       <translation>Einen Beutel %1 gibt es nicht; ihn anlegen oder beim Import anlegen lassen.</translation>
     </message>
     <message>
-      <source>The column closed accepts yes or no.</source>
+      <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In der Spalte closed steht yes oder no.</translation>
     </message>
     <message>
-      <source>The column count_written accepts a whole number.</source>
+      <source>The column &apos;count_written&apos; accepts only a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In der Spalte count_written steht eine ganze Zahl.</translation>
     </message>
     <message>
-      <source>The row has %1 values, but the header has %2.</source>
+      <source>Values in the row: %1, columns in the header: %2; correct the row.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Zeile hat %1 Werte, die Kopfzeile %2.</translation>
+      <translation>Werte in der Zeile: %1, Spalten in der Kopfzeile: %2; die Zeile berichtigen.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
@@ -7409,7 +7356,7 @@
       <translation>%1 wird ohne Fotos exportiert: %2</translation>
     </message>
     <message>
-      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <source>Photographs can be projected only onto a closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Fotos lassen sich nicht auf ein Modell legen, das nicht geschlossen ist.</translation>
     </message>
@@ -7504,7 +7451,7 @@
       <translation>Dieser Export enthält keine Datensätze (JSON) von Scherben; mit ihnen neu exportieren.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
+      <source>The project already has this sherd with other values, which it keeps; the differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Projekt hat diese Scherbe mit anderen Werten und behält sie; was abweicht, wird in Feldern hinzugefügt, die auf _in_%1 enden.</translation>
     </message>
@@ -7594,7 +7541,7 @@
       <translation>%1 (%2 % der freien Platte)</translation>
     </message>
     <message>
-      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <source>masks: flat objects that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Masken: Flache Dinge, die wie Etiketten oder Maßstäbe aussehen, sind weggelassen (%1); wenn Scherben darunter sind, diese in den Masken ergänzen</translation>
     </message>
@@ -7629,7 +7576,7 @@
       <translation>Nur ein geschlossenes Netz lässt sich vereinfachen.</translation>
     </message>
     <message>
-      <source>The deviation of a simplified mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Abweichung eines vereinfachten Netzes muss über 0 mm liegen.</translation>
     </message>
@@ -7644,12 +7591,12 @@
       <translation>Die Scans haben zu wenige Punkte, die miteinander übereinstimmen, für ein Modell.</translation>
     </message>
     <message>
-      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <source>This model is %1 mm in size, larger than any vessel, so its unit is probably not mm; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Modell ist %1 mm groß, mehr als jedes Gefäß, also hat es wohl eine andere Einheit; es in mm exportieren.</translation>
     </message>
     <message>
-      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <source>This model is only %1 mm in size, smaller than any sherd, so its unit is probably not mm (%2); export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieses Modell ist nur %1 mm groß, weniger als jede Scherbe, also hat es wohl eine andere Einheit (%2); es in mm exportieren.</translation>
     </message>
@@ -7739,7 +7686,7 @@
       <translation>Die Entscheidung vom %1 von %2 betrifft %3, das nicht mehr auf der Platte liegt; noch einmal entscheiden.</translation>
     </message>
     <message>
-      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the later decision of %3 by %4 concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Entscheidung vom %1 von %2 ist wirkungslos: Die Entscheidung vom %3 von %4 ist später und betrifft denselben Scan; eine von beiden zurücknehmen.</translation>
     </message>
@@ -7864,7 +7811,7 @@
       <translation>Ohne plate.json lassen sich keine Masken erzeugen; Masken neben die Fotos legen oder ein Netz wählen (--masks MODEL.onnx).</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm are based on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Ergebnis hat keinen Maßstab: Ohne plate.json ist keine Länge bekannt, und Längen in mm beruhen auf einer geschätzten Pixelgröße; auf einer Markenplatte aufnehmen, die Tafel aus board.json auf beiden Seiten neben die Scherben legen, oder auf beiden eine bekannte Länge in scale.json markieren.</translation>
     </message>
@@ -7944,7 +7891,7 @@
       <translation>%1: Das Foto ist unscharf: Seine Kanten sind %2 Pixel breit, die des schärfsten dieser Kamera %3; noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the front side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 der %2 Marken der Platte sind auf keinem Foto der Vorderseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
     </message>
@@ -7959,7 +7906,7 @@
       <translation>Alle Fotos der Vorderseite sind unscharf: Selbst im schärfsten sind die Kanten der Marken %1 Pixel breit, daher sind ihre Scans grob. Schärfe und Verschlusszeit prüfen und diese Seite neu aufnehmen.</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the back side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 der %2 Marken der Platte sind auf keinem Foto der Rückseite zu sehen (%3); die Lage der Kameras beruht auf den anderen, also wegnehmen, was sie verdeckt.</translation>
     </message>
@@ -7994,32 +7941,32 @@
       <translation>Andere Programme schließen oder einen Entwurf verarbeiten.</translation>
     </message>
     <message>
-      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
+      <source>%1: the camera was not in the place that it had while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: Die Kamera war nicht dort, wo sie stand, während sich die Platte drehte; das Foto wird ausgelassen.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite neu aufnehmen.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde auf der Vorderseite um etwa %2 mm verschoben: Ab %3 liegt die Scherbe woanders; diese Seite neu aufnehmen.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab Position %3 (pos%4) liegt die Scherbe woanders; diese Seite neu aufnehmen.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wurde auf der Rückseite um etwa %2 mm verschoben: Ab %3 liegt die Scherbe woanders; diese Seite neu aufnehmen.</translation>
     </message>
     <message>
-      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
+      <source>The output folder is inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ausgabeordner liegt im Ordner des Durchgangs, in den Ostraka nie schreibt; einen daneben wählen.</translation>
     </message>
@@ -8114,7 +8061,7 @@
       <translation>Der Scan hat keine Normalen; ihn mit nx, ny und nz exportieren.</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
+      <source>The scan is %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Scan liegt das %1-Fache seiner Länge vom Ursprung entfernt, also sind seine Koordinaten gerundet; ihn zum Ursprung verschieben und noch einmal exportieren.</translation>
     </message>
@@ -8194,14 +8141,14 @@
       <translation>Dieses Foto wird nicht verwendet.</translation>
     </message>
     <message>
-      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the front side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Für %1 Fotos der Vorderseite fand COLMAP keine Lage; sie werden ausgelassen.</translation>
+      <translation>Fotos der Vorderseite, die ausgelassen werden, weil COLMAP keine Lage für sie fand: %1.</translation>
     </message>
     <message>
-      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the back side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Für %1 Fotos der Rückseite fand COLMAP keine Lage; sie werden ausgelassen.</translation>
+      <translation>Fotos der Rückseite, die ausgelassen werden, weil COLMAP keine Lage für sie fand: %1.</translation>
     </message>
     <message>
       <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
@@ -8219,14 +8166,14 @@
       <translation>Wenn Scherben darauf sind, es noch einmal aufnehmen oder seine Maske bearbeiten.</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
+      <source>Photographs of the front side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken markieren auf %1 Fotos der Vorderseite Scherben; 3 sind nötig.</translation>
+      <translation>Fotos der Vorderseite, deren Masken Scherben zeigen: %1; mindestens 3 sind nötig.</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
+      <source>Photographs of the back side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masken markieren auf %1 Fotos der Rückseite Scherben; 3 sind nötig.</translation>
+      <translation>Fotos der Rückseite, deren Masken Scherben zeigen: %1; mindestens 3 sind nötig.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8249,7 +8196,7 @@
       <translation>Nicht jeder Punkt des Netzes hat einen Platz in der Textur.</translation>
     </message>
     <message>
-      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Textur dieses GLB-Modells ist nicht lesbar, deshalb wird das Modell ohne sie verwendet; seinen Durchgang neu verarbeiten, damit die Datei neu geschrieben wird.</translation>
     </message>
@@ -8289,7 +8236,7 @@
       <translation>Der Scan hat keine Normalen; ihn mit Normalen exportieren.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
+      <source>Fewer than 50 points are on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Weniger als 50 Punkte liegen auf dem Bruch; die Scherbe mit ihrem Bruch noch einmal scannen.</translation>
     </message>
@@ -8309,7 +8256,7 @@
       <translation>Ein Gitter aus Marken braucht 'dictionary', 'markers_x', 'markers_y', 'marker_length' und 'marker_separation'.</translation>
     </message>
     <message>
-      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
+      <source>Nothing to calibrate from: put photographs of the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and pictures of the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es gibt nichts, wonach sich kalibrieren ließe: die Platte an jeder Position nach 'front' aufnehmen (cam0_pos00.jpg und so weiter), die Tafel nach 'calib', und plate.json und board.json daneben kopieren.</translation>
     </message>
@@ -8424,14 +8371,14 @@
       <translation>%1: Keine Marke ist zu sehen; prüfen, ob das Foto diese Position zeigt. Wenn nicht, noch einmal aufnehmen.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the front side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nur von %1 Fotos der Vorderseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken der Platte beleuchtet und im Bild sind.</translation>
+      <translation>Fotos der Vorderseite mit bekannter Lage: %1; mindestens 3 sind nötig. Prüfen, ob die Marken der Platte beleuchtet und im Bild sind.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the back side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nur von %1 Fotos der Rückseite ist die Lage bekannt, mindestens 3 sind nötig; prüfen, ob die Marken der Platte beleuchtet und im Bild sind.</translation>
+      <translation>Fotos der Rückseite mit bekannter Lage: %1; mindestens 3 sind nötig. Prüfen, ob die Marken der Platte beleuchtet und im Bild sind.</translation>
     </message>
     <message>
       <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
@@ -8439,9 +8386,9 @@
       <translation>Kamera %1 sieht weniger als sechs Marken der Platte an Position %2; dort Licht und Fokus prüfen, und dass nichts auf den Marken liegt.</translation>
     </message>
     <message>
-      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
+      <source>Positions photographed: %1; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nur %1 Positionen wurden aufgenommen; mindestens vier über die ganze Umdrehung aufnehmen, damit die Achse gefunden wird.</translation>
+      <translation>Aufgenommene Positionen: %1; mindestens vier über die ganze Umdrehung aufnehmen, damit sich die Achse bestimmen lässt.</translation>
     </message>
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
@@ -8454,7 +8401,7 @@
       <translation>Zwischen den Marken %1 und %2 haben Sie %3 mm gemessen, nach plate.json sind es %4 mm (%5 %); das Lineal der Platte messen und plate.json mit 'ostraka plate --ruler-measured' neu erstellen.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
+      <source>Not usable: camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nicht brauchbar: Kamera %1 verfehlt die Marken der Platte im Median um %2 px; prüfen, ob sie sich zwischen den Fotos nicht bewegt hat und ob plate.json zu dieser Platte gehört.</translation>
     </message>
@@ -8659,7 +8606,7 @@
       <translation>Die Kameradatei enthält keine Liste 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use the model OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAPs Kamera %1 hat das Modell '%2' oder Werte, die Ostraka nicht unterstützt; stattdessen OPENCV nehmen.</translation>
     </message>
@@ -8839,7 +8786,7 @@
       <translation>%1 endete mit einem Fehler; seine Ausgabe steht in dieser Datei.</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
+      <source>A small object of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Krümel von %1 mm bei x %2, y %3 mm wurde ausgelassen; wenn es eine Scherbe ist, sie allein aufnehmen.</translation>
     </message>
@@ -8934,12 +8881,12 @@
       <translation>Die %1 Scherben passen nicht auf die Platte; weniger verlangen oder einen anderen Startwert nehmen.</translation>
     </message>
     <message>
-      <source>sherds must lie between 1 and 40.</source>
+      <source>sherds must be between 1 and 40.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Zahl der Scherben muss zwischen 1 und 40 liegen.</translation>
     </message>
     <message>
-      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <source>width must be between 160 and 8192 pixels and divisible by 4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Breite muss zwischen 160 und 8192 Pixeln liegen und durch 4 teilbar sein.</translation>
     </message>
@@ -9029,7 +8976,7 @@
       <translation>Ein Beutel gehört zu einem Befund; zuerst den Befund eingeben.</translation>
     </message>
     <message>
-      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <source>Context %1 has no bag %2; change or clear the bag at the same time.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Befund %1 hat keinen Beutel %2; den Beutel zugleich ändern oder leeren.</translation>
     </message>
@@ -9184,9 +9131,9 @@
       <translation>Ein Link oder eine Datei hat den Platz eines Ordners eingenommen, oder ein Link den einer Datei; durch den Ordner oder die Datei selbst ersetzen.</translation>
     </message>
     <message>
-      <source>A file of this name already exists; it is not overwritten.</source>
+      <source>A file with this name already exists and is not overwritten; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es gibt schon eine Datei dieses Namens; sie wird nicht überschrieben.</translation>
+      <translation>Eine Datei dieses Namens gibt es schon; sie wird nicht überschrieben. Einen anderen Namen wählen.</translation>
     </message>
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
@@ -9194,12 +9141,12 @@
       <translation>Der Export nennt einen Ort im Projekt, an den keine solche Datei gehört; nichts wurde importiert.</translation>
     </message>
     <message>
-      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never contains; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Archiv enthält ein Journal seines Katalogs, was kein Archiv von Ostraka tut; nichts wurde geschrieben.</translation>
     </message>
     <message>
-      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <source>The catalogue&apos;s tables, indexes or triggers differ from those that Ostraka creates; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Tabellen, Indizes und Trigger des Katalogs sind nicht so, wie Ostraka sie anlegt; nichts wurde geschrieben.</translation>
     </message>
@@ -9424,9 +9371,9 @@
       <translation>Das schlechteste Bild ist %1 mit %2 px; noch einmal aufnehmen oder weglassen.</translation>
     </message>
     <message>
-      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <source>Calibration pictures that show the board: %1; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nur %1 Kalibrierbilder zeigen die Tafel, mindestens 3 sind nötig; mehr Bilder von ihr aufnehmen.</translation>
+      <translation>Kalibrierbilder, auf denen die Tafel zu sehen ist: %1; mindestens 3 sind nötig. Weitere Bilder von ihr aufnehmen.</translation>
     </message>
     <message>
       <source>Camera %1, position %2: %3.</source>
@@ -9454,7 +9401,7 @@
       <translation>Einheit prüfen: %1 ist etwa ein Zehntel des berechneten Werts.</translation>
     </message>
     <message>
-      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <source>Check the value: %1 differs from the computed value by a factor of three or more.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Wert prüfen: %1 weicht mindestens um das Dreifache vom berechneten Wert ab.</translation>
     </message>
@@ -9497,6 +9444,381 @@
       <source>the thickness</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>die Dicke</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) mm</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Scherben konnten nicht gezählt werden: zu wenige Marken der Platte sind zu sehen.</translation>
+    </message>
+    <message>
+      <source>No sherd is visible on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf der Platte ist keine Scherbe zu sehen.</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben berühren sich fast oder ganz bei %1 von der Mitte der Platte: auseinanderrücken und neu aufnehmen.</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was bei %1 von der Mitte der Platte liegt, wurde als eine gezählt, kann aber zwei Scherben sein, die sich berühren: dort nachsehen; wenn ja, auseinanderrücken und neu aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Rückseite sieht aus wie die Vorderseite: die Scherben umdrehen und neu aufnehmen.</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Scherben der Rückseite konnten nicht gezählt werden: die Bilder vergleichen, bevor die Platte abgeräumt wird.</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Scherben der Vorderseite konnten nicht gezählt werden: die Bilder vergleichen, bevor die Platte abgeräumt wird.</translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Find the missing ones before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gezählte Scherben auf der Vorderseite: %1, auf der Rückseite: %2. Die fehlenden suchen, bevor die Platte abgeräumt wird.</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Check whether one was added or broke.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gezählte Scherben auf der Vorderseite: %1, auf der Rückseite: %2. Prüfen, ob eine hinzukam oder zerbrach.</translation>
+    </message>
+    <message>
+      <source>The turntable&apos;s own count was %1 degrees off; it was corrected from the plate&apos;s markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die eigene Zählung des Drehtischs lag um %1 Grad daneben; sie wurde anhand der Marken der Platte berichtigt.</translation>
+    </message>
+    <message>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Ostraka-Projekt: in diesem Ordner liegt keine catalogue.sqlite; nichts wurde zusammengeführt.</translation>
+    </message>
+    <message>
+      <source>Another version of Ostraka made this project; nothing was merged. Open it once with this version, which updates it, or install the newer version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine andere Version von Ostraka hat dieses Projekt angelegt; nichts wurde zusammengeführt. Das Projekt einmal mit dieser Version öffnen, die es aktualisiert, oder die neuere Version installieren.</translation>
+    </message>
+    <message>
+      <source>A project cannot be merged with itself; name another project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Projekt kann nicht mit sich selbst zusammengeführt werden; ein anderes Projekt nennen.</translation>
+    </message>
+    <message>
+      <source>This project is read-only here, so nothing was merged; copy it to a folder that you can write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Projekt ist hier nur lesbar, deshalb wurde nichts zusammengeführt; es in einen Ordner kopieren, in den Sie schreiben dürfen.</translation>
+    </message>
+    <message>
+      <source>The project changed while files were copied, so nothing was merged; run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Projekt hat sich geändert, während Dateien kopiert wurden, deshalb wurde nichts zusammengeführt; denselben Befehl noch einmal ausführen.</translation>
+    </message>
+    <message>
+      <source>The conflict %1 (%2) cannot be settled with &apos;%3&apos;; nothing was merged. Choose one of the ways that the list of conflicts offers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Konflikt %1 (%2) lässt sich nicht mit „%3“ lösen; nichts wurde zusammengeführt. Eine der Möglichkeiten wählen, die die Liste der Konflikte nennt.</translation>
+    </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 wurde schon vergeben und wird nie wieder verwendet; nichts wurde zusammengeführt. Den Konflikt number/%2 mit einer anderen Nummer lösen.</translation>
+    </message>
+    <message>
+      <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei muss eine JSON-Liste aus {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} oder {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;} sein; nichts wurde zusammengeführt. Die Datei berichtigen.</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Eintrag dieser Datei hat nicht die Form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (oder &quot;b&quot;, oder &quot;number&quot; mit einer neuen Nummer): %1; nichts wurde zusammengeführt. Den Eintrag berichtigen.</translation>
+    </message>
+    <message>
+      <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Konflikt %1 wird in dieser Datei zweimal gelöst; nichts wurde zusammengeführt. Einen der beiden Einträge behalten.</translation>
+    </message>
+    <message>
+      <source>This file of project B differs from what its catalogue records; nothing was merged. Restore it from a copy (&apos;ostraka catalogue check&apos; lists all such files).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Datei von Projekt B weicht von dem ab, was dessen Katalog verzeichnet; nichts wurde zusammengeführt. Sie aus einer Kopie wiederherstellen („ostraka catalogue check“ nennt alle solchen Dateien).</translation>
+    </message>
+    <message>
+      <source>The disk does not return what was written to it; nothing was merged. Check the disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Datenträger gibt nicht zurück, was auf ihn geschrieben wurde; nichts wurde zusammengeführt. Den Datenträger prüfen.</translation>
+    </message>
+    <message>
+      <source>A link or a device cannot be merged; nothing was merged. Move what it leads to into project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Verknüpfung oder ein Gerät kann nicht zusammengeführt werden; nichts wurde zusammengeführt. Das, worauf sie verweist, in Projekt B verschieben.</translation>
+    </message>
+    <message>
+      <source>Results from a cluster must be regular files with plain names; nothing of this batch was entered. Submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ergebnisse eines Clusters müssen gewöhnliche Dateien mit einfachen Namen sein; von diesem Durchgang wurde nichts eingetragen. Den Durchgang noch einmal einreichen.</translation>
+    </message>
+    <message>
+      <source>This batch was processed here or reshot in the meantime; the cluster&apos;s results are not entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Durchgang wurde inzwischen hier verarbeitet oder neu aufgenommen; die Ergebnisse des Clusters werden nicht eingetragen.</translation>
+    </message>
+    <message>
+      <source>The name of a partition or an account consists of letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;; look it up with &apos;sinfo&apos; or ask the cluster&apos;s administrators.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Name einer Partition oder eines Kontos besteht aus Buchstaben, Ziffern, „-“, „_“ und „.“; ihn mit „sinfo“ nachsehen oder bei der Verwaltung des Clusters erfragen.</translation>
+    </message>
+    <message>
+      <source>The command that starts Ostraka on the cluster must be one line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Befehl, der Ostraka auf dem Cluster startet, muss eine einzige Zeile sein.</translation>
+    </message>
+    <message>
+      <source>A job needs at least one core, and its memory and time must not be negative.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Auftrag braucht mindestens einen Kern, und sein Speicher und seine Zeit dürfen nicht negativ sein.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be opened (%1); check its name and permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ordner lässt sich nicht öffnen (%1); seinen Namen und seine Rechte prüfen.</translation>
+    </message>
+    <message>
+      <source>The path of this project contains a character that has a special meaning for Slurm (%, a backslash or a control character); rename the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Pfad dieses Projekts enthält ein Zeichen, das für Slurm eine besondere Bedeutung hat (%, ein umgekehrter Schrägstrich oder ein Steuerzeichen); den Ordner umbenennen.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH; run this command on a login node of the cluster, or name one with --host USER@LOGIN:/FOLDER.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Programm %1 ist nicht im PATH dieses Rechners; diesen Befehl auf einem Anmeldeknoten des Clusters ausführen oder einen mit --host USER@LOGIN:/FOLDER nennen.</translation>
+    </message>
+    <message>
+      <source>Not a folder on a cluster; write USER@LOGIN:/FOLDER, with the folder&apos;s full path and without spaces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Ordner auf einem Cluster; USER@LOGIN:/FOLDER schreiben, mit dem vollständigen Pfad des Ordners und ohne Leerzeichen.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH, but --host needs it; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Programm %1 ist nicht im PATH dieses Rechners, --host braucht es aber; es installieren.</translation>
+    </message>
+    <message>
+      <source>The program %1 cannot be started there; ask the cluster&apos;s administrators how Slurm is reached.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Programm %1 lässt sich dort nicht starten; bei der Verwaltung des Clusters erfragen, wie Slurm erreichbar ist.</translation>
+    </message>
+    <message>
+      <source>%1 failed (%2). Nothing is lost; once the cause is removed, run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ist gescheitert (%2). Nichts ist verloren; sobald die Ursache behoben ist, denselben Befehl noch einmal ausführen.</translation>
+    </message>
+    <message>
+      <source>This batch contains imported scans and is not submitted; the window&apos;s queue processes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Durchgang enthält importierte Scans und wird nicht eingereicht; die Warteschlange des Fensters verarbeitet ihn.</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk has %1 GB left, but the batches to submit (%2) need about %3 GB. Nothing was submitted; free some space, or submit fewer with --most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Auf dem Datenträger des Clusters sind noch %1 GB frei, die einzureichenden Durchgänge (%2) brauchen aber etwa %3 GB. Nichts wurde eingereicht; Platz schaffen oder mit --most weniger einreichen.</translation>
+    </message>
+    <message>
+      <source>Batches of this project are on another cluster or in another folder; collect them before you submit to this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durchgänge dieses Projekts sind auf einem anderen Cluster oder in einem anderen Ordner; sie einsammeln, bevor Sie hier einreichen.</translation>
+    </message>
+    <message>
+      <source>Not a list of the batches on a cluster; restore an earlier one, or delete it: batches that are on the cluster are then processed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Liste der Durchgänge auf einem Cluster; eine frühere wiederherstellen oder die Datei löschen: Durchgänge auf dem Cluster werden dann noch einmal verarbeitet.</translation>
+    </message>
+    <message>
+      <source>Out of memory (%1 MB requested); the next submission requests twice as much.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Speicher aufgebraucht (%1 MB angefordert); beim nächsten Einreichen wird doppelt so viel angefordert.</translation>
+    </message>
+    <message>
+      <source>Out of time (minutes requested: %1); the next submission requests twice as many and resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeit abgelaufen (angeforderte Minuten: %1); beim nächsten Einreichen werden doppelt so viele angefordert, und es geht nach dem letzten vollständigen Schritt weiter.</translation>
+    </message>
+    <message>
+      <source>The node failed, or the job was killed; the next submission resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Knoten ist ausgefallen, oder der Auftrag wurde abgebrochen; beim nächsten Einreichen geht es nach dem letzten vollständigen Schritt weiter.</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk is full, or your quota is used up; free some space, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Datenträger des Clusters ist voll, oder Ihr Kontingent ist aufgebraucht; Platz schaffen, dann noch einmal einreichen.</translation>
+    </message>
+    <message>
+      <source>The cluster does not know this job, and the job wrote nothing into the project&apos;s folder; check that the cluster&apos;s nodes see that folder, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Cluster kennt diesen Auftrag nicht, und der Auftrag hat nichts in den Ordner des Projekts geschrieben; prüfen, ob die Knoten des Clusters diesen Ordner sehen, dann noch einmal einreichen.</translation>
+    </message>
+    <message>
+      <source>The program ended with status %1; its output is in %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Programm endete mit dem Status %1; seine Ausgabe steht in %2.</translation>
+    </message>
+    <message>
+      <source>The partition ends jobs earlier than the %1 minutes requested; cancel the job, then submit again with another --partition or fewer --minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Partition beendet Aufträge vor Ablauf der angeforderten %1 Minuten; den Auftrag abbrechen, dann mit einer anderen --partition oder weniger --minutes noch einmal einreichen.</translation>
+    </message>
+    <message>
+      <source>Slurm&apos;s reason: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Grund laut Slurm: %1.</translation>
+    </message>
+    <message>
+      <source>This network cannot be used: %1. Choose an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or 1 x 2 x h x w.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Netz ist nicht verwendbar: %1. Ein ONNX-Netz wählen, das 1 x 3 x H x W nimmt und 1 x 1 x h x w oder 1 x 2 x h x w liefert.</translation>
+    </message>
+    <message>
+      <source>it cannot be run (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>es lässt sich nicht ausführen (%1)</translation>
+    </message>
+    <message>
+      <source>its output has another shape</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>seine Ausgabe hat eine andere Form</translation>
+    </message>
+    <message>
+      <source>its output contains numbers that are not finite</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>seine Ausgabe enthält Zahlen, die nicht endlich sind</translation>
+    </message>
+    <message>
+      <source>its input is not an image</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>seine Eingabe ist kein Bild</translation>
+    </message>
+    <message>
+      <source>its input has %1 channels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>seine Eingabe hat %1 Kanäle</translation>
+    </message>
+    <message>
+      <source>its input is larger than %1 pixels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>seine Eingabe ist größer als %1 Pixel</translation>
+    </message>
+    <message>
+      <source>You have no permission to use it: copy packaging/udev/70-ostraka.rules to /etc/udev/rules.d/ and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sie haben keine Berechtigung, es zu verwenden: packaging/udev/70-ostraka.rules nach /etc/udev/rules.d/ kopieren und das Gerät neu einstecken.</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: &apos;ostraka devices --release&apos; releases it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es wird von %1 benutzt: „ostraka devices --release“ gibt es frei.</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: close that program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es wird von %1 benutzt: dieses Programm schließen.</translation>
+    </message>
+    <message>
+      <source>The kernel has no driver for it; install one for this adapter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Kernel hat keinen Treiber dafür; einen für diesen Adapter installieren.</translation>
+    </message>
+    <message>
+      <source>A folder of the project cannot be read (%1); check its permissions, then archive the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Ordner des Projekts ist nicht lesbar (%1); seine Rechte prüfen, dann das Projekt noch einmal archivieren.</translation>
+    </message>
+    <message>
+      <source>No output folder was given; name one with --output OUT.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Ausgabeordner angegeben; einen mit --output OUT nennen.</translation>
+    </message>
+    <message>
+      <source>No folder of front scans was given; name one with --front DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Ordner mit Scans der Vorderseiten angegeben; einen mit --front DIR nennen.</translation>
+    </message>
+    <message>
+      <source>No folder of back scans was given; name one with --back DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Ordner mit Scans der Rückseiten angegeben; einen mit --back DIR nennen.</translation>
+    </message>
+    <message>
+      <source>The field %1 has no unit &apos;%2&apos;; choose another unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Feld %1 kennt keine Einheit „%2“; eine andere Einheit wählen.</translation>
+    </message>
+    <message>
+      <source>The table has no column &apos;%1&apos;; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Tabelle hat keine Spalte „%1“; den Namen prüfen.</translation>
+    </message>
+    <message>
+      <source>The columns &apos;%1&apos; and &apos;%2&apos; are both mapped to the field %3; leave one of them out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Spalten „%1“ und „%2“ sind beide dem Feld %3 zugeordnet; eine davon auslassen.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>„%1“ ordnet keine Spalte zu; COLUMN=FIELD oder COLUMN=FIELD:unit schreiben.</translation>
+    </message>
+    <message>
+      <source>The scan&apos;s colours or qualities differ in number from its points; give one for each point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Scan hat nicht so viele Farben oder Gütewerte wie Punkte; für jeden Punkt einen Wert angeben.</translation>
+    </message>
+    <message>
+      <source>A point or a normal of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Punkt oder eine Normale des Scans ist nicht endlich; solche Punkte auslassen.</translation>
+    </message>
+    <message>
+      <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Pixel oder die Maske passen nicht zur angegebenen Breite und Höhe; für jedes Pixel einen Wert angeben.</translation>
+    </message>
+    <message>
+      <source>No scan of this side was given; give at least one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Scan dieser Seite wurde übergeben; mindestens einen übergeben.</translation>
+    </message>
+    <message>
+      <source>give them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sie in mm übergeben</translation>
+    </message>
+    <message>
+      <source>A remark in this file cannot be read; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Anmerkung in dieser Datei ist nicht lesbar; eine frühere Kopie der Datei wiederherstellen oder den Durchgang neu verarbeiten.</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1, Position %2</translation>
     </message>
 </context>
 <context>

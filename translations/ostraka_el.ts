@@ -1672,7 +1672,7 @@
       <translation>Αναζήτηση του τι κρατά την κάμερα</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρήσατε %1 όστρακα, οι φωτογραφίες δείχνουν %2: ψάξτε ένα που κρύβεται, αγγίζει άλλο ή δεν τοποθετήθηκε.</translation>
     </message>
@@ -1707,7 +1707,7 @@
       <translation>Φαίνονται ετικέτες περισσότερων σακουλών: %1. Αφήστε μόνο αυτήν των οστράκων εδώ.</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <source>You counted %1 sherds, the photographs show %2: check whether one is in fragments or an object is not a sherd, or correct the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρήσατε %1 όστρακα, οι φωτογραφίες δείχνουν %2: δείτε μήπως κάποιο είναι σε κομμάτια ή υπάρχει κάτι που δεν είναι όστρακο, ή διορθώστε τον αριθμό.</translation>
     </message>
@@ -5084,82 +5084,29 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Doubts</name>
-    <message>
-      <source>(%1, %2) mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>(%1, %2) mm</translation>
-    </message>
-    <message>
-      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα όστρακα δεν μετρήθηκαν: φαίνονται πολύ λίγοι δείκτες του δίσκου.</translation>
-    </message>
-    <message>
-      <source>No sherd is visible on the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν φαίνεται κανένα όστρακο στον δίσκο.</translation>
-    </message>
-    <message>
-      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όστρακα αγγίζονται ή σχεδόν αγγίζονται στο %1 από το μέσο του δίσκου: απομακρύνετέ τα και φωτογραφίστε ξανά.</translation>
-    </message>
-    <message>
-      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ό,τι βρίσκεται στο %1 από το μέσο του δίσκου μετρήθηκε ως ένα, ίσως όμως είναι δύο όστρακα που αγγίζονται: κοιτάξτε εκεί· αν είναι έτσι, απομακρύνετέ τα και φωτογραφίστε ξανά.</translation>
-    </message>
-    <message>
-      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η πίσω όψη μοιάζει με την μπροστινή: γυρίστε τα όστρακα και φωτογραφίστε τα ξανά.</translation>
-    </message>
-    <message>
-      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα όστρακα της πίσω όψης δεν μετρήθηκαν: συγκρίνετε μόνοι σας τις εικόνες πριν αδειάσετε τον δίσκο.</translation>
-    </message>
-    <message>
-      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Τα όστρακα της μπροστινής όψης δεν μετρήθηκαν: συγκρίνετε μόνοι σας τις εικόνες πριν αδειάσετε τον δίσκο.</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η μπροστινή όψη έδειξε %1 όστρακα, η πίσω %2: αναζητήστε αυτό που λείπει πριν αδειάσετε τον δίσκο.</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η μπροστινή όψη έδειξε %1 όστρακα, η πίσω %2: προστέθηκε κάποιο ή έσπασε κάποιο;</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::Error</name>
     <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <source>The disk has only %1 MB left, and a batch needs more. Nothing is lost: free some space, then resume.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Στον σκληρό δίσκο μένουν μόνο %1 MB· μια παρτίδα χρειάζεται περισσότερα. Τίποτα δεν χάθηκε: κάντε χώρο και συνεχίστε.</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <source>%1: this number was entered on the plate, but there is no sherd with a context in that place; assign it in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: αυτός ο αριθμός γράφτηκε πάνω στον δίσκο, αλλά εκεί δεν υπάρχει όστρακο με πλαίσιο· δώστε τον στον κατάλογο.</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <source>%1: this number was entered on the plate, but it belongs to another sherd; check which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: ο αριθμός αυτός πληκτρολογήθηκε στην πλάκα, αλλά ανήκει σε άλλο όστρακο· δείτε ποιο από τα δύο τον φέρει και δώστε στο άλλο νέο αριθμό.</translation>
     </message>
     <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <source>Pairs were decided or masks edited while the batch was being processed; reprocess it to apply them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όσο γινόταν η επεξεργασία της παρτίδας, αποφασίστηκαν ζεύγη ή άλλαξαν μάσκες· επανεπεξεργαστείτε την γι' αυτά.</translation>
     </message>
     <message>
-      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <source>Sherds counted on the plate: %1, but another number was found; check the map for a sherd that is missing or was split in two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όστρακα που μετρήθηκαν πάνω στον δίσκο: %1. Βρέθηκε άλλος αριθμός· αναζητήστε στον χάρτη αυτό που λείπει ή κόπηκε στα δύο.</translation>
     </message>
@@ -5184,7 +5131,7 @@
       <translation>Η κάμερα δεν απαντά· κοιμάται; Απενεργοποιήστε την αυτόματη διακοπή της.</translation>
     </message>
     <message>
-      <source>The camera stays busy; switch it off and on.</source>
+      <source>The camera remains busy; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα παραμένει απασχολημένη· κλείστε την και ανοίξτε την.</translation>
     </message>
@@ -5449,7 +5396,7 @@
       <translation>Το κείμενο JSON είναι μεγαλύτερο από 64 MiB.</translation>
     </message>
     <message>
-      <source>The JSON is nested deeper than 64 levels.</source>
+      <source>The JSON is nested more than 64 levels deep.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το JSON έχει πάνω από 64 επίπεδα εμφώλευσης.</translation>
     </message>
@@ -5574,14 +5521,14 @@
       <translation>Αυτός ο φάκελος δόθηκε για την μπροστινή και την πίσω όψη· δώστε τον φάκελο κάθε όψης.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η μπροστινή όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· τραβήξτε κι άλλες από παντού γύρω.</translation>
+      <translation>Χρησιμοποιήσιμες φωτογραφίες της μπροστινής όψης: %1· χρειάζονται τουλάχιστον %2. Τραβήξτε περισσότερες από όλες τις κατευθύνσεις.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η πίσω όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· τραβήξτε κι άλλες από παντού γύρω.</translation>
+      <translation>Χρησιμοποιήσιμες φωτογραφίες της πίσω όψης: %1· χρειάζονται τουλάχιστον %2. Τραβήξτε περισσότερες από όλες τις κατευθύνσεις.</translation>
     </message>
     <message>
       <source>The HEIC image is damaged; copy it again.</source>
@@ -5604,7 +5551,7 @@
       <translation>Σε αυτές τις %2 φωτογραφίες δεν διαβάζεται φύλλο με τουλάχιστον %1 δείκτες των λεξικών της OpenCV· τραβήξτε φωτογραφίες που δείχνουν περισσότερο από αυτό ή δώστε το plate.json του.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that are far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κανένα plate.json δεν περιγράφει το φύλλο: %1 δείκτες του %2 με πλευρές %3 mm βρέθηκαν στις φωτογραφίες (%4 px) και λαμβάνονται ως αυτό. Μετρήστε την απόσταση δύο απομακρυσμένων δεικτών και συγκρίνετέ την με το plate.json στον φάκελο εξόδου.</translation>
     </message>
@@ -5629,14 +5576,14 @@
       <translation>Η εικόνα έχει %1 x %2 εικονοστοιχεία, οι άλλες της κάμεράς της %3 x %4· αυτή η φωτογραφία παραλείπεται.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η μπροστινή όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· βάλτε εκεί φωτογραφίες με όνομα %3.</translation>
+      <translation>Χρησιμοποιήσιμες φωτογραφίες της μπροστινής όψης: %1· χρειάζονται τουλάχιστον %2. Προσθέστε φωτογραφίες με όνομα %3.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η πίσω όψη έχει %1 χρήσιμες φωτογραφίες, χρειάζονται τουλάχιστον %2· βάλτε εκεί φωτογραφίες με όνομα %3.</translation>
+      <translation>Χρησιμοποιήσιμες φωτογραφίες της πίσω όψης: %1· χρειάζονται τουλάχιστον %2. Προσθέστε φωτογραφίες με όνομα %3.</translation>
     </message>
     <message>
       <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
@@ -5799,9 +5746,9 @@
       <translation>Η παρτίδα άρχισε σε άλλον δίσκο: συνεχίστε με εκείνον ή αρχίστε άλλη παρτίδα.</translation>
     </message>
     <message>
-      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
+      <source>This batch started with another setup (cameras: %1, positions: %2; now: %3 and %4); choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η παρτίδα άρχισε με %1 κάμερες και %2 στάσεις, όχι με %3 και %4· δώστε άλλον φάκελο.</translation>
+      <translation>Η παρτίδα ξεκίνησε με άλλη διάταξη (κάμερες: %1, στάσεις: %2· τώρα: %3 και %4)· επιλέξτε άλλον φάκελο.</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
@@ -6489,7 +6436,7 @@
       <translation>Δεν είναι πλήρη αποτελέσματα του 'ostraka process'· εκτελέστε το ξανά.</translation>
     </message>
     <message>
-      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <source>Another program is entering results of this batch; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα άλλο πρόγραμμα καταχωρίζει αποτελέσματα αυτής της παρτίδας· αυτό περιμένει να τελειώσει.</translation>
     </message>
@@ -7014,7 +6961,7 @@
       <translation>Το κείμενο δεν είναι έγκυρο UTF-8 ή περιέχει μηδενικό byte.</translation>
     </message>
     <message>
-      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <source>The text contains control characters, which documents cannot contain; type it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το κείμενο περιέχει χαρακτήρες ελέγχου, που τα έγγραφα δεν μπορούν να περιέχουν· πληκτρολογήστε το ξανά.</translation>
     </message>
@@ -7184,7 +7131,7 @@
       <translation>Ίσως είναι χείλος (%1 %)· αν είναι, δηλώστε το και σχεδιάστε το ξανά.</translation>
     </message>
     <message>
-      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <source>The drawing&apos;s scale must be between 1:20 and 5:1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κλίμακα του σχεδίου πρέπει να είναι μεταξύ 1:20 και 5:1.</translation>
     </message>
@@ -7204,19 +7151,19 @@
       <translation>Λείπει ο κατάλογος των αρχείων (manifest)· δεν είναι εξαγωγή του Ostraka.</translation>
     </message>
     <message>
-      <source>The manifest has a line that cannot be read: %1</source>
+      <source>The manifest has a line that cannot be read (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο κατάλογος των αρχείων (manifest) έχει άκυρη γραμμή: %1</translation>
+      <translation>Το μανιφέστο έχει γραμμή που δεν διαβάζεται (%1), γι’ αυτό δεν διαβάστηκε τίποτα· αντιγράψτε ξανά τον φάκελο.</translation>
     </message>
     <message>
-      <source>The manifest names a file outside the folder: %1</source>
+      <source>The manifest names a file outside the folder (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο κατάλογος των αρχείων (manifest) ονομάζει αρχείο έξω από τον φάκελο: %1</translation>
+      <translation>Το μανιφέστο αναφέρει αρχείο έξω από τον φάκελο (%1), γι’ αυτό δεν διαβάστηκε τίποτα· αντιγράψτε ξανά τον φάκελο.</translation>
     </message>
     <message>
-      <source>The manifest names a file twice: %1</source>
+      <source>The manifest names the file %1 twice, so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο κατάλογος των αρχείων (manifest) ονομάζει δύο φορές ένα αρχείο: %1</translation>
+      <translation>Το μανιφέστο αναφέρει δύο φορές το αρχείο %1, γι’ αυτό δεν διαβάστηκε τίποτα· αντιγράψτε ξανά τον φάκελο.</translation>
     </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
@@ -7224,7 +7171,7 @@
       <translation>Υπάρχει ήδη φάκελος με αυτό το όνομα· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
-      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
+      <source>Not every system supports names with a line break, a backslash or characters that are not UTF-8; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα όνομα με αλλαγή γραμμής, ανάστροφη κάθετο ή χαρακτήρες που δεν είναι UTF-8 δεν διατηρείται σε όλα τα συστήματα· μετονομάστε αυτό το αρχείο ή τον φάκελο και δοκιμάστε ξανά.</translation>
     </message>
@@ -7234,12 +7181,12 @@
       <translation>Σε ορισμένα συστήματα αυτό το όνομα είναι ίδιο με το %1· μετονομάστε ένα από τα δύο και δοκιμάστε ξανά.</translation>
     </message>
     <message>
-      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <source>Project A has another file with this name, which its catalogue does not list; nothing was merged. Move that file elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το έργο A έχει άλλο αρχείο με αυτό το όνομα, που ο κατάλογός του δεν γνωρίζει· μετακινήστε το, τίποτα δεν συγχωνεύτηκε.</translation>
     </message>
     <message>
-      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι θέση φωτογραφιών, αποτελεσμάτων ή μοντέλων, των μόνων αρχείων που γράφει μια συγχώνευση· τίποτα δεν συγχωνεύτηκε.</translation>
     </message>
@@ -7249,12 +7196,12 @@
       <translation>Δύο αρχεία της εξαγωγής θα είχαν το ίδιο όνομα.</translation>
     </message>
     <message>
-      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <source>Another import into this project is running; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια άλλη εισαγωγή σε αυτό το έργο βρίσκεται σε εξέλιξη· αυτή περιμένει να τελειώσει.</translation>
     </message>
     <message>
-      <source>Files that were missing from the project and came back: %1.</source>
+      <source>Files that were missing from the project and are restored: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αρχεία που έλειπαν από το έργο και επανήλθαν: %1.</translation>
     </message>
@@ -7304,19 +7251,19 @@
       <translation>Δεν υπάρχει σακούλα %1· δημιουργήστε την ή αφήστε την εισαγωγή να τη δημιουργήσει.</translation>
     </message>
     <message>
-      <source>The column closed accepts yes or no.</source>
+      <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη closed δέχεται yes ή no.</translation>
     </message>
     <message>
-      <source>The column count_written accepts a whole number.</source>
+      <source>The column &apos;count_written&apos; accepts only a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη count_written δέχεται ακέραιο αριθμό.</translation>
     </message>
     <message>
-      <source>The row has %1 values, but the header has %2.</source>
+      <source>Values in the row: %1, columns in the header: %2; correct the row.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η γραμμή έχει %1 τιμές, η επικεφαλίδα %2.</translation>
+      <translation>Τιμές στη γραμμή: %1, στήλες στην επικεφαλίδα: %2· διορθώστε τη γραμμή.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
@@ -7404,7 +7351,7 @@
       <translation>Το %1 εξάγεται χωρίς φωτογραφίες: %2</translation>
     </message>
     <message>
-      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <source>Photographs can be projected only onto a closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι φωτογραφίες δεν μπορούν να τοποθετηθούν σε μοντέλο που δεν είναι κλειστό.</translation>
     </message>
@@ -7499,7 +7446,7 @@
       <translation>Αυτή η εξαγωγή δεν περιέχει εγγραφές (JSON) οστράκων· εξαγάγετέ την ξανά με αυτές.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
+      <source>The project already has this sherd with other values, which it keeps; the differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το έργο έχει αυτό το όστρακο με άλλες τιμές· αυτές μένουν, και ό,τι διαφέρει κρατιέται δίπλα τους σε πεδία που τελειώνουν σε _in_%1.</translation>
     </message>
@@ -7589,7 +7536,7 @@
       <translation>%1 (%2 % του γυμνού δίσκου)</translation>
     </message>
     <message>
-      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <source>masks: flat objects that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>μάσκες: επίπεδα πράγματα που μοιάζουν με ετικέτες ή κλίμακες παραλείπονται (%1)· αν υπάρχουν όστρακα ανάμεσά τους, προσθέστε τα στις μάσκες</translation>
     </message>
@@ -7624,7 +7571,7 @@
       <translation>Μόνο ένα κλειστό πλέγμα μπορεί να αραιωθεί.</translation>
     </message>
     <message>
-      <source>The deviation of a simplified mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόκλιση ενός αραιωμένου πλέγματος πρέπει να είναι πάνω από 0 mm.</translation>
     </message>
@@ -7639,12 +7586,12 @@
       <translation>Οι σαρώσεις έχουν πολύ λίγα σημεία που συμφωνούν μεταξύ τους για ένα μοντέλο.</translation>
     </message>
     <message>
-      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <source>This model is %1 mm in size, larger than any vessel, so its unit is probably not mm; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το μοντέλο έχει μέγεθος %1 mm, μεγαλύτερο από κάθε αγγείο, άρα η μονάδα του φαίνεται να είναι άλλη· εξαγάγετέ το σε mm.</translation>
     </message>
     <message>
-      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <source>This model is only %1 mm in size, smaller than any sherd, so its unit is probably not mm (%2); export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό το μοντέλο έχει μέγεθος μόνο %1 mm, λιγότερο από κάθε όστρακο, άρα η μονάδα του είναι μάλλον άλλη (%2)· εξαγάγετέ το σε mm.</translation>
     </message>
@@ -7734,7 +7681,7 @@
       <translation>Η απόφαση της %1 από %2 αφορά το %3, που δεν είναι πια πάνω στον δίσκο· αποφασίστε ξανά.</translation>
     </message>
     <message>
-      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the later decision of %3 by %4 concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η απόφαση της %1 από %2 δεν ισχύει: η απόφαση της %3 από %4, που είναι νεότερη, αφορά την ίδια σάρωση· ανακαλέστε μία από τις δύο.</translation>
     </message>
@@ -7859,7 +7806,7 @@
       <translation>Χωρίς plate.json οι μάσκες δεν βρίσκονται· βάλτε μάσκες δίπλα στις φωτογραφίες, ή ονομάστε ένα δίκτυο (--masks MODEL.onnx).</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm are based on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αποτέλεσμα δεν έχει κλίμακα: χωρίς plate.json κανένα μήκος δεν είναι γνωστό, και ό,τι δίνεται σε mm είναι εικασία για το μέγεθος ενός εικονοστοιχείου· φωτογραφίστε πάνω σε δίσκο με δείκτες, βάλτε τον πίνακα βαθμονόμησης του board.json δίπλα στα όστρακα και στις δύο όψεις, ή σημειώστε και στις δύο ένα γνωστό μήκος στο scale.json.</translation>
     </message>
@@ -7939,7 +7886,7 @@
       <translation>%1: Η φωτογραφία είναι θολή: οι άκρες της έχουν πλάτος %2 εικονοστοιχεία, της πιο ευκρινούς της κάμερας %3· τραβήξτε την ξανά.</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the front side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 από τους %2 δείκτες του δίσκου δεν είναι σε καμία φωτογραφία της μπροστινής όψης (%3)· οι κάμερες στηρίζονται στους άλλους, γι' αυτό αφαιρέστε ό,τι τους καλύπτει.</translation>
     </message>
@@ -7954,7 +7901,7 @@
       <translation>Όλες οι φωτογραφίες της μπροστινής όψης είναι θολές: ακόμη και στην πιο καθαρή οι άκρες των δεικτών έχουν πλάτος %1 εικονοστοιχεία, οπότε οι σαρώσεις της είναι αδρές. Ελέγξτε την εστίαση και την ταχύτητα κλείστρου και φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the back side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 από τους %2 δείκτες του δίσκου δεν είναι σε καμία φωτογραφία της πίσω όψης (%3)· οι κάμερες στηρίζονται στους άλλους, γι' αυτό αφαιρέστε ό,τι τους καλύπτει.</translation>
     </message>
@@ -7989,32 +7936,32 @@
       <translation>Κλείστε άλλα προγράμματα, ή επεξεργαστείτε ένα προσχέδιο.</translation>
     </message>
     <message>
-      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
+      <source>%1: the camera was not in the place that it had while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: δεν λήφθηκε από τη θέση όπου στεκόταν η κάμερα ενώ περιστρεφόταν ο δίσκος· παραλείπεται.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στη μπροστινή όψη: από τη στάση %3 και μετά (pos%4) βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στη μπροστινή όψη: από τη φωτογραφία %3 και μετά βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στην πίσω όψη: από τη στάση %3 και μετά (pos%4) βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 σπρώχτηκε κατά περίπου %2 mm στην πίσω όψη: από τη φωτογραφία %3 και μετά βρίσκεται αλλού· φωτογραφίστε ξανά αυτή την όψη.</translation>
     </message>
     <message>
-      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
+      <source>The output folder is inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος εξόδου είναι μέσα στον φάκελο της παρτίδας, όπου δεν γράφεται ποτέ τίποτα· επιλέξτε έναν δίπλα του.</translation>
     </message>
@@ -8109,7 +8056,7 @@
       <translation>Η σάρωση δεν έχει κάθετα διανύσματα· εξαγάγετέ την με nx, ny και nz.</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
+      <source>The scan is %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σάρωση απέχει %1 φορές το μήκος της από το 0, 0, 0, οπότε οι συντεταγμένες της στρογγυλεύονται· μετακινήστε την εκεί και εξαγάγετέ την ξανά.</translation>
     </message>
@@ -8189,14 +8136,14 @@
       <translation>Αυτή η φωτογραφία δεν χρησιμοποιείται.</translation>
     </message>
     <message>
-      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the front side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 φωτογραφίες της μπροστινής όψης δεν πήραν θέση από το COLMAP και παραλείπονται.</translation>
+      <translation>Φωτογραφίες της μπροστινής όψης που παραλείπονται, επειδή το COLMAP δεν βρήκε την πόζα τους: %1.</translation>
     </message>
     <message>
-      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the back side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 φωτογραφίες της πίσω όψης δεν πήραν θέση από το COLMAP και παραλείπονται.</translation>
+      <translation>Φωτογραφίες της πίσω όψης που παραλείπονται, επειδή το COLMAP δεν βρήκε την πόζα τους: %1.</translation>
     </message>
     <message>
       <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
@@ -8214,14 +8161,14 @@
       <translation>Αν έχει όστρακα, τραβήξτε την ξανά ή διορθώστε τη μάσκα της.</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
+      <source>Photographs of the front side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι μάσκες σημειώνουν όστρακα σε %1 φωτογραφίες της μπροστινής όψης· χρειάζονται 3.</translation>
+      <translation>Φωτογραφίες της μπροστινής όψης των οποίων οι μάσκες δείχνουν όστρακα: %1· χρειάζονται τουλάχιστον 3.</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
+      <source>Photographs of the back side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι μάσκες σημειώνουν όστρακα σε %1 φωτογραφίες της πίσω όψης· χρειάζονται 3.</translation>
+      <translation>Φωτογραφίες της πίσω όψης των οποίων οι μάσκες δείχνουν όστρακα: %1· χρειάζονται τουλάχιστον 3.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8244,7 +8191,7 @@
       <translation>Δεν έχουν όλες οι κορυφές θέση στην υφή.</translation>
     </message>
     <message>
-      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η υφή αυτού του μοντέλου GLB δεν διαβάζεται, οπότε το μοντέλο χρησιμοποιείται χωρίς αυτήν· επεξεργαστείτε ξανά την παρτίδα του για να γραφτεί εκ νέου το αρχείο.</translation>
     </message>
@@ -8284,7 +8231,7 @@
       <translation>Η σάρωση δεν έχει κάθετα διανύσματα· εξαγάγετέ την με αυτά.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
+      <source>Fewer than 50 points are on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Λιγότερα από 50 σημεία βρίσκονται στη θραύση· σαρώστε ξανά το όστρακο μαζί με τη θραύση του.</translation>
     </message>
@@ -8304,7 +8251,7 @@
       <translation>Ένα πλέγμα δεικτών χρειάζεται 'dictionary', 'markers_x', 'markers_y', 'marker_length' και 'marker_separation'.</translation>
     </message>
     <message>
-      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
+      <source>Nothing to calibrate from: put photographs of the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and pictures of the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν υπάρχει τίποτα για βαθμονόμηση: φωτογραφίστε τον δίσκο σε κάθε στάση στο 'front' (cam0_pos00.jpg και ούτω καθεξής) και τον πίνακα βαθμονόμησης στο 'calib', και αντιγράψτε δίπλα τους τα plate.json και board.json.</translation>
     </message>
@@ -8419,14 +8366,14 @@
       <translation>%1: δεν φαίνεται κανένας δείκτης· ελέγξτε ότι η φωτογραφία δείχνει αυτή τη στάση. Αν όχι, τραβήξτε την ξανά.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the front side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μόνο %1 φωτογραφίες της μπροστινής όψης έχουν θέση, χρειάζονται τουλάχιστον 3· ελέγξτε ότι οι δείκτες του δίσκου φωτίζονται και είναι μέσα στην εικόνα.</translation>
+      <translation>Φωτογραφίες της μπροστινής όψης με γνωστή πόζα: %1· χρειάζονται τουλάχιστον 3. Ελέγξτε ότι οι δείκτες του δίσκου φωτίζονται και φαίνονται στην εικόνα.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the back side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μόνο %1 φωτογραφίες της πίσω όψης έχουν θέση, χρειάζονται τουλάχιστον 3· ελέγξτε ότι οι δείκτες του δίσκου φωτίζονται και είναι μέσα στην εικόνα.</translation>
+      <translation>Φωτογραφίες της πίσω όψης με γνωστή πόζα: %1· χρειάζονται τουλάχιστον 3. Ελέγξτε ότι οι δείκτες του δίσκου φωτίζονται και φαίνονται στην εικόνα.</translation>
     </message>
     <message>
       <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
@@ -8434,9 +8381,9 @@
       <translation>Η κάμερα %1 βλέπει λιγότερους από έξι δείκτες του δίσκου στη στάση %2· ελέγξτε εκεί φως και εστίαση, και ότι τίποτα δεν είναι πάνω στους δείκτες.</translation>
     </message>
     <message>
-      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
+      <source>Positions photographed: %1; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Φωτογραφήθηκαν μόνο %1 στάσεις· πάρτε τουλάχιστον τέσσερις σε όλη τη στροφή, για να βρεθεί ο άξονας.</translation>
+      <translation>Στάσεις που φωτογραφήθηκαν: %1· φωτογραφίστε τουλάχιστον τέσσερις σε όλη την περιστροφή, για να προσδιοριστεί ο άξονας.</translation>
     </message>
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
@@ -8449,7 +8396,7 @@
       <translation>Ανάμεσα στους δείκτες %1 και %2 μετρήσατε %3 mm, κατά το plate.json είναι %4 mm (%5 %)· μετρήστε τον χάρακα του δίσκου και φτιάξτε ξανά το plate.json με 'ostraka plate --ruler-measured'.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
+      <source>Not usable: camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μη χρησιμοποιήσιμη: η κάμερα %1 χάνει τους δείκτες του δίσκου κατά %2 px (διάμεσος)· μήπως αγγίχτηκε ανάμεσα στις φωτογραφίες, ή το plate.json είναι άλλου δίσκου;</translation>
     </message>
@@ -8654,7 +8601,7 @@
       <translation>Το αρχείο των καμερών δεν περιέχει λίστα 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use the model OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα %1 του COLMAP έχει το μοντέλο '%2' ή τιμές που δεν χρησιμοποιούνται εδώ· χρησιμοποιήστε OPENCV.</translation>
     </message>
@@ -8834,7 +8781,7 @@
       <translation>Το %1 τελείωσε με σφάλμα· τα μηνύματά του είναι σε αυτό το αρχείο.</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
+      <source>A small object of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα ψίχουλο %1 mm στο x %2, y %3 mm έμεινε στην άκρη· αν είναι όστρακο, φωτογραφίστε το μόνο του.</translation>
     </message>
@@ -8929,12 +8876,12 @@
       <translation>Τα %1 όστρακα δεν χωρούν στον δίσκο· ζητήστε λιγότερα, ή άλλον αρχικό αριθμό.</translation>
     </message>
     <message>
-      <source>sherds must lie between 1 and 40.</source>
+      <source>sherds must be between 1 and 40.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός των οστράκων πρέπει να είναι μεταξύ 1 και 40.</translation>
     </message>
     <message>
-      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <source>width must be between 160 and 8192 pixels and divisible by 4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πλάτος πρέπει να είναι μεταξύ 160 και 8192 εικονοστοιχείων και να διαιρείται με το 4.</translation>
     </message>
@@ -9024,7 +8971,7 @@
       <translation>Μια σακούλα ανήκει σε πλαίσιο· καταχωρίστε πρώτα το πλαίσιο.</translation>
     </message>
     <message>
-      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <source>Context %1 has no bag %2; change or clear the bag at the same time.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πλαίσιο %1 δεν έχει σακούλα %2· αλλάξτε ή αδειάστε συγχρόνως τη σακούλα.</translation>
     </message>
@@ -9179,9 +9126,9 @@
       <translation>Ένας σύνδεσμος ή ένα αρχείο βρίσκεται στη θέση φακέλου, ή ένας σύνδεσμος στη θέση αρχείου· βάλτε εκεί τα ίδια τα αρχεία.</translation>
     </message>
     <message>
-      <source>A file of this name already exists; it is not overwritten.</source>
+      <source>A file with this name already exists and is not overwritten; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Υπάρχει ήδη αρχείο με αυτό το όνομα· δεν αντικαθίσταται.</translation>
+      <translation>Υπάρχει ήδη αρχείο με αυτό το όνομα και δεν αντικαθίσταται· επιλέξτε άλλο όνομα.</translation>
     </message>
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
@@ -9189,12 +9136,12 @@
       <translation>Η εξαγωγή δείχνει μια θέση του έργου όπου δεν ανήκει τέτοιο αρχείο· δεν εισήχθη τίποτα.</translation>
     </message>
     <message>
-      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never contains; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχειοθετημένο έργο περιέχει ημερολόγιο του καταλόγου του, κάτι που δεν κάνει κανένα του Ostraka· δεν γράφτηκε τίποτα.</translation>
     </message>
     <message>
-      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <source>The catalogue&apos;s tables, indexes or triggers differ from those that Ostraka creates; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι πίνακες, τα ευρετήρια και οι σκανδάλες του καταλόγου δεν είναι όπως τα φτιάχνει το Ostraka· δεν γράφτηκε τίποτα.</translation>
     </message>
@@ -9419,9 +9366,9 @@
       <translation>η χειρότερη εικόνα είναι η %1 με %2 px· τραβήξτε την ξανά ή αφήστε την έξω.</translation>
     </message>
     <message>
-      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <source>Calibration pictures that show the board: %1; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>μόνο %1 εικόνες βαθμονόμησης δείχνουν τον πίνακα βαθμονόμησης, χρειάζονται τουλάχιστον 3· τραβήξτε περισσότερες.</translation>
+      <translation>Εικόνες βαθμονόμησης όπου φαίνεται ο πίνακας: %1· χρειάζονται τουλάχιστον 3. Τραβήξτε περισσότερες.</translation>
     </message>
     <message>
       <source>Camera %1, position %2: %3.</source>
@@ -9449,7 +9396,7 @@
       <translation>Ελέγξτε τη μονάδα: %1 είναι περίπου το ένα δέκατο της υπολογισμένης τιμής.</translation>
     </message>
     <message>
-      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <source>Check the value: %1 differs from the computed value by a factor of three or more.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ελέγξτε την τιμή: %1 απέχει τουλάχιστον τρεις φορές από την υπολογισμένη τιμή.</translation>
     </message>
@@ -9492,6 +9439,381 @@
       <source>the thickness</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>το πάχος</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) mm</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα όστρακα δεν μετρήθηκαν: φαίνονται πολύ λίγοι δείκτες του δίσκου.</translation>
+    </message>
+    <message>
+      <source>No sherd is visible on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν φαίνεται κανένα όστρακο στον δίσκο.</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα αγγίζονται ή σχεδόν αγγίζονται στο %1 από το μέσο του δίσκου: απομακρύνετέ τα και φωτογραφίστε ξανά.</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ό,τι βρίσκεται στο %1 από το μέσο του δίσκου μετρήθηκε ως ένα, ίσως όμως είναι δύο όστρακα που αγγίζονται: κοιτάξτε εκεί· αν είναι έτσι, απομακρύνετέ τα και φωτογραφίστε ξανά.</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η πίσω όψη μοιάζει με την μπροστινή: γυρίστε τα όστρακα και φωτογραφίστε τα ξανά.</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα όστρακα της πίσω όψης δεν μετρήθηκαν: συγκρίνετε μόνοι σας τις εικόνες πριν αδειάσετε τον δίσκο.</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα όστρακα της μπροστινής όψης δεν μετρήθηκαν: συγκρίνετε μόνοι σας τις εικόνες πριν αδειάσετε τον δίσκο.</translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Find the missing ones before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα που μετρήθηκαν στην μπροστινή όψη: %1, στην πίσω: %2. Βρείτε όσα λείπουν πριν αδειάσετε τον δίσκο.</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Check whether one was added or broke.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα που μετρήθηκαν στην μπροστινή όψη: %1, στην πίσω: %2. Ελέγξτε μήπως προστέθηκε ή έσπασε κάποιο.</translation>
+    </message>
+    <message>
+      <source>The turntable&apos;s own count was %1 degrees off; it was corrected from the plate&apos;s markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μέτρηση του περιστρεφόμενου τραπεζιού απείχε κατά %1 μοίρες· διορθώθηκε από τους δείκτες του δίσκου.</translation>
+    </message>
+    <message>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι έργο του Ostraka: ο φάκελος δεν έχει catalogue.sqlite· δεν συγχωνεύτηκε τίποτα.</translation>
+    </message>
+    <message>
+      <source>Another version of Ostraka made this project; nothing was merged. Open it once with this version, which updates it, or install the newer version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άλλη έκδοση του Ostraka δημιούργησε αυτό το έργο· δεν συγχωνεύτηκε τίποτα. Ανοίξτε το μία φορά με αυτή την έκδοση, που το ενημερώνει, ή εγκαταστήστε τη νεότερη.</translation>
+    </message>
+    <message>
+      <source>A project cannot be merged with itself; name another project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα έργο δεν μπορεί να συγχωνευτεί με τον εαυτό του· δώστε άλλο έργο.</translation>
+    </message>
+    <message>
+      <source>This project is read-only here, so nothing was merged; copy it to a folder that you can write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το έργο είναι εδώ μόνο για ανάγνωση, γι’ αυτό δεν συγχωνεύτηκε τίποτα· αντιγράψτε το σε φάκελο όπου μπορείτε να γράψετε.</translation>
+    </message>
+    <message>
+      <source>The project changed while files were copied, so nothing was merged; run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το έργο άλλαξε ενώ αντιγράφονταν αρχεία, γι’ αυτό δεν συγχωνεύτηκε τίποτα· εκτελέστε ξανά την ίδια εντολή.</translation>
+    </message>
+    <message>
+      <source>The conflict %1 (%2) cannot be settled with &apos;%3&apos;; nothing was merged. Choose one of the ways that the list of conflicts offers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σύγκρουση %1 (%2) δεν λύνεται με «%3»· δεν συγχωνεύτηκε τίποτα. Επιλέξτε έναν από τους τρόπους που δίνει ο κατάλογος των συγκρούσεων.</translation>
+    </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 έχει ήδη δοθεί και δεν ξαναχρησιμοποιείται ποτέ· δεν συγχωνεύτηκε τίποτα. Λύστε τη σύγκρουση number/%2 με άλλον αριθμό.</translation>
+    </message>
+    <message>
+      <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο πρέπει να είναι λίστα JSON από {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} ή {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}· δεν συγχωνεύτηκε τίποτα. Διορθώστε το αρχείο.</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια εγγραφή του αρχείου δεν έχει τη μορφή {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (ή &quot;b&quot;, ή &quot;number&quot; με νέο αριθμό): %1· δεν συγχωνεύτηκε τίποτα. Διορθώστε την εγγραφή.</translation>
+    </message>
+    <message>
+      <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η σύγκρουση %1 λύνεται δύο φορές στο αρχείο· δεν συγχωνεύτηκε τίποτα. Κρατήστε μία από τις δύο εγγραφές.</translation>
+    </message>
+    <message>
+      <source>This file of project B differs from what its catalogue records; nothing was merged. Restore it from a copy (&apos;ostraka catalogue check&apos; lists all such files).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το αρχείο αυτό του έργου B διαφέρει από ό,τι καταγράφει ο κατάλογός του· δεν συγχωνεύτηκε τίποτα. Επαναφέρετέ το από αντίγραφο (το «ostraka catalogue check» απαριθμεί όλα αυτά τα αρχεία).</translation>
+    </message>
+    <message>
+      <source>The disk does not return what was written to it; nothing was merged. Check the disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δίσκος αποθήκευσης δεν επιστρέφει ό,τι γράφτηκε σε αυτόν· δεν συγχωνεύτηκε τίποτα. Ελέγξτε τον.</translation>
+    </message>
+    <message>
+      <source>A link or a device cannot be merged; nothing was merged. Move what it leads to into project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σύνδεσμος ή συσκευή δεν συγχωνεύεται· δεν συγχωνεύτηκε τίποτα. Μετακινήστε στο έργο B εκείνο όπου οδηγεί.</translation>
+    </message>
+    <message>
+      <source>Results from a cluster must be regular files with plain names; nothing of this batch was entered. Submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα αποτελέσματα μιας συστοιχίας πρέπει να είναι κανονικά αρχεία με απλά ονόματα· από αυτή την παρτίδα δεν καταχωρίστηκε τίποτα. Υποβάλετέ την ξανά.</translation>
+    </message>
+    <message>
+      <source>This batch was processed here or reshot in the meantime; the cluster&apos;s results are not entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στο μεταξύ η παρτίδα υποβλήθηκε σε επεξεργασία εδώ ή φωτογραφήθηκε ξανά· τα αποτελέσματα της συστοιχίας δεν καταχωρίζονται.</translation>
+    </message>
+    <message>
+      <source>The name of a partition or an account consists of letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;; look it up with &apos;sinfo&apos; or ask the cluster&apos;s administrators.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το όνομα μιας κατάτμησης ή ενός λογαριασμού αποτελείται από γράμματα, ψηφία, «-», «_» και «.»· αναζητήστε το με «sinfo» ή ρωτήστε τους διαχειριστές της συστοιχίας.</translation>
+    </message>
+    <message>
+      <source>The command that starts Ostraka on the cluster must be one line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εντολή που ξεκινά το Ostraka στη συστοιχία πρέπει να είναι μία γραμμή.</translation>
+    </message>
+    <message>
+      <source>A job needs at least one core, and its memory and time must not be negative.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια εργασία χρειάζεται τουλάχιστον έναν πυρήνα, και η μνήμη και ο χρόνος της δεν μπορούν να είναι αρνητικά.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be opened (%1); check its name and permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος δεν ανοίγει (%1)· ελέγξτε το όνομα και τα δικαιώματά του.</translation>
+    </message>
+    <message>
+      <source>The path of this project contains a character that has a special meaning for Slurm (%, a backslash or a control character); rename the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η διαδρομή του έργου περιέχει χαρακτήρα με ειδική σημασία για το Slurm (%, ανάστροφη κάθετο ή χαρακτήρα ελέγχου)· μετονομάστε τον φάκελο.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH; run this command on a login node of the cluster, or name one with --host USER@LOGIN:/FOLDER.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα %1 δεν είναι στο PATH αυτού του υπολογιστή· εκτελέστε την εντολή σε κόμβο σύνδεσης της συστοιχίας ή δώστε έναν με --host USER@LOGIN:/FOLDER.</translation>
+    </message>
+    <message>
+      <source>Not a folder on a cluster; write USER@LOGIN:/FOLDER, with the folder&apos;s full path and without spaces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι φάκελος σε συστοιχία· γράψτε USER@LOGIN:/FOLDER, με την πλήρη διαδρομή του φακέλου και χωρίς κενά.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH, but --host needs it; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα %1 δεν είναι στο PATH αυτού του υπολογιστή, αλλά το --host το χρειάζεται· εγκαταστήστε το.</translation>
+    </message>
+    <message>
+      <source>The program %1 cannot be started there; ask the cluster&apos;s administrators how Slurm is reached.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα %1 δεν ξεκινά εκεί· ρωτήστε τους διαχειριστές της συστοιχίας πώς είναι προσβάσιμο το Slurm.</translation>
+    </message>
+    <message>
+      <source>%1 failed (%2). Nothing is lost; once the cause is removed, run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 απέτυχε (%2). Δεν χάθηκε τίποτα· όταν αρθεί η αιτία, εκτελέστε ξανά την ίδια εντολή.</translation>
+    </message>
+    <message>
+      <source>This batch contains imported scans and is not submitted; the window&apos;s queue processes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η παρτίδα περιέχει εισαγμένες σαρώσεις και δεν υποβάλλεται· την επεξεργάζεται η ουρά του παραθύρου.</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk has %1 GB left, but the batches to submit (%2) need about %3 GB. Nothing was submitted; free some space, or submit fewer with --most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Στον δίσκο της συστοιχίας μένουν %1 GB, αλλά οι παρτίδες προς υποβολή (%2) χρειάζονται περίπου %3 GB. Δεν υποβλήθηκε τίποτα· ελευθερώστε χώρο ή υποβάλετε λιγότερες με --most.</translation>
+    </message>
+    <message>
+      <source>Batches of this project are on another cluster or in another folder; collect them before you submit to this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παρτίδες του έργου βρίσκονται σε άλλη συστοιχία ή σε άλλον φάκελο· συλλέξτε τις πριν υποβάλετε εδώ.</translation>
+    </message>
+    <message>
+      <source>Not a list of the batches on a cluster; restore an earlier one, or delete it: batches that are on the cluster are then processed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι κατάλογος παρτίδων σε συστοιχία· επαναφέρετε έναν προηγούμενο ή διαγράψτε τον: οι παρτίδες της συστοιχίας θα υποβληθούν τότε ξανά σε επεξεργασία.</translation>
+    </message>
+    <message>
+      <source>Out of memory (%1 MB requested); the next submission requests twice as much.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η μνήμη εξαντλήθηκε (ζητήθηκαν %1 MB)· η επόμενη υποβολή ζητά τη διπλάσια.</translation>
+    </message>
+    <message>
+      <source>Out of time (minutes requested: %1); the next submission requests twice as many and resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο χρόνος τελείωσε (λεπτά που ζητήθηκαν: %1)· η επόμενη υποβολή ζητά τα διπλάσια και συνεχίζει μετά το τελευταίο ολοκληρωμένο στάδιο.</translation>
+    </message>
+    <message>
+      <source>The node failed, or the job was killed; the next submission resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κόμβος απέτυχε ή η εργασία τερματίστηκε· η επόμενη υποβολή συνεχίζει μετά το τελευταίο ολοκληρωμένο στάδιο.</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk is full, or your quota is used up; free some space, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο δίσκος της συστοιχίας γέμισε ή το όριό σας εξαντλήθηκε· ελευθερώστε χώρο και υποβάλετε ξανά.</translation>
+    </message>
+    <message>
+      <source>The cluster does not know this job, and the job wrote nothing into the project&apos;s folder; check that the cluster&apos;s nodes see that folder, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η συστοιχία δεν γνωρίζει αυτή την εργασία, και η εργασία δεν έγραψε τίποτα στον φάκελο του έργου· ελέγξτε ότι οι κόμβοι της συστοιχίας βλέπουν τον φάκελο και υποβάλετε ξανά.</translation>
+    </message>
+    <message>
+      <source>The program ended with status %1; its output is in %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρόγραμμα τελείωσε με κωδικό %1· η έξοδός του βρίσκεται στο %2.</translation>
+    </message>
+    <message>
+      <source>The partition ends jobs earlier than the %1 minutes requested; cancel the job, then submit again with another --partition or fewer --minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κατάτμηση τερματίζει τις εργασίες πριν από τα %1 λεπτά που ζητήθηκαν· ακυρώστε την εργασία και υποβάλετε ξανά με άλλο --partition ή λιγότερα --minutes.</translation>
+    </message>
+    <message>
+      <source>Slurm&apos;s reason: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λόγος κατά το Slurm: %1.</translation>
+    </message>
+    <message>
+      <source>This network cannot be used: %1. Choose an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or 1 x 2 x h x w.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το δίκτυο δεν μπορεί να χρησιμοποιηθεί: %1. Επιλέξτε δίκτυο ONNX που παίρνει 1 x 3 x H x W και δίνει 1 x 1 x h x w ή 1 x 2 x h x w.</translation>
+    </message>
+    <message>
+      <source>it cannot be run (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>δεν εκτελείται (%1)</translation>
+    </message>
+    <message>
+      <source>its output has another shape</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η έξοδός του έχει άλλο σχήμα</translation>
+    </message>
+    <message>
+      <source>its output contains numbers that are not finite</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η έξοδός του περιέχει αριθμούς που δεν είναι πεπερασμένοι</translation>
+    </message>
+    <message>
+      <source>its input is not an image</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η είσοδός του δεν είναι εικόνα</translation>
+    </message>
+    <message>
+      <source>its input has %1 channels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η είσοδός του έχει %1 κανάλια</translation>
+    </message>
+    <message>
+      <source>its input is larger than %1 pixels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η είσοδός του ξεπερνά τα %1 εικονοστοιχεία</translation>
+    </message>
+    <message>
+      <source>You have no permission to use it: copy packaging/udev/70-ostraka.rules to /etc/udev/rules.d/ and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν έχετε δικαίωμα να τη χρησιμοποιήσετε: αντιγράψτε το packaging/udev/70-ostraka.rules στο /etc/udev/rules.d/ και συνδέστε την ξανά.</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: &apos;ostraka devices --release&apos; releases it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τη χρησιμοποιεί το %1: το «ostraka devices --release» την ελευθερώνει.</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: close that program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τη χρησιμοποιεί το %1: κλείστε αυτό το πρόγραμμα.</translation>
+    </message>
+    <message>
+      <source>The kernel has no driver for it; install one for this adapter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο πυρήνας του συστήματος δεν έχει πρόγραμμα οδήγησης για αυτήν· εγκαταστήστε ένα για αυτόν τον προσαρμογέα.</translation>
+    </message>
+    <message>
+      <source>A folder of the project cannot be read (%1); check its permissions, then archive the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας φάκελος του έργου δεν διαβάζεται (%1)· ελέγξτε τα δικαιώματά του και αρχειοθετήστε ξανά το έργο.</translation>
+    </message>
+    <message>
+      <source>No output folder was given; name one with --output OUT.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν δόθηκε φάκελος εξόδου· δώστε έναν με --output OUT.</translation>
+    </message>
+    <message>
+      <source>No folder of front scans was given; name one with --front DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν δόθηκε φάκελος με σαρώσεις μπροστινών όψεων· δώστε έναν με --front DIR.</translation>
+    </message>
+    <message>
+      <source>No folder of back scans was given; name one with --back DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν δόθηκε φάκελος με σαρώσεις πίσω όψεων· δώστε έναν με --back DIR.</translation>
+    </message>
+    <message>
+      <source>The field %1 has no unit &apos;%2&apos;; choose another unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πεδίο %1 δεν έχει μονάδα «%2»· επιλέξτε άλλη μονάδα.</translation>
+    </message>
+    <message>
+      <source>The table has no column &apos;%1&apos;; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο πίνακας δεν έχει στήλη «%1»· ελέγξτε το όνομά της.</translation>
+    </message>
+    <message>
+      <source>The columns &apos;%1&apos; and &apos;%2&apos; are both mapped to the field %3; leave one of them out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι στήλες «%1» και «%2» αντιστοιχούν και οι δύο στο πεδίο %3· παραλείψτε τη μία.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το «%1» δεν αντιστοιχίζει στήλη· γράψτε COLUMN=FIELD ή COLUMN=FIELD:unit.</translation>
+    </message>
+    <message>
+      <source>The scan&apos;s colours or qualities differ in number from its points; give one for each point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα χρώματα ή οι τιμές ποιότητας της σάρωσης δεν είναι όσα τα σημεία της· δώστε ένα για κάθε σημείο.</translation>
+    </message>
+    <message>
+      <source>A point or a normal of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα σημείο ή μια κάθετος της σάρωσης δεν είναι πεπερασμένη· παραλείψτε τέτοια σημεία.</translation>
+    </message>
+    <message>
+      <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα εικονοστοιχεία ή η μάσκα δεν αντιστοιχούν στο δηλωμένο πλάτος και ύψος· δώστε μία τιμή για κάθε εικονοστοιχείο.</translation>
+    </message>
+    <message>
+      <source>No scan of this side was given; give at least one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν δόθηκε σάρωση αυτής της όψης· δώστε τουλάχιστον μία.</translation>
+    </message>
+    <message>
+      <source>give them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>δώστε τις σε mm</translation>
+    </message>
+    <message>
+      <source>A remark in this file cannot be read; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια παρατήρηση στο αρχείο δεν διαβάζεται· επαναφέρετε παλαιότερο αντίγραφό του ή επεξεργαστείτε ξανά την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κάμερα %1, στάση %2</translation>
     </message>
 </context>
 <context>

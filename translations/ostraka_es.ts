@@ -1672,7 +1672,7 @@
       <translation>Buscando qué retiene la cámara</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ha contado %1 fragmentos, las fotos muestran %2: busque uno que esté oculto, toque a otro o no se haya colocado.</translation>
     </message>
@@ -1707,7 +1707,7 @@
       <translation>Se ven etiquetas de varias bolsas: %1. Deje solo la de estos fragmentos.</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <source>You counted %1 sherds, the photographs show %2: check whether one is in fragments or an object is not a sherd, or correct the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ha contado %1 fragmentos, las fotos muestran %2: mire si alguno está en trozos o si hay algo que no es un fragmento, o corrija el número.</translation>
     </message>
@@ -5084,82 +5084,29 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Doubts</name>
-    <message>
-      <source>(%1, %2) mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>(%1, %2) mm</translation>
-    </message>
-    <message>
-      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se pudieron contar los fragmentos: se ven muy pocas marcas del plato.</translation>
-    </message>
-    <message>
-      <source>No sherd is visible on the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se ve ningún fragmento en el plato.</translation>
-    </message>
-    <message>
-      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hay fragmentos que se tocan o casi se tocan en %1 desde el centro del plato: sepárelos y vuelva a fotografiar.</translation>
-    </message>
-    <message>
-      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lo que está en %1 desde el centro del plato se contó como uno, pero pueden ser dos fragmentos que se tocan: compruébelo; si es así, sepárelos y vuelva a fotografiar.</translation>
-    </message>
-    <message>
-      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El reverso parece el anverso: dé la vuelta a los fragmentos y vuelva a fotografiarlos.</translation>
-    </message>
-    <message>
-      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se pudieron contar los fragmentos del reverso: compare las imágenes antes de vaciar el plato.</translation>
-    </message>
-    <message>
-      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se pudieron contar los fragmentos del anverso: compare las imágenes antes de vaciar el plato.</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El anverso mostró %1 fragmentos, el reverso %2: busque el que falta antes de vaciar el plato.</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El anverso mostró %1 fragmentos, el reverso %2: compruebe si se añadió o se rompió uno.</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::Error</name>
     <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <source>The disk has only %1 MB left, and a batch needs more. Nothing is lost: free some space, then resume.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En el disco solo quedan %1 MB; una tanda necesita más. No se ha perdido nada: haga sitio y continúe.</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <source>%1: this number was entered on the plate, but there is no sherd with a context in that place; assign it in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: este número se escribió sobre el plato, pero allí no hay ningún fragmento con contexto; asígnelo en el catálogo.</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <source>%1: this number was entered on the plate, but it belongs to another sherd; check which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: este número se escribió en el plato, pero es de otro fragmento; mire cuál de los dos lo lleva y dé al otro uno nuevo.</translation>
     </message>
     <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <source>Pairs were decided or masks edited while the batch was being processed; reprocess it to apply them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mientras se procesaba la tanda se decidieron parejas o se editaron máscaras; reprocésela para tenerlas en cuenta.</translation>
     </message>
     <message>
-      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <source>Sherds counted on the plate: %1, but another number was found; check the map for a sherd that is missing or was split in two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fragmentos contados sobre el plato: %1. Se encontró otro número; busque en el plano el que falta o está partido en dos.</translation>
     </message>
@@ -5184,7 +5131,7 @@
       <translation>La cámara no responde y puede estar en reposo. Desactive su apagado automático.</translation>
     </message>
     <message>
-      <source>The camera stays busy; switch it off and on.</source>
+      <source>The camera remains busy; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara sigue ocupada; apáguela y enciéndala.</translation>
     </message>
@@ -5449,7 +5396,7 @@
       <translation>El texto JSON supera los 64 MiB.</translation>
     </message>
     <message>
-      <source>The JSON is nested deeper than 64 levels.</source>
+      <source>The JSON is nested more than 64 levels deep.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El JSON está anidado en más de 64 niveles.</translation>
     </message>
@@ -5574,14 +5521,14 @@
       <translation>Se indicó la misma carpeta para el anverso y el reverso; elija la carpeta de cada lado.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El anverso tiene %1 fotos utilizables; hacen falta al menos %2. Tome más desde todas las direcciones.</translation>
+      <translation>Fotografías utilizables del anverso: %1; hacen falta al menos %2. Haga más desde todas las direcciones.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El reverso tiene %1 fotos utilizables; hacen falta al menos %2. Tome más desde todas las direcciones.</translation>
+      <translation>Fotografías utilizables del reverso: %1; hacen falta al menos %2. Haga más desde todas las direcciones.</translation>
     </message>
     <message>
       <source>The HEIC image is damaged; copy it again.</source>
@@ -5604,7 +5551,7 @@
       <translation>En estas %2 fotos no se encontró ninguna hoja con al menos %1 marcas de los diccionarios de OpenCV; tome fotos que muestren más de la hoja, o indique su plate.json.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that are far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ningún plate.json describe la hoja: se encontraron %1 marcas de %2 con lados de %3 mm en las fotos (%4 px) y se toman por ella. Mida la distancia entre dos marcas alejadas y compárela con plate.json en la carpeta de salida.</translation>
     </message>
@@ -5629,14 +5576,14 @@
       <translation>La imagen tiene %1 x %2 píxeles, las demás de su cámara %3 x %4; esta foto se omite.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El anverso tiene %1 fotos utilizables, hacen falta al menos %2; ponga ahí fotos con nombre %3.</translation>
+      <translation>Fotografías utilizables del anverso: %1; hacen falta al menos %2. Añada fotografías con nombres como %3.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El reverso tiene %1 fotos utilizables, hacen falta al menos %2; ponga ahí fotos con nombre %3.</translation>
+      <translation>Fotografías utilizables del reverso: %1; hacen falta al menos %2. Añada fotografías con nombres como %3.</translation>
     </message>
     <message>
       <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
@@ -5799,9 +5746,9 @@
       <translation>Esta tanda se empezó en otro plato; siga con aquel o empiece una tanda nueva.</translation>
     </message>
     <message>
-      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
+      <source>This batch started with another setup (cameras: %1, positions: %2; now: %3 and %4); choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Esta tanda se empezó con %1 cámaras y %2 posiciones, no con %3 y %4; elija otra carpeta.</translation>
+      <translation>Esta tanda empezó con otra configuración (cámaras: %1, posiciones: %2; ahora: %3 y %4); elija otra carpeta.</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
@@ -6489,7 +6436,7 @@
       <translation>Estos resultados de 'ostraka process' están incompletos; ejecútelo otra vez.</translation>
     </message>
     <message>
-      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <source>Another program is entering results of this batch; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro programa está introduciendo resultados de esta tanda; este espera a que termine.</translation>
     </message>
@@ -7014,7 +6961,7 @@
       <translation>El texto no es UTF-8 válido o contiene un byte nulo.</translation>
     </message>
     <message>
-      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <source>The text contains control characters, which documents cannot contain; type it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El texto contiene caracteres de control, que los documentos no pueden contener; escríbalo de nuevo.</translation>
     </message>
@@ -7184,7 +7131,7 @@
       <translation>Puede ser un fragmento de borde (%1 %); si lo es, indíquelo y dibújelo otra vez.</translation>
     </message>
     <message>
-      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <source>The drawing&apos;s scale must be between 1:20 and 5:1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La escala del dibujo debe estar entre 1:20 y 5:1.</translation>
     </message>
@@ -7204,19 +7151,19 @@
       <translation>Falta el manifiesto; no es una exportación de Ostraka.</translation>
     </message>
     <message>
-      <source>The manifest has a line that cannot be read: %1</source>
+      <source>The manifest has a line that cannot be read (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El manifiesto tiene una línea ilegible: %1</translation>
+      <translation>El manifiesto tiene una línea ilegible (%1), por lo que no se leyó nada; copie la carpeta de nuevo.</translation>
     </message>
     <message>
-      <source>The manifest names a file outside the folder: %1</source>
+      <source>The manifest names a file outside the folder (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El manifiesto nombra un archivo fuera de la carpeta: %1</translation>
+      <translation>El manifiesto nombra un archivo fuera de la carpeta (%1), por lo que no se leyó nada; copie la carpeta de nuevo.</translation>
     </message>
     <message>
-      <source>The manifest names a file twice: %1</source>
+      <source>The manifest names the file %1 twice, so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El manifiesto nombra dos veces un archivo: %1</translation>
+      <translation>El manifiesto nombra dos veces el archivo %1, por lo que no se leyó nada; copie la carpeta de nuevo.</translation>
     </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
@@ -7224,7 +7171,7 @@
       <translation>Ya hay una carpeta con este nombre; elija otro nombre.</translation>
     </message>
     <message>
-      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
+      <source>Not every system supports names with a line break, a backslash or characters that are not UTF-8; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No todos los sistemas conservan un nombre con un salto de línea, una barra invertida o caracteres que no son UTF-8; cambie el nombre de este archivo o de esta carpeta y vuelva a intentarlo.</translation>
     </message>
@@ -7234,12 +7181,12 @@
       <translation>En algunos sistemas este nombre es el mismo que %1; cambie uno de los dos y vuelva a intentarlo.</translation>
     </message>
     <message>
-      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <source>Project A has another file with this name, which its catalogue does not list; nothing was merged. Move that file elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El proyecto A tiene otro archivo con este nombre que su catálogo no conoce; muévalo, no se ha fusionado nada.</translation>
     </message>
     <message>
-      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es un lugar de fotografías, resultados o modelos, los únicos archivos que escribe una fusión; no se ha fusionado nada.</translation>
     </message>
@@ -7249,12 +7196,12 @@
       <translation>Dos archivos de la exportación tendrían el mismo nombre.</translation>
     </message>
     <message>
-      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <source>Another import into this project is running; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay otra importación en curso en este proyecto; esta espera a que termine.</translation>
     </message>
     <message>
-      <source>Files that were missing from the project and came back: %1.</source>
+      <source>Files that were missing from the project and are restored: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Archivos que faltaban en el proyecto y se han recuperado: %1.</translation>
     </message>
@@ -7304,19 +7251,19 @@
       <translation>No hay ninguna bolsa %1; créela o deje que la cree la importación.</translation>
     </message>
     <message>
-      <source>The column closed accepts yes or no.</source>
+      <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La columna closed admite yes o no.</translation>
     </message>
     <message>
-      <source>The column count_written accepts a whole number.</source>
+      <source>The column &apos;count_written&apos; accepts only a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La columna count_written admite un número entero.</translation>
     </message>
     <message>
-      <source>The row has %1 values, but the header has %2.</source>
+      <source>Values in the row: %1, columns in the header: %2; correct the row.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La fila tiene %1 valores, el encabezado %2.</translation>
+      <translation>Valores en la fila: %1, columnas en el encabezado: %2; corrija la fila.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
@@ -7404,7 +7351,7 @@
       <translation>%1 se exporta sin fotografías: %2</translation>
     </message>
     <message>
-      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <source>Photographs can be projected only onto a closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las fotografías no se pueden aplicar a un modelo que no está cerrado.</translation>
     </message>
@@ -7499,7 +7446,7 @@
       <translation>Esta exportación no contiene registros (JSON) de fragmentos; expórtela otra vez con ellos.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
+      <source>The project already has this sherd with other values, which it keeps; the differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El proyecto tiene este fragmento con otros valores y los conserva; los que difieren se añaden en campos que acaban en _in_%1.</translation>
     </message>
@@ -7589,7 +7536,7 @@
       <translation>%1 (%2 % del plato libre)</translation>
     </message>
     <message>
-      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <source>masks: flat objects that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>máscaras: se omiten cosas planas que parecen etiquetas o escalas (%1); si entre ellas hay fragmentos, añádalos a las máscaras</translation>
     </message>
@@ -7624,7 +7571,7 @@
       <translation>Solo se puede simplificar una malla cerrada.</translation>
     </message>
     <message>
-      <source>The deviation of a simplified mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La desviación de una malla simplificada debe ser mayor que 0 mm.</translation>
     </message>
@@ -7639,12 +7586,12 @@
       <translation>Los escaneos tienen muy pocos puntos que concuerden entre sí para un modelo.</translation>
     </message>
     <message>
-      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <source>This model is %1 mm in size, larger than any vessel, so its unit is probably not mm; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este modelo mide %1 mm, más que cualquier vasija, así que su unidad parece ser otra; expórtelo en mm.</translation>
     </message>
     <message>
-      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <source>This model is only %1 mm in size, smaller than any sherd, so its unit is probably not mm (%2); export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este modelo mide solo %1 mm, menos que cualquier fragmento, así que su unidad es probablemente otra (%2); expórtelo en mm.</translation>
     </message>
@@ -7734,7 +7681,7 @@
       <translation>La decisión del %1 de %2 trata de %3, que ya no está en el plato; decida otra vez.</translation>
     </message>
     <message>
-      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the later decision of %3 by %4 concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La decisión del %1 de %2 no tiene efecto: la decisión del %3 de %4, que es posterior, trata del mismo escaneo; retire una de las dos.</translation>
     </message>
@@ -7859,7 +7806,7 @@
       <translation>Sin plate.json no se pueden hacer las máscaras; ponga máscaras junto a las fotos, o elija una red (--masks MODEL.onnx).</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm are based on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El resultado no tiene escala: sin plate.json no se conoce ninguna longitud, y las longitudes en mm parten de un tamaño de píxel supuesto; fotografíe sobre un plato de marcas, ponga el tablero de board.json junto a los fragmentos en ambos lados, o marque en ambos una longitud conocida en scale.json.</translation>
     </message>
@@ -7939,7 +7886,7 @@
       <translation>%1: la foto está borrosa: sus bordes tienen %2 píxeles de ancho, los de la más nítida de la cámara %3; repítala.</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the front side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 de las %2 marcas del plato no están en ninguna foto del anverso (%3); las poses de las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
     </message>
@@ -7954,7 +7901,7 @@
       <translation>Todas las fotografías del anverso están borrosas: incluso en la más nítida los bordes de las marcas miden %1 píxeles, por lo que sus escaneos son toscos. Revise el enfoque y la velocidad de obturación y vuelva a fotografiar este lado.</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the back side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 de las %2 marcas del plato no están en ninguna foto del reverso (%3); las poses de las cámaras se apoyan en las otras, así que quite lo que las tapa.</translation>
     </message>
@@ -7989,32 +7936,32 @@
       <translation>Cierre otros programas, o procese un borrador.</translation>
     </message>
     <message>
-      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
+      <source>%1: the camera was not in the place that it had while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: la cámara no estaba donde se hallaba mientras giraba el plato; la foto se omite.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se desplazó unos %2 mm en el anverso: desde la posición %3 (pos%4) está en otro lugar; vuelva a fotografiar este lado.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se desplazó unos %2 mm en el anverso: desde %3 está en otro lugar; vuelva a fotografiar este lado.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se desplazó unos %2 mm en el reverso: desde la posición %3 (pos%4) está en otro lugar; vuelva a fotografiar este lado.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se desplazó unos %2 mm en el reverso: desde %3 está en otro lugar; vuelva a fotografiar este lado.</translation>
     </message>
     <message>
-      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
+      <source>The output folder is inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta de salida está dentro de la carpeta de la tanda, donde Ostraka nunca escribe; elija una al lado.</translation>
     </message>
@@ -8109,7 +8056,7 @@
       <translation>El escaneo no tiene normales; expórtelo con nx, ny y nz.</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
+      <source>The scan is %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El escaneo está a %1 veces su longitud del origen, así que sus coordenadas están redondeadas; llévelo al origen y expórtelo otra vez.</translation>
     </message>
@@ -8189,14 +8136,14 @@
       <translation>Esta foto no se usa.</translation>
     </message>
     <message>
-      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the front side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 fotos del anverso no recibieron pose de COLMAP y se omiten.</translation>
+      <translation>Fotografías del anverso omitidas porque COLMAP no encontró su pose: %1.</translation>
     </message>
     <message>
-      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the back side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 fotos del reverso no recibieron pose de COLMAP y se omiten.</translation>
+      <translation>Fotografías del reverso omitidas porque COLMAP no encontró su pose: %1.</translation>
     </message>
     <message>
       <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
@@ -8214,14 +8161,14 @@
       <translation>Si hay fragmentos en ella, repítala o edite su máscara.</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
+      <source>Photographs of the front side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las máscaras marcan fragmentos en %1 fotos del anverso; se necesitan 3.</translation>
+      <translation>Fotografías del anverso cuyas máscaras marcan fragmentos: %1; hacen falta al menos 3.</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
+      <source>Photographs of the back side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las máscaras marcan fragmentos en %1 fotos del reverso; se necesitan 3.</translation>
+      <translation>Fotografías del reverso cuyas máscaras marcan fragmentos: %1; hacen falta al menos 3.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8244,7 +8191,7 @@
       <translation>No todos los vértices tienen un lugar en la textura.</translation>
     </message>
     <message>
-      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se puede leer la textura de este modelo GLB, por lo que el modelo se usa sin ella; vuelva a procesar su lote para escribir el archivo de nuevo.</translation>
     </message>
@@ -8284,7 +8231,7 @@
       <translation>El escaneo no tiene normales; expórtelo con normales.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
+      <source>Fewer than 50 points are on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay menos de 50 puntos en la fractura; escanee otra vez el fragmento con su fractura.</translation>
     </message>
@@ -8304,7 +8251,7 @@
       <translation>Una cuadrícula de marcas necesita 'dictionary', 'markers_x', 'markers_y', 'marker_length' y 'marker_separation'.</translation>
     </message>
     <message>
-      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
+      <source>Nothing to calibrate from: put photographs of the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and pictures of the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No hay nada con que calibrar: fotografíe el plato en cada posición en 'front' (cam0_pos00.jpg, etc.) y el tablero en 'calib', y copie plate.json y board.json al lado.</translation>
     </message>
@@ -8419,14 +8366,14 @@
       <translation>%1: no se ve ninguna marca; compruebe que la foto muestra esta posición. Si no, repítala.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the front side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Solo %1 fotos del anverso tienen pose, se necesitan al menos 3; compruebe que las marcas del plato están iluminadas y dentro de la imagen.</translation>
+      <translation>Fotografías del anverso con pose conocida: %1; hacen falta al menos 3. Compruebe que las marcas del plato están iluminadas y dentro de la imagen.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the back side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Solo %1 fotos del reverso tienen pose, se necesitan al menos 3; compruebe que las marcas del plato están iluminadas y dentro de la imagen.</translation>
+      <translation>Fotografías del reverso con pose conocida: %1; hacen falta al menos 3. Compruebe que las marcas del plato están iluminadas y dentro de la imagen.</translation>
     </message>
     <message>
       <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
@@ -8434,9 +8381,9 @@
       <translation>La cámara %1 ve menos de seis marcas del plato en la posición %2; revise allí la luz y el enfoque, y que no haya nada sobre las marcas.</translation>
     </message>
     <message>
-      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
+      <source>Positions photographed: %1; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Solo se fotografiaron %1 posiciones; tome al menos cuatro en toda la vuelta, para que se encuentre el eje.</translation>
+      <translation>Posiciones fotografiadas: %1; fotografíe al menos cuatro en la vuelta completa para determinar el eje.</translation>
     </message>
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
@@ -8449,7 +8396,7 @@
       <translation>Entre las marcas %1 y %2 usted midió %3 mm, según plate.json son %4 mm (%5 %); mida la regla del plato y haga de nuevo plate.json con 'ostraka plate --ruler-measured'.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
+      <source>Not usable: camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No utilizable: la cámara %1 yerra las marcas del plato por %2 px de mediana; compruebe que no se movió entre las fotos y que plate.json es de este plato.</translation>
     </message>
@@ -8654,7 +8601,7 @@
       <translation>El archivo de cámaras no contiene una lista 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use the model OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara %1 de COLMAP tiene el modelo '%2' o valores que Ostraka no admite; use OPENCV.</translation>
     </message>
@@ -8834,7 +8781,7 @@
       <translation>%1 terminó con un error; su salida está en este archivo.</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
+      <source>A small object of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una migaja de %1 mm en x %2, y %3 mm se omitió; si es un fragmento, fotografíelo solo.</translation>
     </message>
@@ -8929,12 +8876,12 @@
       <translation>Los %1 fragmentos no caben en el plato; pida menos, u otra semilla.</translation>
     </message>
     <message>
-      <source>sherds must lie between 1 and 40.</source>
+      <source>sherds must be between 1 and 40.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número de fragmentos debe estar entre 1 y 40.</translation>
     </message>
     <message>
-      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <source>width must be between 160 and 8192 pixels and divisible by 4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El ancho debe estar entre 160 y 8192 píxeles y ser divisible entre 4.</translation>
     </message>
@@ -9024,7 +8971,7 @@
       <translation>Una bolsa pertenece a un contexto; escriba primero el contexto.</translation>
     </message>
     <message>
-      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <source>Context %1 has no bag %2; change or clear the bag at the same time.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El contexto %1 no tiene ninguna bolsa %2; cambie o vacíe la bolsa al mismo tiempo.</translation>
     </message>
@@ -9179,9 +9126,9 @@
       <translation>Un enlace o un archivo ha ocupado el lugar de una carpeta, o un enlace el de un archivo; sustitúyalo por la carpeta o el archivo mismo.</translation>
     </message>
     <message>
-      <source>A file of this name already exists; it is not overwritten.</source>
+      <source>A file with this name already exists and is not overwritten; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ya hay un archivo con este nombre; no se sobrescribe.</translation>
+      <translation>Ya existe un archivo con este nombre y no se sobrescribe; elija otro nombre.</translation>
     </message>
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
@@ -9189,12 +9136,12 @@
       <translation>La exportación indica un lugar del proyecto donde no corresponde un archivo así; no se ha importado nada.</translation>
     </message>
     <message>
-      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never contains; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La copia de archivo contiene un diario de su catálogo, cosa que ninguna de Ostraka contiene; no se ha escrito nada.</translation>
     </message>
     <message>
-      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <source>The catalogue&apos;s tables, indexes or triggers differ from those that Ostraka creates; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las tablas, los índices y los disparadores del catálogo no son como los crea Ostraka; no se ha escrito nada.</translation>
     </message>
@@ -9419,9 +9366,9 @@
       <translation>la peor imagen es %1 con %2 px; repítala u omítala.</translation>
     </message>
     <message>
-      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <source>Calibration pictures that show the board: %1; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>solo %1 imágenes de calibración muestran el tablero, se necesitan al menos 3; tome más imágenes de él.</translation>
+      <translation>Imágenes de calibración que muestran el tablero: %1; hacen falta al menos 3. Haga más.</translation>
     </message>
     <message>
       <source>Camera %1, position %2: %3.</source>
@@ -9449,7 +9396,7 @@
       <translation>Compruebe la unidad: %1 es aproximadamente una décima parte del valor calculado.</translation>
     </message>
     <message>
-      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <source>Check the value: %1 differs from the computed value by a factor of three or more.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Compruebe el valor: %1 se aparta al menos tres veces del valor calculado.</translation>
     </message>
@@ -9492,6 +9439,381 @@
       <source>the thickness</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>el grosor</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) mm</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se pudieron contar los fragmentos: se ven muy pocas marcas del plato.</translation>
+    </message>
+    <message>
+      <source>No sherd is visible on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se ve ningún fragmento en el plato.</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay fragmentos que se tocan o casi se tocan en %1 desde el centro del plato: sepárelos y vuelva a fotografiar.</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que está en %1 desde el centro del plato se contó como uno, pero pueden ser dos fragmentos que se tocan: compruébelo; si es así, sepárelos y vuelva a fotografiar.</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El reverso parece el anverso: dé la vuelta a los fragmentos y vuelva a fotografiarlos.</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se pudieron contar los fragmentos del reverso: compare las imágenes antes de vaciar el plato.</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se pudieron contar los fragmentos del anverso: compare las imágenes antes de vaciar el plato.</translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Find the missing ones before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmentos contados en el anverso: %1, en el reverso: %2. Busque los que faltan antes de vaciar el plato.</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Check whether one was added or broke.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmentos contados en el anverso: %1, en el reverso: %2. Compruebe si se añadió o se rompió alguno.</translation>
+    </message>
+    <message>
+      <source>The turntable&apos;s own count was %1 degrees off; it was corrected from the plate&apos;s markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La cuenta de la mesa giratoria se desviaba %1 grados; se corrigió según las marcas del plato.</translation>
+    </message>
+    <message>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un proyecto de Ostraka: esta carpeta no tiene catalogue.sqlite; no se unió nada.</translation>
+    </message>
+    <message>
+      <source>Another version of Ostraka made this project; nothing was merged. Open it once with this version, which updates it, or install the newer version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otra versión de Ostraka creó este proyecto; no se unió nada. Ábralo una vez con esta versión, que lo actualiza, o instale la versión más reciente.</translation>
+    </message>
+    <message>
+      <source>A project cannot be merged with itself; name another project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un proyecto no puede unirse consigo mismo; indique otro proyecto.</translation>
+    </message>
+    <message>
+      <source>This project is read-only here, so nothing was merged; copy it to a folder that you can write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este proyecto es aquí de solo lectura, por lo que no se unió nada; cópielo en una carpeta en la que pueda escribir.</translation>
+    </message>
+    <message>
+      <source>The project changed while files were copied, so nothing was merged; run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El proyecto cambió mientras se copiaban archivos, por lo que no se unió nada; vuelva a ejecutar la misma orden.</translation>
+    </message>
+    <message>
+      <source>The conflict %1 (%2) cannot be settled with &apos;%3&apos;; nothing was merged. Choose one of the ways that the list of conflicts offers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El conflicto %1 (%2) no puede resolverse con «%3»; no se unió nada. Elija una de las opciones que ofrece la lista de conflictos.</translation>
+    </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 ya se asignó y nunca se reutiliza; no se unió nada. Resuelva el conflicto number/%2 con otro número.</translation>
+    </message>
+    <message>
+      <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo debe ser una lista JSON de {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} o {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; no se unió nada. Corrija el archivo.</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una entrada de este archivo no tiene la forma {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (o &quot;b&quot;, o &quot;number&quot; con un número nuevo): %1; no se unió nada. Corrija la entrada.</translation>
+    </message>
+    <message>
+      <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El conflicto %1 se resuelve dos veces en este archivo; no se unió nada. Conserve una de las dos entradas.</translation>
+    </message>
+    <message>
+      <source>This file of project B differs from what its catalogue records; nothing was merged. Restore it from a copy (&apos;ostraka catalogue check&apos; lists all such files).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este archivo del proyecto B difiere de lo que registra su catálogo; no se unió nada. Restáurelo desde una copia («ostraka catalogue check» enumera todos esos archivos).</translation>
+    </message>
+    <message>
+      <source>The disk does not return what was written to it; nothing was merged. Check the disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El disco no devuelve lo que se escribió en él; no se unió nada. Compruebe el disco.</translation>
+    </message>
+    <message>
+      <source>A link or a device cannot be merged; nothing was merged. Move what it leads to into project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un enlace o un dispositivo no puede unirse; no se unió nada. Mueva al proyecto B aquello a lo que lleva.</translation>
+    </message>
+    <message>
+      <source>Results from a cluster must be regular files with plain names; nothing of this batch was entered. Submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los resultados de un clúster deben ser archivos corrientes con nombres sencillos; no se registró nada de esta tanda. Envíe la tanda de nuevo.</translation>
+    </message>
+    <message>
+      <source>This batch was processed here or reshot in the meantime; the cluster&apos;s results are not entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entretanto esta tanda se procesó aquí o se volvió a fotografiar; los resultados del clúster no se registran.</translation>
+    </message>
+    <message>
+      <source>The name of a partition or an account consists of letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;; look it up with &apos;sinfo&apos; or ask the cluster&apos;s administrators.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El nombre de una partición o de una cuenta consta de letras, cifras, «-», «_» y «.»; consúltelo con «sinfo» o pregunte a los administradores del clúster.</translation>
+    </message>
+    <message>
+      <source>The command that starts Ostraka on the cluster must be one line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La orden que inicia Ostraka en el clúster debe ocupar una sola línea.</translation>
+    </message>
+    <message>
+      <source>A job needs at least one core, and its memory and time must not be negative.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un trabajo necesita al menos un núcleo, y su memoria y su tiempo no pueden ser negativos.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be opened (%1); check its name and permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta carpeta no puede abrirse (%1); compruebe su nombre y sus permisos.</translation>
+    </message>
+    <message>
+      <source>The path of this project contains a character that has a special meaning for Slurm (%, a backslash or a control character); rename the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La ruta de este proyecto contiene un carácter con un significado especial para Slurm (%, una barra invertida o un carácter de control); cambie el nombre de la carpeta.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH; run this command on a login node of the cluster, or name one with --host USER@LOGIN:/FOLDER.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El programa %1 no está en el PATH de este equipo; ejecute esta orden en un nodo de acceso del clúster o indique uno con --host USER@LOGIN:/FOLDER.</translation>
+    </message>
+    <message>
+      <source>Not a folder on a cluster; write USER@LOGIN:/FOLDER, with the folder&apos;s full path and without spaces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es una carpeta de un clúster; escriba USER@LOGIN:/FOLDER, con la ruta completa de la carpeta y sin espacios.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH, but --host needs it; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El programa %1 no está en el PATH de este equipo, pero --host lo necesita; instálelo.</translation>
+    </message>
+    <message>
+      <source>The program %1 cannot be started there; ask the cluster&apos;s administrators how Slurm is reached.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El programa %1 no puede iniciarse allí; pregunte a los administradores del clúster cómo se accede a Slurm.</translation>
+    </message>
+    <message>
+      <source>%1 failed (%2). Nothing is lost; once the cause is removed, run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 falló (%2). No se ha perdido nada; una vez eliminada la causa, vuelva a ejecutar la misma orden.</translation>
+    </message>
+    <message>
+      <source>This batch contains imported scans and is not submitted; the window&apos;s queue processes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta tanda contiene escaneos importados y no se envía; la procesa la cola de la ventana.</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk has %1 GB left, but the batches to submit (%2) need about %3 GB. Nothing was submitted; free some space, or submit fewer with --most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Al disco del clúster le quedan %1 GB, pero las tandas por enviar (%2) necesitan unos %3 GB. No se envió nada; libere espacio o envíe menos con --most.</translation>
+    </message>
+    <message>
+      <source>Batches of this project are on another cluster or in another folder; collect them before you submit to this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay tandas de este proyecto en otro clúster o en otra carpeta; recójalas antes de enviar a este.</translation>
+    </message>
+    <message>
+      <source>Not a list of the batches on a cluster; restore an earlier one, or delete it: batches that are on the cluster are then processed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es una lista de las tandas de un clúster; restaure una anterior o elimínela: las tandas que están en el clúster se procesarán entonces de nuevo.</translation>
+    </message>
+    <message>
+      <source>Out of memory (%1 MB requested); the next submission requests twice as much.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Memoria agotada (se pidieron %1 MB); el próximo envío pedirá el doble.</translation>
+    </message>
+    <message>
+      <source>Out of time (minutes requested: %1); the next submission requests twice as many and resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tiempo agotado (minutos pedidos: %1); el próximo envío pedirá el doble y reanudará tras la última etapa completa.</translation>
+    </message>
+    <message>
+      <source>The node failed, or the job was killed; the next submission resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El nodo falló o el trabajo se interrumpió; el próximo envío reanudará tras la última etapa completa.</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk is full, or your quota is used up; free some space, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El disco del clúster está lleno o su cuota está agotada; libere espacio y envíe de nuevo.</translation>
+    </message>
+    <message>
+      <source>The cluster does not know this job, and the job wrote nothing into the project&apos;s folder; check that the cluster&apos;s nodes see that folder, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El clúster no conoce este trabajo, y el trabajo no escribió nada en la carpeta del proyecto; compruebe que los nodos del clúster ven esa carpeta y envíe de nuevo.</translation>
+    </message>
+    <message>
+      <source>The program ended with status %1; its output is in %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El programa terminó con el código %1; su salida está en %2.</translation>
+    </message>
+    <message>
+      <source>The partition ends jobs earlier than the %1 minutes requested; cancel the job, then submit again with another --partition or fewer --minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La partición termina los trabajos antes de los %1 minutos pedidos; cancele el trabajo y envíe de nuevo con otra --partition o menos --minutes.</translation>
+    </message>
+    <message>
+      <source>Slurm&apos;s reason: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Motivo según Slurm: %1.</translation>
+    </message>
+    <message>
+      <source>This network cannot be used: %1. Choose an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or 1 x 2 x h x w.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta red no puede usarse: %1. Elija una red ONNX que tome 1 x 3 x H x W y dé 1 x 1 x h x w o 1 x 2 x h x w.</translation>
+    </message>
+    <message>
+      <source>it cannot be run (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>no puede ejecutarse (%1)</translation>
+    </message>
+    <message>
+      <source>its output has another shape</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>su salida tiene otra forma</translation>
+    </message>
+    <message>
+      <source>its output contains numbers that are not finite</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>su salida contiene números no finitos</translation>
+    </message>
+    <message>
+      <source>its input is not an image</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>su entrada no es una imagen</translation>
+    </message>
+    <message>
+      <source>its input has %1 channels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>su entrada tiene %1 canales</translation>
+    </message>
+    <message>
+      <source>its input is larger than %1 pixels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>su entrada supera los %1 píxeles</translation>
+    </message>
+    <message>
+      <source>You have no permission to use it: copy packaging/udev/70-ostraka.rules to /etc/udev/rules.d/ and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No tiene permiso para usarlo: copie packaging/udev/70-ostraka.rules en /etc/udev/rules.d/ y vuelva a conectarlo.</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: &apos;ostraka devices --release&apos; releases it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo está usando %1: «ostraka devices --release» lo libera.</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: close that program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo está usando %1: cierre ese programa.</translation>
+    </message>
+    <message>
+      <source>The kernel has no driver for it; install one for this adapter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El núcleo no tiene controlador para él; instale uno para este adaptador.</translation>
+    </message>
+    <message>
+      <source>A folder of the project cannot be read (%1); check its permissions, then archive the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No puede leerse una carpeta del proyecto (%1); compruebe sus permisos y archive el proyecto de nuevo.</translation>
+    </message>
+    <message>
+      <source>No output folder was given; name one with --output OUT.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se indicó carpeta de salida; indique una con --output OUT.</translation>
+    </message>
+    <message>
+      <source>No folder of front scans was given; name one with --front DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se indicó carpeta con los escaneos de los anversos; indique una con --front DIR.</translation>
+    </message>
+    <message>
+      <source>No folder of back scans was given; name one with --back DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se indicó carpeta con los escaneos de los reversos; indique una con --back DIR.</translation>
+    </message>
+    <message>
+      <source>The field %1 has no unit &apos;%2&apos;; choose another unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El campo %1 no tiene la unidad «%2»; elija otra unidad.</translation>
+    </message>
+    <message>
+      <source>The table has no column &apos;%1&apos;; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La tabla no tiene columna «%1»; compruebe su nombre.</translation>
+    </message>
+    <message>
+      <source>The columns &apos;%1&apos; and &apos;%2&apos; are both mapped to the field %3; leave one of them out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las columnas «%1» y «%2» están asignadas al mismo campo %3; omita una de ellas.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» no asigna ninguna columna; escriba COLUMN=FIELD o COLUMN=FIELD:unit.</translation>
+    </message>
+    <message>
+      <source>The scan&apos;s colours or qualities differ in number from its points; give one for each point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número de colores o calidades del escaneo difiere del de sus puntos; dé uno por punto.</translation>
+    </message>
+    <message>
+      <source>A point or a normal of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un punto o una normal del escaneo no es finito; omita esos puntos.</translation>
+    </message>
+    <message>
+      <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los píxeles o la máscara no corresponden a la anchura y la altura indicadas; dé un valor por píxel.</translation>
+    </message>
+    <message>
+      <source>No scan of this side was given; give at least one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se dio ningún escaneo de este lado; dé al menos uno.</translation>
+    </message>
+    <message>
+      <source>give them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>delos en mm</translation>
+    </message>
+    <message>
+      <source>A remark in this file cannot be read; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una observación de este archivo no puede leerse; restaure una copia anterior del archivo o vuelva a procesar la tanda.</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cámara %1, posición %2</translation>
     </message>
 </context>
 <context>

@@ -1672,7 +1672,7 @@
       <translation>Recherche de ce qui retient l’appareil</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous avez compté %1 tessons, les photos en montrent %2 : cherchez celui qui est caché, qui en touche un autre ou qui n'a pas été posé.</translation>
     </message>
@@ -1707,7 +1707,7 @@
       <translation>Les étiquettes de plusieurs sacs sont visibles : %1. Ne laissez que celle de ces tessons.</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <source>You counted %1 sherds, the photographs show %2: check whether one is in fragments or an object is not a sherd, or correct the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous avez compté %1 tessons, les photos en montrent %2 : regardez si l&apos;un d&apos;eux est en fragments ou s&apos;il y a là une chose qui n&apos;est pas un tesson, ou corrigez le nombre.</translation>
     </message>
@@ -5084,82 +5084,29 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Doubts</name>
-    <message>
-      <source>(%1, %2) mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>(%1, %2) mm</translation>
-    </message>
-    <message>
-      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les tessons n’ont pas pu être comptés : trop peu de marques du plateau sont visibles.</translation>
-    </message>
-    <message>
-      <source>No sherd is visible on the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucun tesson n’est visible sur le plateau.</translation>
-    </message>
-    <message>
-      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Des tessons se touchent ou presque à %1 du milieu du plateau : écartez-les et rephotographiez.</translation>
-    </message>
-    <message>
-      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce qui se trouve à %1 du milieu du plateau a été compté comme un seul, mais il peut s’agir de deux tessons qui se touchent : vérifiez ; si oui, écartez-les et rephotographiez.</translation>
-    </message>
-    <message>
-      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La face arrière ressemble à la face avant : retournez les tessons et rephotographiez-les.</translation>
-    </message>
-    <message>
-      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les tessons de la face arrière n’ont pas pu être comptés : comparez les images avant de vider le plateau.</translation>
-    </message>
-    <message>
-      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les tessons de la face avant n’ont pas pu être comptés : comparez les images avant de vider le plateau.</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La face avant montrait %1 tessons, la face arrière %2 : cherchez celui qui manque avant de vider le plateau.</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La face avant montrait %1 tessons, la face arrière %2 : vérifiez si un tesson a été ajouté ou s’est cassé.</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::Error</name>
     <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <source>The disk has only %1 MB left, and a batch needs more. Nothing is lost: free some space, then resume.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il ne reste que %1 Mo sur le disque ; un lot en demande davantage. Rien n’est perdu : faites de la place, puis continuez.</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <source>%1: this number was entered on the plate, but there is no sherd with a context in that place; assign it in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : ce numéro a été saisi sur le plateau, mais aucun tesson avec un contexte ne s’y trouve ; donnez-le dans le catalogue.</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <source>%1: this number was entered on the plate, but it belongs to another sherd; check which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : ce numéro a été saisi sur le plateau, mais c&apos;est celui d&apos;un autre tesson ; regardez lequel des deux le porte et donnez à l&apos;autre un nouveau numéro.</translation>
     </message>
     <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <source>Pairs were decided or masks edited while the batch was being processed; reprocess it to apply them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Des paires ont été décidées ou des masques modifiés pendant le traitement du lot ; retraitez-le pour en tenir compte.</translation>
     </message>
     <message>
-      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <source>Sherds counted on the plate: %1, but another number was found; check the map for a sherd that is missing or was split in two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tessons comptés sur le plateau : %1. Un autre nombre a été trouvé ; cherchez sur le plan celui qui manque ou qui est coupé en deux.</translation>
     </message>
@@ -5184,7 +5131,7 @@
       <translation>L’appareil ne répond pas et est peut-être en veille. Désactivez son extinction automatique.</translation>
     </message>
     <message>
-      <source>The camera stays busy; switch it off and on.</source>
+      <source>The camera remains busy; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil reste occupé ; éteignez-le et rallumez-le.</translation>
     </message>
@@ -5449,7 +5396,7 @@
       <translation>Le texte JSON dépasse 64 Mio.</translation>
     </message>
     <message>
-      <source>The JSON is nested deeper than 64 levels.</source>
+      <source>The JSON is nested more than 64 levels deep.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le JSON est imbriqué sur plus de 64 niveaux.</translation>
     </message>
@@ -5574,14 +5521,14 @@
       <translation>Le même dossier est indiqué pour la face avant et la face arrière ; choisissez le dossier de chaque face.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La face avant a %1 photos utilisables, il en faut au moins %2 ; prenez-en d’autres tout autour.</translation>
+      <translation>Photos utilisables de la face avant : %1 ; il en faut au moins %2. Prenez-en d’autres depuis toutes les directions.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La face arrière a %1 photos utilisables, il en faut au moins %2 ; prenez-en d’autres tout autour.</translation>
+      <translation>Photos utilisables de la face arrière : %1 ; il en faut au moins %2. Prenez-en d’autres depuis toutes les directions.</translation>
     </message>
     <message>
       <source>The HEIC image is damaged; copy it again.</source>
@@ -5604,7 +5551,7 @@
       <translation>Aucune feuille portant au moins %1 marques des dictionnaires d’OpenCV n’a été trouvée dans ces %2 photos ; prenez des photos qui montrent plus de la feuille, ou indiquez son plate.json.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that are far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun plate.json ne décrit la feuille : %1 marques de %2 de %3 mm de côté ont été trouvées dans les photos (%4 px) et servent de feuille. Mesurez la distance de deux marques éloignées et comparez-la avec plate.json dans le dossier de sortie.</translation>
     </message>
@@ -5629,14 +5576,14 @@
       <translation>L’image a %1 x %2 pixels, les autres de cet appareil %3 x %4 ; cette photo est laissée de côté.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La face avant a %1 photos utilisables, il en faut au moins %2 ; mettez-y des photos nommées %3.</translation>
+      <translation>Photos utilisables de la face avant : %1 ; il en faut au moins %2. Ajoutez des photos nommées %3.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La face arrière a %1 photos utilisables, il en faut au moins %2 ; mettez-y des photos nommées %3.</translation>
+      <translation>Photos utilisables de la face arrière : %1 ; il en faut au moins %2. Ajoutez des photos nommées %3.</translation>
     </message>
     <message>
       <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
@@ -5799,9 +5746,9 @@
       <translation>Ce lot a été commencé sur un autre plateau ; continuez avec celui-là ou commencez un nouveau lot.</translation>
     </message>
     <message>
-      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
+      <source>This batch started with another setup (cameras: %1, positions: %2; now: %3 and %4); choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce lot a été commencé avec %1 appareils et %2 positions, pas avec %3 et %4 ; choisissez un autre dossier.</translation>
+      <translation>Ce lot a commencé avec une autre configuration (appareils : %1, positions : %2 ; à présent : %3 et %4) ; choisissez un autre dossier.</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
@@ -6489,7 +6436,7 @@
       <translation>Ces résultats de 'ostraka process' sont incomplets ; relancez-le.</translation>
     </message>
     <message>
-      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <source>Another program is entering results of this batch; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un autre programme saisit les résultats de ce lot ; celui-ci attend qu’il ait terminé.</translation>
     </message>
@@ -7014,7 +6961,7 @@
       <translation>Le texte n’est pas de l’UTF-8 valide, ou contient un octet nul.</translation>
     </message>
     <message>
-      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <source>The text contains control characters, which documents cannot contain; type it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le texte contient des caractères de contrôle, que les documents ne peuvent pas contenir ; saisissez-le à nouveau.</translation>
     </message>
@@ -7184,7 +7131,7 @@
       <translation>C’est peut-être un tesson de bord (%1 %) ; si oui, indiquez-le et dessinez-le à nouveau.</translation>
     </message>
     <message>
-      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <source>The drawing&apos;s scale must be between 1:20 and 5:1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’échelle du dessin doit être comprise entre 1:20 et 5:1.</translation>
     </message>
@@ -7204,19 +7151,19 @@
       <translation>Le manifeste manque ; ce n’est pas une exportation d’Ostraka.</translation>
     </message>
     <message>
-      <source>The manifest has a line that cannot be read: %1</source>
+      <source>The manifest has a line that cannot be read (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le manifeste a une ligne illisible : %1</translation>
+      <translation>Le manifeste contient une ligne illisible (%1), donc rien n’a été lu ; copiez le dossier à nouveau.</translation>
     </message>
     <message>
-      <source>The manifest names a file outside the folder: %1</source>
+      <source>The manifest names a file outside the folder (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le manifeste nomme un fichier hors du dossier : %1</translation>
+      <translation>Le manifeste cite un fichier hors du dossier (%1), donc rien n’a été lu ; copiez le dossier à nouveau.</translation>
     </message>
     <message>
-      <source>The manifest names a file twice: %1</source>
+      <source>The manifest names the file %1 twice, so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le manifeste nomme un fichier deux fois : %1</translation>
+      <translation>Le manifeste cite deux fois le fichier %1, donc rien n’a été lu ; copiez le dossier à nouveau.</translation>
     </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
@@ -7224,7 +7171,7 @@
       <translation>Il y a déjà un dossier de ce nom ; choisissez un autre nom.</translation>
     </message>
     <message>
-      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
+      <source>Not every system supports names with a line break, a backslash or characters that are not UTF-8; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un nom avec un saut de ligne, une barre oblique inverse ou des caractères qui ne sont pas de l’UTF-8 n’est pas conservé par tous les systèmes ; renommez ce fichier ou ce dossier, puis réessayez.</translation>
     </message>
@@ -7234,12 +7181,12 @@
       <translation>Sur certains systèmes, ce nom est le même que %1 ; renommez l’un des deux, puis réessayez.</translation>
     </message>
     <message>
-      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <source>Project A has another file with this name, which its catalogue does not list; nothing was merged. Move that file elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le projet A a un autre fichier de ce nom, que son catalogue ne connaît pas ; déplacez-le, rien n’a été fusionné.</translation>
     </message>
     <message>
-      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un emplacement de photographies, de résultats ou de modèles, les seuls fichiers qu’une fusion écrit ; rien n’a été fusionné.</translation>
     </message>
@@ -7249,12 +7196,12 @@
       <translation>Deux fichiers de l’exportation auraient le même nom.</translation>
     </message>
     <message>
-      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <source>Another import into this project is running; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une autre importation dans ce projet est en cours ; celle-ci attend qu’elle soit terminée.</translation>
     </message>
     <message>
-      <source>Files that were missing from the project and came back: %1.</source>
+      <source>Files that were missing from the project and are restored: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fichiers qui manquaient au projet et qui ont été rétablis : %1.</translation>
     </message>
@@ -7304,19 +7251,19 @@
       <translation>Il n’y a pas de sac %1 ; créez-le, ou laissez l’importation le créer.</translation>
     </message>
     <message>
-      <source>The column closed accepts yes or no.</source>
+      <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne closed accepte yes ou no.</translation>
     </message>
     <message>
-      <source>The column count_written accepts a whole number.</source>
+      <source>The column &apos;count_written&apos; accepts only a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne count_written accepte un nombre entier.</translation>
     </message>
     <message>
-      <source>The row has %1 values, but the header has %2.</source>
+      <source>Values in the row: %1, columns in the header: %2; correct the row.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La ligne a %1 valeurs, l’en-tête %2.</translation>
+      <translation>Valeurs dans la ligne : %1, colonnes dans l’en-tête : %2 ; corrigez la ligne.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
@@ -7404,7 +7351,7 @@
       <translation>%1 est exporté sans photographies : %2</translation>
     </message>
     <message>
-      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <source>Photographs can be projected only onto a closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les photographies ne peuvent pas être appliquées à un modèle qui n’est pas fermé.</translation>
     </message>
@@ -7499,7 +7446,7 @@
       <translation>Cette exportation ne contient pas de fiches (JSON) de tessons ; exportez-la à nouveau avec elles.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
+      <source>The project already has this sherd with other values, which it keeps; the differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le projet a ce tesson avec d’autres valeurs et les garde ; celles qui diffèrent sont ajoutées dans des champs finissant par _in_%1.</translation>
     </message>
@@ -7589,7 +7536,7 @@
       <translation>%1 (%2 % du plateau nu)</translation>
     </message>
     <message>
-      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <source>masks: flat objects that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>masques : des choses plates qui ressemblent à des étiquettes ou à des échelles sont laissées de côté (%1) ; s’il y a des tessons parmi elles, les ajouter aux masques</translation>
     </message>
@@ -7624,7 +7571,7 @@
       <translation>Seul un maillage fermé peut être simplifié.</translation>
     </message>
     <message>
-      <source>The deviation of a simplified mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’écart d’un maillage simplifié doit être supérieur à 0 mm.</translation>
     </message>
@@ -7639,12 +7586,12 @@
       <translation>Les numérisations ont trop peu de points qui s’accordent pour faire un modèle.</translation>
     </message>
     <message>
-      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <source>This model is %1 mm in size, larger than any vessel, so its unit is probably not mm; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce modèle mesure %1 mm, plus que tout récipient : son unité semble être une autre ; exportez-le en mm.</translation>
     </message>
     <message>
-      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <source>This model is only %1 mm in size, smaller than any sherd, so its unit is probably not mm (%2); export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce modèle ne mesure que %1 mm, moins que tout tesson ; son unité est sans doute une autre (%2) : exportez-le en mm.</translation>
     </message>
@@ -7734,7 +7681,7 @@
       <translation>La décision du %1 de %2 porte sur %3, qui n’est plus sur le plateau ; décidez encore une fois.</translation>
     </message>
     <message>
-      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the later decision of %3 by %4 concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La décision du %1 de %2 est sans effet : la décision du %3 de %4, plus récente, porte sur la même numérisation ; retirez l’une des deux.</translation>
     </message>
@@ -7859,7 +7806,7 @@
       <translation>Sans plate.json les masques ne peuvent pas être faits ; mettez des masques à côté des photos, ou choisissez un réseau (--masks MODEL.onnx).</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm are based on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le résultat n’a pas d’échelle : sans plate.json aucune longueur n’est connue, et ce qui est donné en mm repose sur une taille de pixel supposée ; photographiez sur un plateau à marques, posez la mire de board.json à côté des tessons pour les deux faces, ou marquez sur les deux une longueur connue dans scale.json.</translation>
     </message>
@@ -7939,7 +7886,7 @@
       <translation>%1 : la photo est floue : ses bords ont %2 pixels de large, ceux de la plus nette de l’appareil %3 ; reprenez-la.</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the front side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face avant (%3) ; les poses des appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
     </message>
@@ -7954,7 +7901,7 @@
       <translation>Toutes les photographies de la face avant sont floues : même sur la plus nette, les bords des marques ont %1 pixels de large, ses numérisations sont donc grossières. Vérifiez la mise au point et la vitesse d’obturation et rephotographiez cette face.</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the back side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 des %2 marques du plateau ne sont sur aucune photo de la face arrière (%3) ; les poses des appareils reposent sur les autres, enlevez donc ce qui les couvre.</translation>
     </message>
@@ -7989,32 +7936,32 @@
       <translation>Fermez d’autres programmes, ou traitez une ébauche.</translation>
     </message>
     <message>
-      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
+      <source>%1: the camera was not in the place that it had while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : l’appareil n’était pas là où il se trouvait pendant que le plateau tournait ; la photo est laissée de côté.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de la position %3 (pos%4) il est ailleurs ; rephotographiez cette face.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été poussé d’environ %2 mm sur la face avant : à partir de %3 il est ailleurs ; rephotographiez cette face.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de la position %3 (pos%4) il est ailleurs ; rephotographiez cette face.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a été poussé d’environ %2 mm sur la face arrière : à partir de %3 il est ailleurs ; rephotographiez cette face.</translation>
     </message>
     <message>
-      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
+      <source>The output folder is inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier de sortie est dans le dossier du lot, où Ostraka n’écrit jamais ; choisissez-en un à côté.</translation>
     </message>
@@ -8109,7 +8056,7 @@
       <translation>La numérisation n’a pas de normales ; exportez-la avec nx, ny et nz.</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
+      <source>The scan is %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La numérisation est à %1 fois sa longueur de l’origine, ses coordonnées sont donc arrondies ; ramenez-la à l’origine et exportez-la de nouveau.</translation>
     </message>
@@ -8189,14 +8136,14 @@
       <translation>Cette photo n’est pas utilisée.</translation>
     </message>
     <message>
-      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the front side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 photos de la face avant n’ont pas reçu de pose de COLMAP et sont laissées de côté.</translation>
+      <translation>Photos de la face avant laissées de côté parce que COLMAP ne leur a pas trouvé de pose : %1.</translation>
     </message>
     <message>
-      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the back side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 photos de la face arrière n’ont pas reçu de pose de COLMAP et sont laissées de côté.</translation>
+      <translation>Photos de la face arrière laissées de côté parce que COLMAP ne leur a pas trouvé de pose : %1.</translation>
     </message>
     <message>
       <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
@@ -8214,14 +8161,14 @@
       <translation>S’il y a des tessons dessus, reprenez-la ou modifiez son masque.</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
+      <source>Photographs of the front side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les masques marquent des tessons sur %1 photos de la face avant ; il en faut 3.</translation>
+      <translation>Photos de la face avant dont les masques désignent des tessons : %1 ; il en faut au moins 3.</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
+      <source>Photographs of the back side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les masques marquent des tessons sur %1 photos de la face arrière ; il en faut 3.</translation>
+      <translation>Photos de la face arrière dont les masques désignent des tessons : %1 ; il en faut au moins 3.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8244,7 +8191,7 @@
       <translation>Tous les sommets n’ont pas de place dans la texture.</translation>
     </message>
     <message>
-      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La texture de ce modèle GLB est illisible, le modèle est donc utilisé sans elle ; retraitez son lot pour réécrire le fichier.</translation>
     </message>
@@ -8284,7 +8231,7 @@
       <translation>La numérisation n’a pas de normales ; exportez-la avec des normales.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
+      <source>Fewer than 50 points are on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Moins de 50 points se trouvent sur la cassure ; numérisez de nouveau le tesson avec sa cassure.</translation>
     </message>
@@ -8304,7 +8251,7 @@
       <translation>Une grille de marques demande 'dictionary', 'markers_x', 'markers_y', 'marker_length' et 'marker_separation'.</translation>
     </message>
     <message>
-      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
+      <source>Nothing to calibrate from: put photographs of the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and pictures of the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a rien d’après quoi calibrer : photographiez le plateau à chaque position dans 'front' (cam0_pos00.jpg et ainsi de suite) et la mire dans 'calib', et copiez plate.json et board.json à côté.</translation>
     </message>
@@ -8419,14 +8366,14 @@
       <translation>%1 : aucune marque n’est visible ; vérifiez que la photo montre cette position. Sinon, reprenez-la.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the front side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seules %1 photos de la face avant ont une pose, il en faut au moins 3 ; vérifiez que les marques du plateau sont éclairées et dans l’image.</translation>
+      <translation>Photos de la face avant dont la pose est connue : %1 ; il en faut au moins 3. Vérifiez que les marques du plateau sont éclairées et dans l’image.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the back side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seules %1 photos de la face arrière ont une pose, il en faut au moins 3 ; vérifiez que les marques du plateau sont éclairées et dans l’image.</translation>
+      <translation>Photos de la face arrière dont la pose est connue : %1 ; il en faut au moins 3. Vérifiez que les marques du plateau sont éclairées et dans l’image.</translation>
     </message>
     <message>
       <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
@@ -8434,9 +8381,9 @@
       <translation>L’appareil %1 voit moins de six marques du plateau à la position %2 ; vérifiez-y la lumière et la mise au point, et que rien n’est posé sur les marques.</translation>
     </message>
     <message>
-      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
+      <source>Positions photographed: %1; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seules %1 positions ont été photographiées ; prenez-en au moins quatre sur tout le tour, pour que l’axe soit trouvé.</translation>
+      <translation>Positions photographiées : %1 ; photographiez-en au moins quatre sur le tour complet pour déterminer l’axe.</translation>
     </message>
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
@@ -8449,7 +8396,7 @@
       <translation>Entre les marques %1 et %2 vous avez mesuré %3 mm, plate.json donne %4 mm (%5 %) ; mesurez la règle du plateau et refaites plate.json avec 'ostraka plate --ruler-measured'.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
+      <source>Not usable: camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Inutilisable : l’appareil %1 manque les marques du plateau de %2 px en médiane ; vérifiez qu’il n’a pas bougé entre les photos et que plate.json est bien celui de ce plateau.</translation>
     </message>
@@ -8654,7 +8601,7 @@
       <translation>Le fichier des appareils ne contient pas de liste 'images'.</translation>
     </message>
     <message>
-      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use the model OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil %1 de COLMAP a le modèle '%2' ou des valeurs qu’Ostraka ne prend pas en charge ; prenez plutôt OPENCV.</translation>
     </message>
@@ -8834,7 +8781,7 @@
       <translation>%1 s’est terminé par une erreur ; sa sortie est dans ce fichier.</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
+      <source>A small object of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une miette de %1 mm en x %2, y %3 mm a été laissée de côté ; si c’est un tesson, photographiez-le seul.</translation>
     </message>
@@ -8929,12 +8876,12 @@
       <translation>Les %1 tessons ne tiennent pas sur le plateau ; demandez-en moins, ou une autre graine.</translation>
     </message>
     <message>
-      <source>sherds must lie between 1 and 40.</source>
+      <source>sherds must be between 1 and 40.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le nombre de tessons doit être compris entre 1 et 40.</translation>
     </message>
     <message>
-      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <source>width must be between 160 and 8192 pixels and divisible by 4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La largeur doit être comprise entre 160 et 8192 pixels et divisible par 4.</translation>
     </message>
@@ -9024,7 +8971,7 @@
       <translation>Un sac appartient à un contexte ; entrez d’abord le contexte.</translation>
     </message>
     <message>
-      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <source>Context %1 has no bag %2; change or clear the bag at the same time.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le contexte %1 n’a pas de sac %2 ; changez ou videz le sac en même temps.</translation>
     </message>
@@ -9179,9 +9126,9 @@
       <translation>Un lien ou un fichier a pris la place d&apos;un dossier, ou un lien celle d&apos;un fichier ; remplacez-le par le dossier ou le fichier lui-même.</translation>
     </message>
     <message>
-      <source>A file of this name already exists; it is not overwritten.</source>
+      <source>A file with this name already exists and is not overwritten; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un fichier de ce nom existe déjà ; il n&apos;est pas écrasé.</translation>
+      <translation>Un fichier de ce nom existe déjà et n’est pas écrasé ; choisissez un autre nom.</translation>
     </message>
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
@@ -9189,12 +9136,12 @@
       <translation>L&apos;exportation nomme un endroit du projet où un tel fichier n&apos;a pas sa place ; rien n&apos;a été importé.</translation>
     </message>
     <message>
-      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never contains; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L&apos;archive contient un journal de son catalogue, ce qu&apos;aucune archive d&apos;Ostraka ne contient ; rien n&apos;a été écrit.</translation>
     </message>
     <message>
-      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <source>The catalogue&apos;s tables, indexes or triggers differ from those that Ostraka creates; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les tables, index et déclencheurs du catalogue ne sont pas tels qu&apos;Ostraka les crée ; rien n&apos;a été écrit.</translation>
     </message>
@@ -9419,9 +9366,9 @@
       <translation>la pire image est %1 avec %2 px ; reprenez-la ou laissez-la de côté.</translation>
     </message>
     <message>
-      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <source>Calibration pictures that show the board: %1; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>seules %1 images de calibration montrent la mire, il en faut au moins 3 ; prenez-en davantage.</translation>
+      <translation>Images de calibration où la mire est visible : %1 ; il en faut au moins 3. Prenez-en d’autres.</translation>
     </message>
     <message>
       <source>Camera %1, position %2: %3.</source>
@@ -9449,7 +9396,7 @@
       <translation>Vérifiez l'unité : %1 est environ un dixième de la valeur calculée.</translation>
     </message>
     <message>
-      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <source>Check the value: %1 differs from the computed value by a factor of three or more.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vérifiez la valeur : %1 s'écarte d'au moins trois fois de la valeur calculée.</translation>
     </message>
@@ -9492,6 +9439,381 @@
       <source>the thickness</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>l'épaisseur</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) mm</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les tessons n’ont pas pu être comptés : trop peu de marques du plateau sont visibles.</translation>
+    </message>
+    <message>
+      <source>No sherd is visible on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun tesson n’est visible sur le plateau.</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des tessons se touchent ou presque à %1 du milieu du plateau : écartez-les et rephotographiez.</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce qui se trouve à %1 du milieu du plateau a été compté comme un seul, mais il peut s’agir de deux tessons qui se touchent : vérifiez ; si oui, écartez-les et rephotographiez.</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La face arrière ressemble à la face avant : retournez les tessons et rephotographiez-les.</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les tessons de la face arrière n’ont pas pu être comptés : comparez les images avant de vider le plateau.</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les tessons de la face avant n’ont pas pu être comptés : comparez les images avant de vider le plateau.</translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Find the missing ones before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tessons comptés sur la face avant : %1, sur la face arrière : %2. Retrouvez ceux qui manquent avant de vider le plateau.</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Check whether one was added or broke.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tessons comptés sur la face avant : %1, sur la face arrière : %2. Vérifiez si un tesson a été ajouté ou s’est brisé.</translation>
+    </message>
+    <message>
+      <source>The turntable&apos;s own count was %1 degrees off; it was corrected from the plate&apos;s markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le compte de la table tournante était décalé de %1 degrés ; il a été corrigé d’après les marques du plateau.</translation>
+    </message>
+    <message>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un projet Ostraka : ce dossier ne contient pas de catalogue.sqlite ; rien n’a été fusionné.</translation>
+    </message>
+    <message>
+      <source>Another version of Ostraka made this project; nothing was merged. Open it once with this version, which updates it, or install the newer version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une autre version d’Ostraka a créé ce projet ; rien n’a été fusionné. Ouvrez-le une fois avec cette version, qui le met à jour, ou installez la version plus récente.</translation>
+    </message>
+    <message>
+      <source>A project cannot be merged with itself; name another project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un projet ne peut pas être fusionné avec lui-même ; indiquez un autre projet.</translation>
+    </message>
+    <message>
+      <source>This project is read-only here, so nothing was merged; copy it to a folder that you can write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet est ici en lecture seule, donc rien n’a été fusionné ; copiez-le dans un dossier où vous pouvez écrire.</translation>
+    </message>
+    <message>
+      <source>The project changed while files were copied, so nothing was merged; run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le projet a changé pendant la copie des fichiers, donc rien n’a été fusionné ; relancez la même commande.</translation>
+    </message>
+    <message>
+      <source>The conflict %1 (%2) cannot be settled with &apos;%3&apos;; nothing was merged. Choose one of the ways that the list of conflicts offers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le conflit %1 (%2) ne peut pas être résolu par « %3 » ; rien n’a été fusionné. Choisissez l’une des solutions proposées dans la liste des conflits.</translation>
+    </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 a déjà été attribué et n’est jamais réutilisé ; rien n’a été fusionné. Résolvez le conflit number/%2 avec un autre numéro.</translation>
+    </message>
+    <message>
+      <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier doit être une liste JSON de {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} ou {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;} ; rien n’a été fusionné. Corrigez le fichier.</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une entrée de ce fichier n’a pas la forme {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (ou &quot;b&quot;, ou &quot;number&quot; avec un nouveau numéro) : %1 ; rien n’a été fusionné. Corrigez l’entrée.</translation>
+    </message>
+    <message>
+      <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le conflit %1 est résolu deux fois dans ce fichier ; rien n’a été fusionné. Gardez l’une des deux entrées.</translation>
+    </message>
+    <message>
+      <source>This file of project B differs from what its catalogue records; nothing was merged. Restore it from a copy (&apos;ostraka catalogue check&apos; lists all such files).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce fichier du projet B diffère de ce qu’enregistre son catalogue ; rien n’a été fusionné. Restaurez-le à partir d’une copie (« ostraka catalogue check » liste tous ces fichiers).</translation>
+    </message>
+    <message>
+      <source>The disk does not return what was written to it; nothing was merged. Check the disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le disque ne restitue pas ce qui y a été écrit ; rien n’a été fusionné. Vérifiez le disque.</translation>
+    </message>
+    <message>
+      <source>A link or a device cannot be merged; nothing was merged. Move what it leads to into project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un lien ou un périphérique ne peut pas être fusionné ; rien n’a été fusionné. Déplacez dans le projet B ce vers quoi il mène.</translation>
+    </message>
+    <message>
+      <source>Results from a cluster must be regular files with plain names; nothing of this batch was entered. Submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les résultats d’un cluster doivent être des fichiers ordinaires aux noms simples ; rien de ce lot n’a été enregistré. Soumettez le lot à nouveau.</translation>
+    </message>
+    <message>
+      <source>This batch was processed here or reshot in the meantime; the cluster&apos;s results are not entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce lot a entre-temps été traité ici ou rephotographié ; les résultats du cluster ne sont pas enregistrés.</translation>
+    </message>
+    <message>
+      <source>The name of a partition or an account consists of letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;; look it up with &apos;sinfo&apos; or ask the cluster&apos;s administrators.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nom d’une partition ou d’un compte se compose de lettres, de chiffres, de « - », « _ » et « . » ; consultez « sinfo » ou demandez-le aux administrateurs du cluster.</translation>
+    </message>
+    <message>
+      <source>The command that starts Ostraka on the cluster must be one line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La commande qui lance Ostraka sur le cluster doit tenir sur une ligne.</translation>
+    </message>
+    <message>
+      <source>A job needs at least one core, and its memory and time must not be negative.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une tâche requiert au moins un cœur, et sa mémoire et sa durée ne peuvent pas être négatives.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be opened (%1); check its name and permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier ne peut pas être ouvert (%1) ; vérifiez son nom et ses droits.</translation>
+    </message>
+    <message>
+      <source>The path of this project contains a character that has a special meaning for Slurm (%, a backslash or a control character); rename the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le chemin de ce projet contient un caractère qui a un sens particulier pour Slurm (%, une barre oblique inverse ou un caractère de contrôle) ; renommez le dossier.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH; run this command on a login node of the cluster, or name one with --host USER@LOGIN:/FOLDER.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le programme %1 n’est pas dans le PATH de cet ordinateur ; lancez cette commande sur un nœud de connexion du cluster, ou indiquez-en un avec --host USER@LOGIN:/FOLDER.</translation>
+    </message>
+    <message>
+      <source>Not a folder on a cluster; write USER@LOGIN:/FOLDER, with the folder&apos;s full path and without spaces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un dossier sur un cluster ; écrivez USER@LOGIN:/FOLDER, avec le chemin complet du dossier et sans espaces.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH, but --host needs it; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le programme %1 n’est pas dans le PATH de cet ordinateur, mais --host en a besoin ; installez-le.</translation>
+    </message>
+    <message>
+      <source>The program %1 cannot be started there; ask the cluster&apos;s administrators how Slurm is reached.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le programme %1 ne peut pas y être lancé ; demandez aux administrateurs du cluster comment accéder à Slurm.</translation>
+    </message>
+    <message>
+      <source>%1 failed (%2). Nothing is lost; once the cause is removed, run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a échoué (%2). Rien n’est perdu ; une fois la cause éliminée, relancez la même commande.</translation>
+    </message>
+    <message>
+      <source>This batch contains imported scans and is not submitted; the window&apos;s queue processes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce lot contient des numérisations importées et n’est pas soumis ; la file de la fenêtre le traite.</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk has %1 GB left, but the batches to submit (%2) need about %3 GB. Nothing was submitted; free some space, or submit fewer with --most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il reste %1 Go sur le disque du cluster, mais les lots à soumettre (%2) demandent environ %3 Go. Rien n’a été soumis ; libérez de l’espace, ou soumettez-en moins avec --most.</translation>
+    </message>
+    <message>
+      <source>Batches of this project are on another cluster or in another folder; collect them before you submit to this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des lots de ce projet se trouvent sur un autre cluster ou dans un autre dossier ; récupérez-les avant de soumettre ici.</translation>
+    </message>
+    <message>
+      <source>Not a list of the batches on a cluster; restore an earlier one, or delete it: batches that are on the cluster are then processed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas une liste des lots d’un cluster ; restaurez une version antérieure, ou supprimez-la : les lots présents sur le cluster seront alors traités à nouveau.</translation>
+    </message>
+    <message>
+      <source>Out of memory (%1 MB requested); the next submission requests twice as much.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mémoire épuisée (%1 Mo demandés) ; la prochaine soumission en demandera le double.</translation>
+    </message>
+    <message>
+      <source>Out of time (minutes requested: %1); the next submission requests twice as many and resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Temps épuisé (minutes demandées : %1) ; la prochaine soumission en demandera le double et reprendra après la dernière étape complète.</translation>
+    </message>
+    <message>
+      <source>The node failed, or the job was killed; the next submission resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nœud est tombé en panne, ou la tâche a été tuée ; la prochaine soumission reprendra après la dernière étape complète.</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk is full, or your quota is used up; free some space, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le disque du cluster est plein, ou votre quota est épuisé ; libérez de l’espace, puis soumettez à nouveau.</translation>
+    </message>
+    <message>
+      <source>The cluster does not know this job, and the job wrote nothing into the project&apos;s folder; check that the cluster&apos;s nodes see that folder, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le cluster ne connaît pas cette tâche, et elle n’a rien écrit dans le dossier du projet ; vérifiez que les nœuds du cluster voient ce dossier, puis soumettez à nouveau.</translation>
+    </message>
+    <message>
+      <source>The program ended with status %1; its output is in %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le programme s’est terminé avec le code %1 ; sa sortie se trouve dans %2.</translation>
+    </message>
+    <message>
+      <source>The partition ends jobs earlier than the %1 minutes requested; cancel the job, then submit again with another --partition or fewer --minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La partition met fin aux tâches avant les %1 minutes demandées ; annulez la tâche, puis soumettez à nouveau avec une autre --partition ou moins de --minutes.</translation>
+    </message>
+    <message>
+      <source>Slurm&apos;s reason: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Raison donnée par Slurm : %1.</translation>
+    </message>
+    <message>
+      <source>This network cannot be used: %1. Choose an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or 1 x 2 x h x w.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce réseau est inutilisable : %1. Choisissez un réseau ONNX qui prend 1 x 3 x H x W et donne 1 x 1 x h x w ou 1 x 2 x h x w.</translation>
+    </message>
+    <message>
+      <source>it cannot be run (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>il ne peut pas être exécuté (%1)</translation>
+    </message>
+    <message>
+      <source>its output has another shape</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sa sortie a une autre forme</translation>
+    </message>
+    <message>
+      <source>its output contains numbers that are not finite</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sa sortie contient des nombres non finis</translation>
+    </message>
+    <message>
+      <source>its input is not an image</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>son entrée n’est pas une image</translation>
+    </message>
+    <message>
+      <source>its input has %1 channels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>son entrée a %1 canaux</translation>
+    </message>
+    <message>
+      <source>its input is larger than %1 pixels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>son entrée dépasse %1 pixels</translation>
+    </message>
+    <message>
+      <source>You have no permission to use it: copy packaging/udev/70-ostraka.rules to /etc/udev/rules.d/ and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vous n’avez pas le droit de l’utiliser : copiez packaging/udev/70-ostraka.rules dans /etc/udev/rules.d/ et rebranchez-le.</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: &apos;ostraka devices --release&apos; releases it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il est utilisé par %1 : « ostraka devices --release » le libère.</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: close that program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il est utilisé par %1 : fermez ce programme.</translation>
+    </message>
+    <message>
+      <source>The kernel has no driver for it; install one for this adapter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le noyau n’a pas de pilote pour lui ; installez-en un pour cet adaptateur.</translation>
+    </message>
+    <message>
+      <source>A folder of the project cannot be read (%1); check its permissions, then archive the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un dossier du projet est illisible (%1) ; vérifiez ses droits, puis archivez à nouveau le projet.</translation>
+    </message>
+    <message>
+      <source>No output folder was given; name one with --output OUT.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun dossier de sortie indiqué ; donnez-en un avec --output OUT.</translation>
+    </message>
+    <message>
+      <source>No folder of front scans was given; name one with --front DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun dossier de numérisations des faces avant indiqué ; donnez-en un avec --front DIR.</translation>
+    </message>
+    <message>
+      <source>No folder of back scans was given; name one with --back DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun dossier de numérisations des faces arrière indiqué ; donnez-en un avec --back DIR.</translation>
+    </message>
+    <message>
+      <source>The field %1 has no unit &apos;%2&apos;; choose another unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le champ %1 n’a pas d’unité « %2 » ; choisissez une autre unité.</translation>
+    </message>
+    <message>
+      <source>The table has no column &apos;%1&apos;; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le tableau n’a pas de colonne « %1 » ; vérifiez son nom.</translation>
+    </message>
+    <message>
+      <source>The columns &apos;%1&apos; and &apos;%2&apos; are both mapped to the field %3; leave one of them out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les colonnes « %1 » et « %2 » sont toutes deux affectées au champ %3 ; laissez-en une de côté.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>« %1 » n’affecte aucune colonne ; écrivez COLUMN=FIELD ou COLUMN=FIELD:unit.</translation>
+    </message>
+    <message>
+      <source>The scan&apos;s colours or qualities differ in number from its points; give one for each point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le nombre de couleurs ou de qualités de la numérisation diffère de celui de ses points ; donnez-en une par point.</translation>
+    </message>
+    <message>
+      <source>A point or a normal of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un point ou une normale de la numérisation n’est pas fini ; omettez de tels points.</translation>
+    </message>
+    <message>
+      <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les pixels ou le masque ne correspondent pas à la largeur et à la hauteur indiquées ; donnez une valeur par pixel.</translation>
+    </message>
+    <message>
+      <source>No scan of this side was given; give at least one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune numérisation de cette face n’a été fournie ; donnez-en au moins une.</translation>
+    </message>
+    <message>
+      <source>give them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>donnez-les en mm</translation>
+    </message>
+    <message>
+      <source>A remark in this file cannot be read; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une remarque de ce fichier est illisible ; restaurez une copie antérieure du fichier, ou retraitez le lot.</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Appareil %1, position %2</translation>
     </message>
 </context>
 <context>

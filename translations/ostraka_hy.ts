@@ -1672,7 +1672,7 @@
       <translation>Որոնվում է, թե ինչն է պահում տեսախցիկը</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք հաշվել եք %1 բեկոր, լուսանկարները ցույց են տալիս %2. փնտրեք մեկը, որ թաքնված է, դիպչում է մյուսին կամ չի դրվել։</translation>
     </message>
@@ -1707,7 +1707,7 @@
       <translation>Երևում են մի քանի տոպրակի պիտակներ՝ %1։ Թողեք միայն այս բեկորներինը։</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <source>You counted %1 sherds, the photographs show %2: check whether one is in fragments or an object is not a sherd, or correct the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք հաշվել եք %1 բեկոր, լուսանկարները ցույց են տալիս %2. նայեք՝ արդյոք մեկը մասերով է դրված, կամ կա մի բան, որ բեկոր չէ, կամ ուղղեք քանակը։</translation>
     </message>
@@ -5084,82 +5084,29 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Doubts</name>
-    <message>
-      <source>(%1, %2) mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>(%1, %2) մմ</translation>
-    </message>
-    <message>
-      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորները հնարավոր չեղավ հաշվել. սկավառակի շատ քիչ նշիչ է երևում։</translation>
-    </message>
-    <message>
-      <source>No sherd is visible on the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկավառակի վրա ոչ մի բեկոր չի երևում։</translation>
-    </message>
-    <message>
-      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորները դիպչում են կամ գրեթե դիպչում են %1 սկավառակի կենտրոնից. հեռացրեք դրանք իրարից և վերալուսանկարեք։</translation>
-    </message>
-    <message>
-      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այն, ինչ ընկած է %1 սկավառակի կենտրոնից, հաշվվել է որպես մեկ, բայց կարող է լինել իրար դիպչող երկու բեկոր. նայեք այնտեղ. եթե այդպես է, հեռացրեք դրանք իրարից և վերալուսանկարեք։</translation>
-    </message>
-    <message>
-      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հետևի երեսը նման է առջևի երեսին. շրջեք բեկորները և վերալուսանկարեք։</translation>
-    </message>
-    <message>
-      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հետևի երեսի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ համեմատեք պատկերները։</translation>
-    </message>
-    <message>
-      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ համեմատեք պատկերները։</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսը ցույց է տվել %1 բեկոր, հետևի երեսը՝ %2. սկավառակը դատարկելուց առաջ փնտրեք պակասողը։</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսը ցույց է տվել %1 բեկոր, հետևի երեսը՝ %2. ստուգեք՝ մեկը ավելացվե՞լ է, թե՞ կոտրվել։</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::Error</name>
     <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <source>The disk has only %1 MB left, and a batch needs more. Nothing is lost: free some space, then resume.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոշտ սկավառակի վրա մնացել է միայն %1 ՄԲ. խմբաքանակին ավելին է պետք։ Ոչինչ չի կորել. տեղ ազատեք և շարունակեք։</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <source>%1: this number was entered on the plate, but there is no sherd with a context in that place; assign it in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. այս համարը մուտքագրվել էր սկավառակի վրա, բայց այնտեղ համատեքստով բեկոր չկա. տվեք այն կատալոգում։</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <source>%1: this number was entered on the plate, but it belongs to another sherd; check which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. այս համարը գրվել է սալի վրա, բայց այլ բեկորինն է. նայեք՝ երկուսից որն է կրում այն, և մյուսին նոր համար տվեք։</translation>
     </message>
     <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <source>Pairs were decided or masks edited while the batch was being processed; reprocess it to apply them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակի մշակման ընթացքում զույգեր են որոշվել կամ դիմակներ խմբագրվել. դրանց համար վերամշակեք։</translation>
     </message>
     <message>
-      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <source>Sherds counted on the plate: %1, but another number was found; check the map for a sherd that is missing or was split in two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի վրա հաշվված բեկորներ՝ %1։ Գտնվել է այլ թիվ. քարտեզի վրա փնտրեք բացակայողը կամ երկու մասի բաժանվածը։</translation>
     </message>
@@ -5184,7 +5131,7 @@
       <translation>Տեսախցիկը չի պատասխանում. քնա՞ծ է։ Անջատեք դրա ինքնաանջատումը։</translation>
     </message>
     <message>
-      <source>The camera stays busy; switch it off and on.</source>
+      <source>The camera remains busy; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկը շարունակում է զբաղված մնալ. անջատեք և միացրեք։</translation>
     </message>
@@ -5449,7 +5396,7 @@
       <translation>JSON տեքստը մեծ է 64 ՄիԲ-ից։</translation>
     </message>
     <message>
-      <source>The JSON is nested deeper than 64 levels.</source>
+      <source>The JSON is nested more than 64 levels deep.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JSON-ն ունի 64-ից ավելի ներդրված մակարդակ։</translation>
     </message>
@@ -5574,14 +5521,14 @@
       <translation>Այս պանակը նշվել է և՛ առջևի, և՛ հետևի երեսի համար. նշեք յուրաքանչյուր երեսի պանակը։</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. բոլոր կողմերից ավելի շատ լուսանկարեք։</translation>
+      <translation>Առջևի երեսի պիտանի լուսանկարներ՝ %1. անհրաժեշտ է առնվազն %2։ Լուսանկարեք ևս՝ բոլոր կողմերից։</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հետևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. բոլոր կողմերից ավելի շատ լուսանկարեք։</translation>
+      <translation>Հետևի երեսի պիտանի լուսանկարներ՝ %1. անհրաժեշտ է առնվազն %2։ Լուսանկարեք ևս՝ բոլոր կողմերից։</translation>
     </message>
     <message>
       <source>The HEIC image is damaged; copy it again.</source>
@@ -5604,7 +5551,7 @@
       <translation>Այս %2 լուսանկարներում չի կարդացվում OpenCV-ի բառարանների առնվազն %1 նշիչով թերթ. արեք լուսանկարներ, որոնք այն ավելի են ցույց տալիս, կամ նշեք դրա plate.json-ը։</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that are far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչ մի plate.json չի նկարագրում թերթը. լուսանկարներում գտնվել է %2-ի %1 նշիչ՝ %3 մմ կողմերով (%4 px), և ընդունվել որպես թերթ։ Չափեք իրարից հեռու երկու նշիչների հեռավորությունը և համեմատեք արդյունքների պանակի plate.json-ի հետ։</translation>
     </message>
@@ -5629,14 +5576,14 @@
       <translation>Պատկերն ունի %1 x %2 պիքսել, տեսախցիկի մյուսները՝ %3 x %4. այս լուսանկարը բաց է թողնվում։</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. այնտեղ դրեք %3 անունով լուսանկարներ։</translation>
+      <translation>Առջևի երեսի պիտանի լուսանկարներ՝ %1. անհրաժեշտ է առնվազն %2։ Ավելացրեք %3 անունով լուսանկարներ։</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հետևի երեսն ունի %1 պիտանի լուսանկար, պետք է առնվազն %2. այնտեղ դրեք %3 անունով լուսանկարներ։</translation>
+      <translation>Հետևի երեսի պիտանի լուսանկարներ՝ %1. անհրաժեշտ է առնվազն %2։ Ավելացրեք %3 անունով լուսանկարներ։</translation>
     </message>
     <message>
       <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
@@ -5799,9 +5746,9 @@
       <translation>Խմբաքանակը սկսվել է այլ սկավառակով. շարունակեք դրանով կամ սկսեք այլ խմբաքանակ։</translation>
     </message>
     <message>
-      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
+      <source>This batch started with another setup (cameras: %1, positions: %2; now: %3 and %4); choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակը սկսվել է %1 տեսախցիկով և %2 դիրքով, ոչ թե %3-ով և %4-ով. նշեք այլ պանակ։</translation>
+      <translation>Այս խմբաքանակն սկսվել է այլ կազմով (տեսախցիկներ՝ %1, դիրքեր՝ %2. այժմ՝ %3 և %4). ընտրեք այլ պանակ։</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
@@ -6489,7 +6436,7 @@
       <translation>Սրանք 'ostraka process'-ի ամբողջական արդյունքներ չեն. նորից գործարկեք։</translation>
     </message>
     <message>
-      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <source>Another program is entering results of this batch; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մեկ այլ ծրագիր մուտքագրում է այս խմբաքանակի արդյունքները. սա սպասում է դրա ավարտին։</translation>
     </message>
@@ -7014,7 +6961,7 @@
       <translation>Տեքստը ճիշտ UTF-8 չէ կամ պարունակում է զրոյական բայտ։</translation>
     </message>
     <message>
-      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <source>The text contains control characters, which documents cannot contain; type it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեքստը պարունակում է կառավարման նիշեր, որոնք փաստաթղթերը չեն կարող պարունակել. մուտքագրեք այն կրկին։</translation>
     </message>
@@ -7184,7 +7131,7 @@
       <translation>Կարող է շուրթ լինել (%1 %). եթե այդպես է, նշեք դա և նորից գծեք։</translation>
     </message>
     <message>
-      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <source>The drawing&apos;s scale must be between 1:20 and 5:1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գծանկարի մասշտաբը պետք է լինի 1:20-ից 5:1։</translation>
     </message>
@@ -7204,19 +7151,19 @@
       <translation>Ֆայլերի ցուցակը (manifest) բացակայում է. սա Ostraka-ի արտահանում չէ։</translation>
     </message>
     <message>
-      <source>The manifest has a line that cannot be read: %1</source>
+      <source>The manifest has a line that cannot be read (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ֆայլերի ցուցակը (manifest) սխալ տող ունի. %1</translation>
+      <translation>Մանիֆեստում կա անընթեռնելի տող (%1), ուստի ոչինչ չի կարդացվել. նորից պատճենեք պանակը։</translation>
     </message>
     <message>
-      <source>The manifest names a file outside the folder: %1</source>
+      <source>The manifest names a file outside the folder (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ֆայլերի ցուցակը (manifest) նշում է պանակից դուրս ֆայլ. %1</translation>
+      <translation>Մանիֆեստը նշում է պանակից դուրս գտնվող ֆայլ (%1), ուստի ոչինչ չի կարդացվել. նորից պատճենեք պանակը։</translation>
     </message>
     <message>
-      <source>The manifest names a file twice: %1</source>
+      <source>The manifest names the file %1 twice, so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ֆայլերի ցուցակը (manifest) ֆայլը երկու անգամ է նշում. %1</translation>
+      <translation>Մանիֆեստը %1 ֆայլը նշում է երկու անգամ, ուստի ոչինչ չի կարդացվել. նորից պատճենեք պանակը։</translation>
     </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
@@ -7224,7 +7171,7 @@
       <translation>Այս անունով պանակ արդեն կա. ընտրեք այլ անուն։</translation>
     </message>
     <message>
-      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
+      <source>Not every system supports names with a line break, a backslash or characters that are not UTF-8; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տողադարձ, հակառակ թեք գիծ կամ UTF-8 չհանդիսացող նիշեր պարունակող անունը ոչ բոլոր համակարգերն են պահպանում. վերանվանեք այս ֆայլը կամ պանակը և նորից փորձեք։</translation>
     </message>
@@ -7234,12 +7181,12 @@
       <translation>Որոշ համակարգերում սա նույն անունն է, ինչ %1. վերանվանեք երկուսից մեկը և նորից փորձեք։</translation>
     </message>
     <message>
-      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <source>Project A has another file with this name, which its catalogue does not list; nothing was merged. Move that file elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>A նախագիծն ունի այս անունով մեկ այլ ֆայլ, որը նրա կատալոգը չգիտի. տեղափոխեք այն, ոչինչ չի միավորվել։</translation>
     </message>
     <message>
-      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա լուսանկարների, արդյունքների կամ մոդելների տեղ չէ, իսկ միավորումը միայն այդ ֆայլերն է գրում. ոչինչ չի միավորվել։</translation>
     </message>
@@ -7249,12 +7196,12 @@
       <translation>Արտահանման երկու ֆայլ կունենային նույն անունը։</translation>
     </message>
     <message>
-      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <source>Another import into this project is running; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս նախագիծ մեկ այլ ներմուծում է ընթանում. սա սպասում է դրա ավարտին։</translation>
     </message>
     <message>
-      <source>Files that were missing from the project and came back: %1.</source>
+      <source>Files that were missing from the project and are restored: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագծից բացակայող և վերադարձված ֆայլեր՝ %1։</translation>
     </message>
@@ -7304,19 +7251,19 @@
       <translation>%1 տոպրակ չկա. ստեղծեք այն կամ թողեք, որ ներմուծումը ստեղծի։</translation>
     </message>
     <message>
-      <source>The column closed accepts yes or no.</source>
+      <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>closed սյունակում գրվում է yes կամ no։</translation>
     </message>
     <message>
-      <source>The column count_written accepts a whole number.</source>
+      <source>The column &apos;count_written&apos; accepts only a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>count_written սյունակում գրվում է ամբողջ թիվ։</translation>
     </message>
     <message>
-      <source>The row has %1 values, but the header has %2.</source>
+      <source>Values in the row: %1, columns in the header: %2; correct the row.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տողն ունի %1 արժեք, վերնագիրը՝ %2։</translation>
+      <translation>Տողի արժեքների թիվը՝ %1, վերնագրի սյունակների թիվը՝ %2. ուղղեք տողը։</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
@@ -7404,7 +7351,7 @@
       <translation>%1-ն արտահանվում է առանց լուսանկարների. %2</translation>
     </message>
     <message>
-      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <source>Photographs can be projected only onto a closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարները հնարավոր չէ դնել չփակված մոդելի վրա։</translation>
     </message>
@@ -7499,7 +7446,7 @@
       <translation>Այս արտահանումը բեկորների գրառումներ (JSON) չի պարունակում. նորից արտահանեք դրանցով։</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
+      <source>The project already has this sherd with other values, which it keeps; the differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախագծում այս բեկորն այլ արժեքներ ունի. դրանք մնում են, իսկ տարբերվողը պահվում է կողքին՝ _in_%1-ով վերջացող դաշտերում։</translation>
     </message>
@@ -7589,7 +7536,7 @@
       <translation>%1 (բաց սկավառակի %2 %)</translation>
     </message>
     <message>
-      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <source>masks: flat objects that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>դիմակներ՝ պիտակների կամ մասշտաբների նման տափակ իրերը բաց են թողնված (%1). եթե դրանց մեջ բեկորներ կան, ավելացրեք դրանք դիմակներին</translation>
     </message>
@@ -7624,7 +7571,7 @@
       <translation>Միայն փակ ցանցը կարելի է նոսրացնել։</translation>
     </message>
     <message>
-      <source>The deviation of a simplified mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նոսրացված ցանցի շեղումը պետք է մեծ լինի 0 մմ-ից։</translation>
     </message>
@@ -7639,12 +7586,12 @@
       <translation>Սկաններում մոդելի համար շատ քիչ են իրար համապատասխանող կետերը։</translation>
     </message>
     <message>
-      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <source>This model is %1 mm in size, larger than any vessel, so its unit is probably not mm; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս մոդելի չափը %1 մմ է՝ ցանկացած անոթից մեծ. դրա միավորը կարծես ուրիշ է. արտահանեք այն մմ-ով։</translation>
     </message>
     <message>
-      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <source>This model is only %1 mm in size, smaller than any sherd, so its unit is probably not mm (%2); export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս մոդելն ընդամենը %1 մմ է, ցանկացած բեկորից փոքր, ուստի նրա միավորը հավանաբար այլ է (%2). արտահանեք այն մմ-ով։</translation>
     </message>
@@ -7734,7 +7681,7 @@
       <translation>%2-ի %1-ի որոշումը վերաբերում է %3-ին, որն այլևս սկավառակի վրա չէ. նորից որոշեք։</translation>
     </message>
     <message>
-      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the later decision of %3 by %4 concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2-ի %1-ի որոշումը չի գործում. %4-ի %3-ի որոշումը, որն ավելի ուշ է, նույն սկանի մասին է. դրանցից մեկը հետ վերցրեք։</translation>
     </message>
@@ -7859,7 +7806,7 @@
       <translation>Առանց plate.json-ի դիմակները գտնել հնարավոր չէ. լուսանկարների կողքին դրեք դիմակներ կամ նշեք ցանց (--masks MODEL.onnx)։</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm are based on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյունքը մասշտաբ չունի. առանց plate.json-ի ոչ մի երկարություն հայտնի չէ, և մմ-ով նշվածը հիմնված է պիքսելի ենթադրյալ չափի վրա. լուսանկարեք նշիչներով սկավառակի վրա, երկու երեսների դեպքում էլ բեկորների կողքին դրեք board.json-ի տախտակը կամ երկուսի վրա էլ scale.json-ում նշեք հայտնի երկարություն։</translation>
     </message>
@@ -7939,7 +7886,7 @@
       <translation>%1. լուսանկարը մշուշոտ է. դրա եզրերի լայնությունը %2 պիքսել է, տեսախցիկի ամենահստակինը՝ %3. նորից լուսանկարեք։</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the front side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի %2 նշիչներից %1-ը առջևի երեսի ոչ մի լուսանկարում չկա (%3). տեսախցիկները հենվում են մյուսների վրա, ուստի հանեք այն, ինչ ծածկում է դրանք։</translation>
     </message>
@@ -7954,7 +7901,7 @@
       <translation>Առջևի երեսի բոլոր լուսանկարները մշուշոտ են. նույնիսկ ամենահստակում նշիչների եզրերը %1 պիքսել լայն են, ուստի դրա սկանները կոպիտ են։ Ստուգեք ֆոկուսը և կափարիչի արագությունը և վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the back side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկավառակի %2 նշիչներից %1-ը հետևի երեսի ոչ մի լուսանկարում չկա (%3). տեսախցիկները հենվում են մյուսների վրա, ուստի հանեք այն, ինչ ծածկում է դրանք։</translation>
     </message>
@@ -7989,32 +7936,32 @@
       <translation>Փակեք այլ ծրագրեր կամ մշակեք սևագիր։</translation>
     </message>
     <message>
-      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
+      <source>%1: the camera was not in the place that it had while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. լուսանկարված չէ այնտեղից, որտեղ կանգնած էր տեսախցիկը սկուտեղի պտտվելիս. այն չի օգտագործվում։</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 դիրքից սկսած (pos%4) այն այլ տեղում է. վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը առջևի երեսին հրվել է մոտ %2 մմ. %3 լուսանկարից սկսած այն այլ տեղում է. վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 դիրքից սկսած (pos%4) այն այլ տեղում է. վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը հետևի երեսին հրվել է մոտ %2 մմ. %3 լուսանկարից սկսած այն այլ տեղում է. վերալուսանկարեք այս երեսը։</translation>
     </message>
     <message>
-      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
+      <source>The output folder is inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյունքների պանակը խմբաքանակի պանակում է, ուր երբեք ոչինչ չի գրվում. ընտրեք մեկը դրա կողքին։</translation>
     </message>
@@ -8109,7 +8056,7 @@
       <translation>Սկանը նորմալներ չունի. արտահանեք այն nx, ny և nz-ով։</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
+      <source>The scan is %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սկանը 0, 0, 0-ից հեռու է իր երկարության %1-ապատիկով, ուստի դրա կոորդինատները կլորացված են. տեղափոխեք այնտեղ և նորից արտահանեք։</translation>
     </message>
@@ -8189,14 +8136,14 @@
       <translation>Այս լուսանկարը չի օգտագործվում։</translation>
     </message>
     <message>
-      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the front side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսի %1 լուսանկար COLMAP-ից դիրք չի ստացել և բաց է թողնվում։</translation>
+      <translation>Առջևի երեսի լուսանկարներ, որոնք բաց են թողնվում, քանի որ COLMAP-ը չի գտել դրանց դիրքը՝ %1։</translation>
     </message>
     <message>
-      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the back side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հետևի երեսի %1 լուսանկար COLMAP-ից դիրք չի ստացել և բաց է թողնվում։</translation>
+      <translation>Հետևի երեսի լուսանկարներ, որոնք բաց են թողնվում, քանի որ COLMAP-ը չի գտել դրանց դիրքը՝ %1։</translation>
     </message>
     <message>
       <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
@@ -8214,14 +8161,14 @@
       <translation>Եթե դրա վրա բեկորներ կան, նորից լուսանկարեք կամ խմբագրեք դիմակը։</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
+      <source>Photographs of the front side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դիմակները բեկորներ են նշում առջևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
+      <translation>Առջևի երեսի լուսանկարներ, որոնց դիմակները ցույց են տալիս բեկորներ՝ %1. անհրաժեշտ է առնվազն 3։</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
+      <source>Photographs of the back side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դիմակները բեկորներ են նշում հետևի երեսի %1 լուսանկարի վրա. պետք է 3։</translation>
+      <translation>Հետևի երեսի լուսանկարներ, որոնց դիմակները ցույց են տալիս բեկորներ՝ %1. անհրաժեշտ է առնվազն 3։</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8244,7 +8191,7 @@
       <translation>Ոչ բոլոր գագաթներն ունեն տեղ հյուսվածքում։</translation>
     </message>
     <message>
-      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս GLB մոդելի հյուսվածքը հնարավոր չէ կարդալ, ուստի մոդելն օգտագործվում է առանց դրա. վերամշակեք դրա խմբաքանակը՝ ֆայլը նորից գրելու համար։</translation>
     </message>
@@ -8284,7 +8231,7 @@
       <translation>Սկանը նորմալներ չունի. արտահանեք այն նորմալներով։</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
+      <source>Fewer than 50 points are on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոտրվածքի վրա 50-ից քիչ կետ կա. նորից սկանավորեք բեկորն իր կոտրվածքով։</translation>
     </message>
@@ -8304,7 +8251,7 @@
       <translation>Նշիչների ցանցին պետք են 'dictionary', 'markers_x', 'markers_y', 'marker_length' և 'marker_separation'։</translation>
     </message>
     <message>
-      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
+      <source>Nothing to calibrate from: put photographs of the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and pictures of the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տրամաչափելու համար ոչինչ չկա. յուրաքանչյուր դիրքում սկավառակը լուսանկարեք 'front'-ի մեջ (cam0_pos00.jpg և այսպես շարունակ), տախտակը՝ 'calib'-ի մեջ, և կողքին պատճենեք plate.json և board.json ֆայլերը։</translation>
     </message>
@@ -8419,14 +8366,14 @@
       <translation>%1. դրա վրա ոչ մի նշիչ չի երևում. այս դիրքը ցո՞ւյց է տալիս։ Եթե ոչ, նորից լուսանկարեք։</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the front side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսի միայն %1 լուսանկար դիրք ունի, պետք է առնվազն 3. ստուգեք, որ սկավառակի նշիչները լուսավորված են և պատկերի մեջ են։</translation>
+      <translation>Առջևի երեսի հայտնի դիրքով լուսանկարներ՝ %1. անհրաժեշտ է առնվազն 3։ Ստուգեք, որ սկավառակի նշիչները լուսավորված լինեն և երևան նկարում։</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the back side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հետևի երեսի միայն %1 լուսանկար դիրք ունի, պետք է առնվազն 3. ստուգեք, որ սկավառակի նշիչները լուսավորված են և պատկերի մեջ են։</translation>
+      <translation>Հետևի երեսի հայտնի դիրքով լուսանկարներ՝ %1. անհրաժեշտ է առնվազն 3։ Ստուգեք, որ սկավառակի նշիչները լուսավորված լինեն և երևան նկարում։</translation>
     </message>
     <message>
       <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
@@ -8434,9 +8381,9 @@
       <translation>%1 տեսախցիկը %2 դիրքում տեսնում է սկավառակի վեցից քիչ նշիչ. ստուգեք այնտեղի լույսն ու ֆոկուսը, և որ նշիչների վրա ոչինչ դրված չէ։</translation>
     </message>
     <message>
-      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
+      <source>Positions photographed: %1; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարվել է միայն %1 դիրք. լրիվ պտույտի վրա արեք առնվազն չորսը, որ առանցքը գտնվի։</translation>
+      <translation>Լուսանկարված դիրքեր՝ %1. առանցքը որոշելու համար լուսանկարեք առնվազն չորսը՝ ամբողջ պտույտով։</translation>
     </message>
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
@@ -8449,7 +8396,7 @@
       <translation>%1 և %2 նշիչների միջև դուք չափել եք %3 մմ, ըստ plate.json-ի՝ %4 մմ (%5 %). չափեք սկավառակի քանոնը և նորից ստեղծեք plate.json-ը 'ostraka plate --ruler-measured' հրամանով։</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
+      <source>Not usable: camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիտանի չէ. %1 տեսախցիկը սկավառակի նշիչներից վրիպում է %2 px (մեդիան). լուսանկարների միջև դրան դիպե՞լ են, թե՞ plate.json-ն այլ սկավառակի է։</translation>
     </message>
@@ -8654,7 +8601,7 @@
       <translation>Տեսախցիկների ֆայլում 'images' ցուցակ չկա։</translation>
     </message>
     <message>
-      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use the model OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP-ի %1 տեսախցիկն ունի '%2' մոդելը կամ արժեքներ, որոնք այստեղ պիտանի չեն. փոխարենը օգտագործեք OPENCV։</translation>
     </message>
@@ -8834,7 +8781,7 @@
       <translation>%1-ն ավարտվեց սխալով. դրա հաղորդագրություններն այս ֆայլում են։</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
+      <source>A small object of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 մմ փշուրը x %2, y %3 մմ տեղում բաց է թողնվել. եթե բեկոր է, լուսանկարեք այն առանձին։</translation>
     </message>
@@ -8929,12 +8876,12 @@
       <translation>%1 բեկորները սկավառակի վրա չեն տեղավորվում. պահանջեք ավելի քիչ կամ այլ սկզբնական թիվ։</translation>
     </message>
     <message>
-      <source>sherds must lie between 1 and 40.</source>
+      <source>sherds must be between 1 and 40.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկորների թիվը պետք է լինի 1-ից 40։</translation>
     </message>
     <message>
-      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <source>width must be between 160 and 8192 pixels and divisible by 4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լայնությունը պետք է լինի 160-ից 8192 պիքսել և բաժանվի 4-ի։</translation>
     </message>
@@ -9024,7 +8971,7 @@
       <translation>Տոպրակը համատեքստի մեջ է. նախ գրեք համատեքստը։</translation>
     </message>
     <message>
-      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <source>Context %1 has no bag %2; change or clear the bag at the same time.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 համատեքստում %2 տոպրակ չկա. միաժամանակ փոխեք կամ դատարկեք տոպրակը։</translation>
     </message>
@@ -9179,9 +9126,9 @@
       <translation>Պանակի տեղում հղում կամ ֆայլ է, կամ ֆայլի տեղում՝ հղում. այնտեղ դրեք հենց ֆայլերը։</translation>
     </message>
     <message>
-      <source>A file of this name already exists; it is not overwritten.</source>
+      <source>A file with this name already exists and is not overwritten; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս անունով ֆայլ արդեն կա. այն չի վերագրվում։</translation>
+      <translation>Այս անունով ֆայլ արդեն կա և չի վերագրվում. ընտրեք այլ անուն։</translation>
     </message>
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
@@ -9189,12 +9136,12 @@
       <translation>Արտահանումը նշում է նախագծի մի տեղ, որտեղ այդպիսի ֆայլ չի կարող լինել. ոչինչ չի ներմուծվել։</translation>
     </message>
     <message>
-      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never contains; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արխիվը պարունակում է իր կատալոգի մատյանը, ինչը Ostraka-ի ոչ մի արխիվ չունի. ոչինչ չգրվեց։</translation>
     </message>
     <message>
-      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <source>The catalogue&apos;s tables, indexes or triggers differ from those that Ostraka creates; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կատալոգի աղյուսակները, ինդեքսներն ու տրիգերները այնպիսին չեն, ինչպիսին Ostraka-ն ստեղծում է. ոչինչ չգրվեց։</translation>
     </message>
@@ -9419,9 +9366,9 @@
       <translation>վատագույն պատկերը %1-ն է՝ %2 px. նորից արեք կամ հանեք այն։</translation>
     </message>
     <message>
-      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <source>Calibration pictures that show the board: %1; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>տախտակը ցույց են տալիս տրամաչափման միայն %1 պատկեր, պետք է առնվազն 3. արեք դրա ավելի շատ պատկերներ։</translation>
+      <translation>Տրամաչափման նկարներ, որտեղ երևում է տախտակը՝ %1. անհրաժեշտ է առնվազն 3։ Լուսանկարեք այն ևս։</translation>
     </message>
     <message>
       <source>Camera %1, position %2: %3.</source>
@@ -9449,7 +9396,7 @@
       <translation>Ստուգեք միավորը․ %1-ը հաշվարկված արժեքի մոտ մեկ տասներորդն է։</translation>
     </message>
     <message>
-      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <source>Check the value: %1 differs from the computed value by a factor of three or more.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ստուգեք արժեքը․ %1-ը հաշվարկված արժեքից առնվազն երեք անգամ տարբերվում է։</translation>
     </message>
@@ -9492,6 +9439,381 @@
       <source>the thickness</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>հաստությունը</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) մմ</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորները հնարավոր չեղավ հաշվել. սկավառակի շատ քիչ նշիչ է երևում։</translation>
+    </message>
+    <message>
+      <source>No sherd is visible on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկավառակի վրա ոչ մի բեկոր չի երևում։</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորները դիպչում են կամ գրեթե դիպչում են %1 սկավառակի կենտրոնից. հեռացրեք դրանք իրարից և վերալուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն, ինչ ընկած է %1 սկավառակի կենտրոնից, հաշվվել է որպես մեկ, բայց կարող է լինել իրար դիպչող երկու բեկոր. նայեք այնտեղ. եթե այդպես է, հեռացրեք դրանք իրարից և վերալուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսը նման է առջևի երեսին. շրջեք բեկորները և վերալուսանկարեք։</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ համեմատեք պատկերները։</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսի բեկորները հնարավոր չեղավ հաշվել. սկավառակը դատարկելուց առաջ համեմատեք պատկերները։</translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Find the missing ones before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշված բեկորներ՝ առջևի երեսին՝ %1, հետևի երեսին՝ %2։ Գտեք պակասողները՝ նախքան սկավառակն ազատելը։</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Check whether one was added or broke.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հաշված բեկորներ՝ առջևի երեսին՝ %1, հետևի երեսին՝ %2։ Ստուգեք՝ արդյոք մեկն ավելացվե՞լ է կամ կոտրվե՞լ։</translation>
+    </message>
+    <message>
+      <source>The turntable&apos;s own count was %1 degrees off; it was corrected from the plate&apos;s markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտվող սեղանի սեփական հաշվարկը շեղված էր %1 աստիճանով․ այն ուղղվել է սկավառակի նշիչներով։</translation>
+    </message>
+    <message>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka-ի նախագիծ չէ․ այս պանակում catalogue.sqlite չկա. ոչինչ չի միավորվել։</translation>
+    </message>
+    <message>
+      <source>Another version of Ostraka made this project; nothing was merged. Open it once with this version, which updates it, or install the newer version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծն ստեղծել է Ostraka-ի մեկ այլ տարբերակ. ոչինչ չի միավորվել։ Մեկ անգամ բացեք այն այս տարբերակով, որը կթարմացնի այն, կամ տեղադրեք ավելի նոր տարբերակը։</translation>
+    </message>
+    <message>
+      <source>A project cannot be merged with itself; name another project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագիծը չի կարող միավորվել ինքն իր հետ. նշեք մեկ այլ նախագիծ։</translation>
+    </message>
+    <message>
+      <source>This project is read-only here, so nothing was merged; copy it to a folder that you can write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծն այստեղ միայն ընթերցման համար է, ուստի ոչինչ չի միավորվել. պատճենեք այն այնպիսի պանակ, որտեղ կարող եք գրել։</translation>
+    </message>
+    <message>
+      <source>The project changed while files were copied, so nothing was merged; run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ֆայլերը պատճենելիս նախագիծը փոխվել է, ուստի ոչինչ չի միավորվել. նորից գործարկեք նույն հրամանը։</translation>
+    </message>
+    <message>
+      <source>The conflict %1 (%2) cannot be settled with &apos;%3&apos;; nothing was merged. Choose one of the ways that the list of conflicts offers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 հակասությունը (%2) չի կարող լուծվել «%3» տարբերակով. ոչինչ չի միավորվել։ Ընտրեք հակասությունների ցանկում առաջարկված տարբերակներից մեկը։</translation>
+    </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարն արդեն տրվել է և երբեք չի վերօգտագործվում. ոչինչ չի միավորվել։ number/%2 հակասությունը լուծեք մեկ այլ համարով։</translation>
+    </message>
+    <message>
+      <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլը պետք է լինի JSON ցանկ՝ {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} կամ {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;} տարրերով. ոչինչ չի միավորվել։ Ուղղեք ֆայլը։</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլի գրառումներից մեկը {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} ձևը չունի (կամ &quot;b&quot;, կամ &quot;number&quot;՝ նոր համարով)՝ %1. ոչինչ չի միավորվել։ Ուղղեք գրառումը։</translation>
+    </message>
+    <message>
+      <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 հակասությունն այս ֆայլում լուծված է երկու անգամ. ոչինչ չի միավորվել։ Պահեք երկու գրառումներից մեկը։</translation>
+    </message>
+    <message>
+      <source>This file of project B differs from what its catalogue records; nothing was merged. Restore it from a copy (&apos;ostraka catalogue check&apos; lists all such files).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>B նախագծի այս ֆայլը տարբերվում է նրա կատալոգում գրանցվածից. ոչինչ չի միավորվել։ Վերականգնեք այն պատճենից («ostraka catalogue check» հրամանը թվարկում է բոլոր այդպիսի ֆայլերը)։</translation>
+    </message>
+    <message>
+      <source>The disk does not return what was written to it; nothing was merged. Check the disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կրիչը չի վերադարձնում այն, ինչ գրվել է դրա վրա. ոչինչ չի միավորվել։ Ստուգեք կրիչը։</translation>
+    </message>
+    <message>
+      <source>A link or a device cannot be merged; nothing was merged. Move what it leads to into project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հղումը կամ սարքը չի կարող միավորվել. ոչինչ չի միավորվել։ Դրա մատնանշած բովանդակությունը տեղափոխեք B նախագիծ։</translation>
+    </message>
+    <message>
+      <source>Results from a cluster must be regular files with plain names; nothing of this batch was entered. Submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կլաստերի արդյունքները պետք է լինեն պարզ անուններով սովորական ֆայլեր. այս խմբաքանակից ոչինչ չի մուտքագրվել։ Խմբաքանակը նորից ուղարկեք։</translation>
+    </message>
+    <message>
+      <source>This batch was processed here or reshot in the meantime; the cluster&apos;s results are not entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակն այդ ընթացքում մշակվել է այստեղ կամ վերալուսանկարվել. կլաստերի արդյունքները չեն մուտքագրվում։</translation>
+    </message>
+    <message>
+      <source>The name of a partition or an account consists of letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;; look it up with &apos;sinfo&apos; or ask the cluster&apos;s administrators.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաժնի կամ հաշվի անունը կազմված է տառերից, թվանշաններից, «-», «_» և «.» նշաններից. տեսեք այն «sinfo» հրամանով կամ հարցրեք կլաստերի ադմինիստրատորներին։</translation>
+    </message>
+    <message>
+      <source>The command that starts Ostraka on the cluster must be one line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կլաստերում Ostraka-ն գործարկող հրամանը պետք է լինի մեկ տող։</translation>
+    </message>
+    <message>
+      <source>A job needs at least one core, and its memory and time must not be negative.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առաջադրանքին անհրաժեշտ է առնվազն մեկ միջուկ, իսկ հիշողությունն ու ժամանակը չեն կարող բացասական լինել։</translation>
+    </message>
+    <message>
+      <source>This folder cannot be opened (%1); check its name and permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակը հնարավոր չէ բացել (%1). ստուգեք դրա անունն ու թույլտվությունները։</translation>
+    </message>
+    <message>
+      <source>The path of this project contains a character that has a special meaning for Slurm (%, a backslash or a control character); rename the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագծի ուղին պարունակում է Slurm-ի համար հատուկ նշանակություն ունեցող նիշ (%, հակառակ շեղագիծ կամ կառավարման նիշ). վերանվանեք պանակը։</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH; run this command on a login node of the cluster, or name one with --host USER@LOGIN:/FOLDER.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ծրագիրն այս համակարգչի PATH-ում չկա. հրամանը գործարկեք կլաստերի մուտքի հանգույցում կամ նշեք այն --host USER@LOGIN:/FOLDER-ով։</translation>
+    </message>
+    <message>
+      <source>Not a folder on a cluster; write USER@LOGIN:/FOLDER, with the folder&apos;s full path and without spaces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա կլաստերի պանակ չէ. գրեք USER@LOGIN:/FOLDER՝ պանակի լրիվ ուղիով և առանց բացատների։</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH, but --host needs it; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ծրագիրն այս համակարգչի PATH-ում չկա, բայց անհրաժեշտ է --host-ի համար. տեղադրեք այն։</translation>
+    </message>
+    <message>
+      <source>The program %1 cannot be started there; ask the cluster&apos;s administrators how Slurm is reached.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ծրագիրն այնտեղ հնարավոր չէ գործարկել. կլաստերի ադմինիստրատորներին հարցրեք, թե ինչպես է հասանելի Slurm-ը։</translation>
+    </message>
+    <message>
+      <source>%1 failed (%2). Nothing is lost; once the cause is removed, run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 հրամանը ձախողվեց (%2)։ Ոչինչ չի կորել. պատճառը վերացնելուց հետո նորից գործարկեք նույն հրամանը։</translation>
+    </message>
+    <message>
+      <source>This batch contains imported scans and is not submitted; the window&apos;s queue processes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակը պարունակում է ներմուծված սկաններ և չի ուղարկվում. այն մշակում է պատուհանի հերթը։</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk has %1 GB left, but the batches to submit (%2) need about %3 GB. Nothing was submitted; free some space, or submit fewer with --most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կլաստերի կրիչում մնացել է %1 ԳԲ, բայց ուղարկվող խմբաքանակներին (%2) անհրաժեշտ է մոտ %3 ԳԲ։ Ոչինչ չի ուղարկվել. ազատեք տեղ կամ --most-ով ավելի քիչ ուղարկեք։</translation>
+    </message>
+    <message>
+      <source>Batches of this project are on another cluster or in another folder; collect them before you submit to this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագծի խմբաքանակներ կան մեկ այլ կլաստերում կամ պանակում. հավաքեք դրանք՝ նախքան այստեղ ուղարկելը։</translation>
+    </message>
+    <message>
+      <source>Not a list of the batches on a cluster; restore an earlier one, or delete it: batches that are on the cluster are then processed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա կլաստերի խմբաքանակների ցանկ չէ. վերականգնեք նախորդը կամ ջնջեք այն՝ կլաստերում գտնվող խմբաքանակներն այդ դեպքում նորից կմշակվեն։</translation>
+    </message>
+    <message>
+      <source>Out of memory (%1 MB requested); the next submission requests twice as much.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հիշողությունը սպառվեց (պահանջվել էր %1 ՄԲ). հաջորդ ուղարկումը կպահանջի կրկնակին։</translation>
+    </message>
+    <message>
+      <source>Out of time (minutes requested: %1); the next submission requests twice as many and resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ժամանակը սպառվեց (պահանջված րոպեներ՝ %1). հաջորդ ուղարկումը կպահանջի կրկնակին և կշարունակի վերջին ավարտված փուլից հետո։</translation>
+    </message>
+    <message>
+      <source>The node failed, or the job was killed; the next submission resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հանգույցը խափանվել է, կամ առաջադրանքն ընդհատվել է. հաջորդ ուղարկումը կշարունակի վերջին ավարտված փուլից հետո։</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk is full, or your quota is used up; free some space, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կլաստերի կրիչը լցված է, կամ ձեր քվոտան սպառված է. ազատեք տեղ, ապա նորից ուղարկեք։</translation>
+    </message>
+    <message>
+      <source>The cluster does not know this job, and the job wrote nothing into the project&apos;s folder; check that the cluster&apos;s nodes see that folder, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կլաստերը չի ճանաչում այս առաջադրանքը, և այն նախագծի պանակում ոչինչ չի գրել. ստուգեք, որ կլաստերի հանգույցները տեսնեն այդ պանակը, ապա նորից ուղարկեք։</translation>
+    </message>
+    <message>
+      <source>The program ended with status %1; its output is in %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ծրագիրն ավարտվեց %1 կոդով. դրա արդյունքի տեքստը %2 ֆայլում է։</translation>
+    </message>
+    <message>
+      <source>The partition ends jobs earlier than the %1 minutes requested; cancel the job, then submit again with another --partition or fewer --minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաժինն առաջադրանքներն ավարտում է պահանջված %1 րոպեից շուտ. չեղարկեք առաջադրանքը, ապա նորից ուղարկեք այլ --partition-ով կամ ավելի քիչ --minutes-ով։</translation>
+    </message>
+    <message>
+      <source>Slurm&apos;s reason: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Slurm-ի նշած պատճառը՝ %1։</translation>
+    </message>
+    <message>
+      <source>This network cannot be used: %1. Choose an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or 1 x 2 x h x w.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ցանցը հնարավոր չէ օգտագործել՝ %1։ Ընտրեք ONNX ցանց, որն ընդունում է 1 x 3 x H x W և տալիս 1 x 1 x h x w կամ 1 x 2 x h x w։</translation>
+    </message>
+    <message>
+      <source>it cannot be run (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>այն հնարավոր չէ գործարկել (%1)</translation>
+    </message>
+    <message>
+      <source>its output has another shape</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դրա ելքն այլ ձև ունի</translation>
+    </message>
+    <message>
+      <source>its output contains numbers that are not finite</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դրա ելքը պարունակում է ոչ վերջավոր թվեր</translation>
+    </message>
+    <message>
+      <source>its input is not an image</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դրա մուտքը պատկեր չէ</translation>
+    </message>
+    <message>
+      <source>its input has %1 channels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դրա մուտքն ունի %1 ալիք</translation>
+    </message>
+    <message>
+      <source>its input is larger than %1 pixels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դրա մուտքը մեծ է %1 պիքսելից</translation>
+    </message>
+    <message>
+      <source>You have no permission to use it: copy packaging/udev/70-ostraka.rules to /etc/udev/rules.d/ and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դուք այն օգտագործելու թույլտվություն չունեք. պատճենեք packaging/udev/70-ostraka.rules ֆայլը /etc/udev/rules.d/ պանակ և նորից միացրեք սարքը։</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: &apos;ostraka devices --release&apos; releases it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն օգտագործում է %1 ծրագիրը. «ostraka devices --release» հրամանն ազատում է այն։</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: close that program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն օգտագործում է %1 ծրագիրը. փակեք այդ ծրագիրը։</translation>
+    </message>
+    <message>
+      <source>The kernel has no driver for it; install one for this adapter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միջուկը դրա համար դրայվեր չունի. տեղադրեք այս ադապտերի դրայվերը։</translation>
+    </message>
+    <message>
+      <source>A folder of the project cannot be read (%1); check its permissions, then archive the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագծի պանակներից մեկը չի կարդացվում (%1). ստուգեք դրա թույլտվությունները, ապա նորից արխիվացրեք նախագիծը։</translation>
+    </message>
+    <message>
+      <source>No output folder was given; name one with --output OUT.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ելքային պանակ նշված չէ. նշեք այն --output OUT-ով։</translation>
+    </message>
+    <message>
+      <source>No folder of front scans was given; name one with --front DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսների սկանների պանակ նշված չէ. նշեք այն --front DIR-ով։</translation>
+    </message>
+    <message>
+      <source>No folder of back scans was given; name one with --back DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսների սկանների պանակ նշված չէ. նշեք այն --back DIR-ով։</translation>
+    </message>
+    <message>
+      <source>The field %1 has no unit &apos;%2&apos;; choose another unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 դաշտը «%2» միավոր չունի. ընտրեք այլ միավոր։</translation>
+    </message>
+    <message>
+      <source>The table has no column &apos;%1&apos;; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակում «%1» սյունակ չկա. ստուգեք դրա անունը։</translation>
+    </message>
+    <message>
+      <source>The columns &apos;%1&apos; and &apos;%2&apos; are both mapped to the field %3; leave one of them out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1» և «%2» սյունակները երկուսն էլ համապատասխանեցված են %3 դաշտին. դրանցից մեկը բաց թողեք։</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>«%1»-ը ոչ մի սյունակ չի համապատասխանեցնում. գրեք COLUMN=FIELD կամ COLUMN=FIELD:unit։</translation>
+    </message>
+    <message>
+      <source>The scan&apos;s colours or qualities differ in number from its points; give one for each point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանի գույների կամ որակի արժեքների թիվը տարբերվում է կետերի թվից. տվեք մեկական արժեք յուրաքանչյուր կետի համար։</translation>
+    </message>
+    <message>
+      <source>A point or a normal of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանի կետերից կամ նորմալներից մեկը վերջավոր չէ. այդպիսի կետերը բաց թողեք։</translation>
+    </message>
+    <message>
+      <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պիքսելները կամ դիմակը չեն համապատասխանում նշված լայնությանն ու բարձրությանը. տվեք մեկական արժեք յուրաքանչյուր պիքսելի համար։</translation>
+    </message>
+    <message>
+      <source>No scan of this side was given; give at least one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս երեսի սկան չի տրվել. տվեք առնվազն մեկը։</translation>
+    </message>
+    <message>
+      <source>give them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տվեք դրանք մմ-ով</translation>
+    </message>
+    <message>
+      <source>A remark in this file cannot be read; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլի նշումներից մեկը չի կարդացվում. վերականգնեք ֆայլի ավելի վաղ պատճենը կամ վերամշակեք խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տեսախցիկ %1, դիրք %2</translation>
     </message>
 </context>
 <context>

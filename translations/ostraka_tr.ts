@@ -1652,7 +1652,7 @@
       <translation>Kamerayı neyin tuttuğu aranıyor</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look for one that hides, touches another or was never laid down.</source>
+      <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 parça saydınız, fotoğraflarda %2 görünüyor: gizlenen, başkasına değen ya da hiç konmamış birini arayın.</translation>
     </message>
@@ -1687,7 +1687,7 @@
       <translation>Birkaç torbanın etiketi görünüyor: %1. Yalnız bu parçalarınkini bırakın.</translation>
     </message>
     <message>
-      <source>You counted %1 sherds, the photographs show %2: look whether one lies there in parts, or a thing that is no sherd, or mend the count.</source>
+      <source>You counted %1 sherds, the photographs show %2: check whether one is in fragments or an object is not a sherd, or correct the count.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 parça saydınız, fotoğraflarda %2 görünüyor: parçalar hâlinde duran biri ya da parça olmayan bir şey var mı bakın veya sayıyı düzeltin.</translation>
     </message>
@@ -5037,82 +5037,29 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Doubts</name>
-    <message>
-      <source>(%1, %2) mm</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>(%1, %2) mm</translation>
-    </message>
-    <message>
-      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parçalar sayılamadı: tablanın çok az işareti görünüyor.</translation>
-    </message>
-    <message>
-      <source>No sherd is visible on the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablada hiç parça görünmüyor.</translation>
-    </message>
-    <message>
-      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parçalar tablanın ortasından %1 uzakta birbirine değiyor ya da neredeyse değiyor: ayırın ve yeniden çekin.</translation>
-    </message>
-    <message>
-      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablanın ortasından %1 uzakta duran bir parça sayıldı, ama birbirine değen iki parça olabilir: oraya bakın; öyleyse ayırın ve yeniden çekin.</translation>
-    </message>
-    <message>
-      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüz ön yüze benziyor: parçaları çevirin ve yeniden çekin.</translation>
-    </message>
-    <message>
-      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüzün parçaları sayılamadı: tablayı boşaltmadan önce resimleri kendiniz karşılaştırın.</translation>
-    </message>
-    <message>
-      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüzün parçaları sayılamadı: tablayı boşaltmadan önce resimleri kendiniz karşılaştırın.</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: find the missing one before you clear the plate.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Önde %1 parça göründü, arkada %2: tablayı boşaltmadan önce eksik olanı arayın.</translation>
-    </message>
-    <message>
-      <source>The front showed %1 sherds, the back %2: check whether one was added or broke.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Önde %1 parça göründü, arkada %2: biri mi eklendi, yoksa biri mi kırıldı?</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::Error</name>
     <message>
-      <source>The disk has only %1 MB left; a batch needs more. Nothing is lost: make room, then go on.</source>
+      <source>The disk has only %1 MB left, and a batch needs more. Nothing is lost: free some space, then resume.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diskte yalnızca %1 MB kaldı; bir parti daha fazlasını ister. Hiçbir şey kaybolmadı: yer açın, sonra sürdürün.</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but no sherd with a context lies there; give it in the catalogue.</source>
+      <source>%1: this number was entered on the plate, but there is no sherd with a context in that place; assign it in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: bu numara tabla üzerinde yazıldı, ama orada konteksti olan bir parça yok; numarayı katalogda verin.</translation>
     </message>
     <message>
-      <source>%1: this number was typed on the plate, but is another sherd&apos;s; look which of the two bears it, and give the other one a new number.</source>
+      <source>%1: this number was entered on the plate, but it belongs to another sherd; check which of the two bears it, and give the other one a new number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: bu numara plakada yazıldı, ama başka bir parçanın; ikisinden hangisinin taşıdığına bakın ve ötekine yeni bir numara verin.</translation>
     </message>
     <message>
-      <source>Pairs were decided or masks edited while the batch was processed. Reprocess it for them.</source>
+      <source>Pairs were decided or masks edited while the batch was being processed; reprocess it to apply them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti işlenirken eşlere karar verildi ya da maskeler düzenlendi; bunlar için yeniden işleyin.</translation>
     </message>
     <message>
-      <source>Sherds counted on the plate: %1. Another number was found; look at the map for one that is missing or cut in two.</source>
+      <source>Sherds counted on the plate: %1, but another number was found; check the map for a sherd that is missing or was split in two.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tabla üzerinde sayılan parça: %1. Başka bir sayı bulundu; eksik olanı ya da ikiye bölüneni planda arayın.</translation>
     </message>
@@ -5137,7 +5084,7 @@
       <translation>Kamera yanıt vermiyor; uykuda mı? Otomatik kapanmasını kapatın.</translation>
     </message>
     <message>
-      <source>The camera stays busy; switch it off and on.</source>
+      <source>The camera remains busy; switch it off and on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera meşgul kalıyor; kapatıp açın.</translation>
     </message>
@@ -5402,7 +5349,7 @@
       <translation>JSON metni 64 MiB’den büyük.</translation>
     </message>
     <message>
-      <source>The JSON is nested deeper than 64 levels.</source>
+      <source>The JSON is nested more than 64 levels deep.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JSON 64 düzeyden daha derin iç içe.</translation>
     </message>
@@ -5527,14 +5474,14 @@
       <translation>Bu klasör hem ön hem arka yüz için belirtildi; her yüzün klasörünü belirtin.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüzün %1 kullanılabilir fotoğrafı var, en az %2 gerekir; her yönden daha çok çekin.</translation>
+      <translation>Ön yüzün kullanılabilir fotoğrafları: %1; en az %2 gerekli. Her yönden daha fazlasını çekin.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Take more from all directions.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Take more from all directions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüzün %1 kullanılabilir fotoğrafı var, en az %2 gerekir; her yönden daha çok çekin.</translation>
+      <translation>Arka yüzün kullanılabilir fotoğrafları: %1; en az %2 gerekli. Her yönden daha fazlasını çekin.</translation>
     </message>
     <message>
       <source>The HEIC image is damaged; copy it again.</source>
@@ -5557,7 +5504,7 @@
       <translation>Bu %2 fotoğrafta OpenCV sözlüklerinden en az %1 işaretli bir sayfa okunmuyor; onu daha çok gösteren fotoğraflar çekin ya da plate.json dosyasını belirtin.</translation>
     </message>
     <message>
-      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that lie far apart and compare it with plate.json in the output folder.</source>
+      <source>No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in the photographs (%4 px) and are used instead. Measure the distance between two markers that are far apart and compare it with plate.json in the output folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sayfayı anlatan plate.json yok: fotoğraflarda kenarları %3 mm olan %1 %2 işareti bulundu (%4 px) ve sayfa sayıldı. Birbirinden uzak iki işaretin aralığını ölçüp çıktı klasöründeki plate.json ile karşılaştırın.</translation>
     </message>
@@ -5582,14 +5529,14 @@
       <translation>Resim %1 x %2 piksel, bu kameranın ötekileri %3 x %4; bu fotoğraf atlanıyor.</translation>
     </message>
     <message>
-      <source>The front side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüzün %1 kullanılabilir fotoğrafı var, en az %2 gerekir; oraya %3 adlı fotoğraflar koyun.</translation>
+      <translation>Ön yüzün kullanılabilir fotoğrafları: %1; en az %2 gerekli. %3 adlı fotoğraflar ekleyin.</translation>
     </message>
     <message>
-      <source>The back side has %1 usable photographs; at least %2 are needed. Add photographs named %3.</source>
+      <source>Usable photographs of the back side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüzün %1 kullanılabilir fotoğrafı var, en az %2 gerekir; oraya %3 adlı fotoğraflar koyun.</translation>
+      <translation>Arka yüzün kullanılabilir fotoğrafları: %1; en az %2 gerekli. %3 adlı fotoğraflar ekleyin.</translation>
     </message>
     <message>
       <source>The file name is neither cam&lt;C&gt;_cal&lt;NN&gt;.jpg nor empty_cam&lt;C&gt;.jpg; this picture is left out.</source>
@@ -5752,9 +5699,9 @@
       <translation>Parti başka bir tablada başlatılmıştı: onunla sürdürün ya da başka bir partiye başlayın.</translation>
     </message>
     <message>
-      <source>This batch started with %1 cameras and %2 positions, not with %3 and %4; choose another folder.</source>
+      <source>This batch started with another setup (cameras: %1, positions: %2; now: %3 and %4); choose another folder.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu parti %1 kamera ve %2 konumla başlatılmıştı, %3 ve %4 ile değil; başka bir klasör seçin.</translation>
+      <translation>Bu parti başka bir kurulumla başladı (kamera: %1, konum: %2; şimdi: %3 ve %4); başka bir klasör seçin.</translation>
     </message>
     <message>
       <source>The photograph has changed since it was taken; restore the original or choose another folder for the batch.</source>
@@ -6442,7 +6389,7 @@
       <translation>Bunlar 'ostraka process' komutunun tam sonuçları değil; yeniden çalıştırın.</translation>
     </message>
     <message>
-      <source>Another program is entering results of this batch; this one waits until it has ended.</source>
+      <source>Another program is entering results of this batch; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka bir program bu partinin sonuçlarını giriyor; bu, onun bitmesini bekliyor.</translation>
     </message>
@@ -6967,7 +6914,7 @@
       <translation>Metin geçerli UTF-8 değil ya da sıfır bayt içeriyor.</translation>
     </message>
     <message>
-      <source>The text contains control characters, which documents cannot hold; type it again.</source>
+      <source>The text contains control characters, which documents cannot contain; type it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Metin, belgelerin içeremeyeceği denetim karakterleri içeriyor; yeniden yazın.</translation>
     </message>
@@ -7137,7 +7084,7 @@
       <translation>Ağız olabilir (%1 %); öyleyse belirtin ve yeniden çizin.</translation>
     </message>
     <message>
-      <source>The drawing's scale must lie between 1:20 and 5:1.</source>
+      <source>The drawing&apos;s scale must be between 1:20 and 5:1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çizimin ölçeği 1:20 ile 5:1 arasında olmalı.</translation>
     </message>
@@ -7157,19 +7104,19 @@
       <translation>Dosya listesi (manifest) eksik; bu bir Ostraka dışa aktarması değil.</translation>
     </message>
     <message>
-      <source>The manifest has a line that cannot be read: %1</source>
+      <source>The manifest has a line that cannot be read (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dosya listesinde (manifest) geçersiz bir satır var: %1</translation>
+      <translation>Bildirimde okunamayan bir satır var (%1), bu yüzden hiçbir şey okunmadı; klasörü yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>The manifest names a file outside the folder: %1</source>
+      <source>The manifest names a file outside the folder (%1), so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dosya listesi (manifest) klasör dışındaki bir dosyayı belirtiyor: %1</translation>
+      <translation>Bildirim klasörün dışında bir dosya anıyor (%1), bu yüzden hiçbir şey okunmadı; klasörü yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>The manifest names a file twice: %1</source>
+      <source>The manifest names the file %1 twice, so nothing was read; copy the folder again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dosya listesi (manifest) bir dosyayı iki kez belirtiyor: %1</translation>
+      <translation>Bildirim %1 dosyasını iki kez anıyor, bu yüzden hiçbir şey okunmadı; klasörü yeniden kopyalayın.</translation>
     </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
@@ -7177,7 +7124,7 @@
       <translation>Bu adda bir klasör zaten var; başka bir ad seçin.</translation>
     </message>
     <message>
-      <source>A name with a line break, a backslash or letters that are not UTF-8 is not kept on every system; rename this file or folder, then try again.</source>
+      <source>Not every system supports names with a line break, a backslash or characters that are not UTF-8; rename this file or folder, then try again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Satır sonu, ters eğik çizgi ya da UTF-8 olmayan karakter içeren bir adı her sistem korumaz; bu dosyayı ya da klasörü yeniden adlandırıp yeniden deneyin.</translation>
     </message>
@@ -7187,12 +7134,12 @@
       <translation>Bazı sistemlerde bu ad %1 ile aynıdır; ikisinden birini yeniden adlandırıp yeniden deneyin.</translation>
     </message>
     <message>
-      <source>Project A has another file of this name, which its catalogue does not know; move it elsewhere, nothing was merged.</source>
+      <source>Project A has another file with this name, which its catalogue does not list; nothing was merged. Move that file elsewhere.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>A projesinde bu adda, kataloğunun tanımadığı başka bir dosya var; onu başka yere taşıyın, hiçbir şey birleştirilmedi.</translation>
     </message>
     <message>
-      <source>Not a place of photographs, results or models, which are the only files that a merge writes; nothing was merged.</source>
+      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Burası fotoğrafların, sonuçların ya da modellerin yeri değil; birleştirme yalnız bu dosyaları yazar. Hiçbir şey birleştirilmedi.</translation>
     </message>
@@ -7202,12 +7149,12 @@
       <translation>Dışa aktarmanın iki dosyası aynı adı taşırdı.</translation>
     </message>
     <message>
-      <source>Another import into this project is running; this one waits until it has ended.</source>
+      <source>Another import into this project is running; this one waits until it has finished.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu projeye başka bir içe aktarma sürüyor; bu, onun bitmesini bekliyor.</translation>
     </message>
     <message>
-      <source>Files that were missing from the project and came back: %1.</source>
+      <source>Files that were missing from the project and are restored: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projede eksik olup geri gelen dosyalar: %1.</translation>
     </message>
@@ -7257,19 +7204,19 @@
       <translation>%1 torbası yok; onu oluşturun ya da içe aktarma sırasında oluşturulmasına izin verin.</translation>
     </message>
     <message>
-      <source>The column closed accepts yes or no.</source>
+      <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>closed sütununa yes ya da no yazılır.</translation>
     </message>
     <message>
-      <source>The column count_written accepts a whole number.</source>
+      <source>The column &apos;count_written&apos; accepts only a whole number.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>count_written sütununa tam sayı yazılır.</translation>
     </message>
     <message>
-      <source>The row has %1 values, but the header has %2.</source>
+      <source>Values in the row: %1, columns in the header: %2; correct the row.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Satırda %1 değer var, başlıkta %2.</translation>
+      <translation>Satırdaki değer sayısı: %1, başlıktaki sütun sayısı: %2; satırı düzeltin.</translation>
     </message>
     <message>
       <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
@@ -7357,7 +7304,7 @@
       <translation>%1 fotoğrafsız dışa aktarılıyor: %2</translation>
     </message>
     <message>
-      <source>The photographs cannot be laid on a model that is not closed.</source>
+      <source>Photographs can be projected only onto a closed model.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğraflar kapalı olmayan bir modele yerleştirilemez.</translation>
     </message>
@@ -7452,7 +7399,7 @@
       <translation>Bu dışa aktarmada parça kayıtları (JSON) yok; kayıtlarla birlikte yeniden dışa aktarın.</translation>
     </message>
     <message>
-      <source>The project has this sherd with other values and keeps them; differing values are added in fields that end in _in_%1.</source>
+      <source>The project already has this sherd with other values, which it keeps; the differing values are added in fields that end in _in_%1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projede bu parça başka değerlerle var; onlar kalıyor, farklı olanlar yanlarında _in_%1 ile biten alanlarda saklanıyor.</translation>
     </message>
@@ -7542,7 +7489,7 @@
       <translation>%1 (çıplak tablanın %2 %)</translation>
     </message>
     <message>
-      <source>masks: flat things that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
+      <source>masks: flat objects that look like labels or scale bars are left out (%1); if there are sherds among them, add them to the masks</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maskeler: etikete veya ölçek çubuğuna benzeyen düz şeyler dışarıda bırakıldı (%1); aralarında çanak çömlek parçası varsa maskelere ekleyin</translation>
     </message>
@@ -7577,7 +7524,7 @@
       <translation>Yalnız kapalı bir ağ seyreltilebilir.</translation>
     </message>
     <message>
-      <source>The deviation of a simplified mesh must be above 0 mm.</source>
+      <source>The deviation of a simplified mesh must be greater than 0 mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seyreltilmiş bir ağın sapması 0 mm’den büyük olmalı.</translation>
     </message>
@@ -7592,12 +7539,12 @@
       <translation>Taramalarda bir model için birbiriyle uyuşan çok az nokta var.</translation>
     </message>
     <message>
-      <source>This model is %1 mm large, more than any vessel, so its unit seems to be another; export it in mm.</source>
+      <source>This model is %1 mm in size, larger than any vessel, so its unit is probably not mm; export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu model %1 mm büyüklüğünde, her kaptan daha büyük; birimi başka görünüyor: mm olarak dışa aktarın.</translation>
     </message>
     <message>
-      <source>This model is only %1 mm large, less than any sherd, so its unit is probably another (%2); export it in mm.</source>
+      <source>This model is only %1 mm in size, smaller than any sherd, so its unit is probably not mm (%2); export it in mm.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu model yalnızca %1 mm büyüklüğünde, her parçadan küçük; birimi büyük olasılıkla başka (%2): mm olarak dışa aktarın.</translation>
     </message>
@@ -7687,7 +7634,7 @@
       <translation>%2 tarafından %1 tarihinde verilen karar, artık tablada olmayan %3 içindir; yeniden karar verin.</translation>
     </message>
     <message>
-      <source>The decision of %1 by %2 has no effect: the decision of %3 by %4, which is later, concerns the same scan; withdraw one of them.</source>
+      <source>The decision of %1 by %2 has no effect: the later decision of %3 by %4 concerns the same scan; withdraw one of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 tarafından %1 tarihinde verilen karar geçerli değil: daha sonraki %3 tarihli karar (%4) aynı tarama içindir; ikisinden birini geri alın.</translation>
     </message>
@@ -7812,7 +7759,7 @@
       <translation>plate.json olmadan maskeler bulunamıyor; fotoğrafların yanına maske koyun ya da bir ağ verin (--masks MODEL.onnx).</translation>
     </message>
     <message>
-      <source>The result has no scale: without plate.json no length is known, and lengths in mm rest on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
+      <source>The result has no scale: without plate.json no length is known, and lengths in mm are based on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside the sherds on both sides, or mark a known length on both in scale.json.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sonucun ölçeği yok: plate.json olmadan hiçbir uzunluk bilinmez, mm olarak verilenler de bir pikselin tahmin edilen boyutuna dayanır; işaretli bir tabla üzerinde fotoğraflayın, board.json dosyasındaki kalibrasyon levhasını iki yüzde de parçaların yanına koyun ya da ikisinde de scale.json içinde bilinen bir uzunluk işaretleyin.</translation>
     </message>
@@ -7892,7 +7839,7 @@
       <translation>%1: fotoğraf bulanık: kenarları %2 piksel geniş, kameranın en keskin fotoğrafında %3; yeniden çekin.</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the front side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the front side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın %2 işaretinden %1 tanesi ön yüzün hiçbir fotoğrafında yok (%3); kameralar ötekilere dayanıyor, onları örteni kaldırın.</translation>
     </message>
@@ -7907,7 +7854,7 @@
       <translation>Ön yüzün bütün fotoğrafları bulanık: en netinde bile işaretlerin kenarları %1 piksel genişliğinde, bu yüzden taramaları kaba. Odağa ve enstantaneye bakın ve bu yüzü yeniden çekin.</translation>
     </message>
     <message>
-      <source>%1 of the plate&apos;s %2 markers are visible in no photograph of the back side (%3); camera poses rely on the others, so uncover these.</source>
+      <source>%1 of the plate&apos;s %2 markers are not visible in any photograph of the back side (%3); the camera poses depend on the others, so uncover these.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablanın %2 işaretinden %1 tanesi arka yüzün hiçbir fotoğrafında yok (%3); kameralar ötekilere dayanıyor, onları örteni kaldırın.</translation>
     </message>
@@ -7942,32 +7889,32 @@
       <translation>Başka programları kapatın ya da bir taslak işleyin.</translation>
     </message>
     <message>
-      <source>%1: the camera was not where it stood while the plate turned; the photograph is left out.</source>
+      <source>%1: the camera was not in the place that it had while the plate turned; the photograph is left out.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: tabla dönerken kameranın durduğu yerden çekilmemiş; kullanılmadı.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3. konumdan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden çekin.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the front side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the front side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, ön yüzde yaklaşık %2 mm itilmiş: %3 fotoğrafından sonra başka yerde duruyor; bu yüzü yeniden çekin.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, arka yüzde yaklaşık %2 mm itilmiş: %3. konumdan (pos%4) sonra başka yerde duruyor; bu yüzü yeniden çekin.</translation>
     </message>
     <message>
-      <source>%1 moved by about %2 mm on the back side: from %3 on, it lies elsewhere; reshoot this side.</source>
+      <source>%1 moved by about %2 mm on the back side: from %3 on, it is in another place; reshoot this side.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, arka yüzde yaklaşık %2 mm itilmiş: %3 fotoğrafından sonra başka yerde duruyor; bu yüzü yeniden çekin.</translation>
     </message>
     <message>
-      <source>The output folder lies inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
+      <source>The output folder is inside the batch folder, to which Ostraka never writes; choose one next to it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Çıktı klasörü, içine hiçbir şey yazılmayan parti klasörünün içinde; onun yanında birini seçin.</translation>
     </message>
@@ -8062,7 +8009,7 @@
       <translation>Taramanın normalleri yok; nx, ny ve nz ile dışa aktarın.</translation>
     </message>
     <message>
-      <source>The scan lies %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
+      <source>The scan is %1 times its length away from the origin, so its coordinates are rounded; move it to the origin and export it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tarama 0, 0, 0 noktasından boyunun %1 katı uzakta, bu yüzden koordinatları yuvarlanıyor; oraya taşıyın ve yeniden dışa aktarın.</translation>
     </message>
@@ -8142,14 +8089,14 @@
       <translation>Bu fotoğraf kullanılmaz.</translation>
     </message>
     <message>
-      <source>%1 of the front side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the front side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüzün %1 fotoğrafı COLMAP’ten duruş almadı ve atlanıyor.</translation>
+      <translation>COLMAP’ın konumunu bulamadığı için dışarıda bırakılan ön yüz fotoğrafları: %1.</translation>
     </message>
     <message>
-      <source>%1 of the back side&apos;s photographs have no pose from COLMAP and are left out.</source>
+      <source>Photographs of the back side that are left out because COLMAP found no pose for them: %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüzün %1 fotoğrafı COLMAP’ten duruş almadı ve atlanıyor.</translation>
+      <translation>COLMAP’ın konumunu bulamadığı için dışarıda bırakılan arka yüz fotoğrafları: %1.</translation>
     </message>
     <message>
       <source>The rig was not used: without plate.json the poses come from COLMAP.</source>
@@ -8167,14 +8114,14 @@
       <translation>Üzerinde parça varsa yeniden çekin ya da maskesini düzenleyin.</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the front side; 3 are needed.</source>
+      <source>Photographs of the front side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüzün %1 fotoğrafında maskeler parça işaretliyor; 3 gerekir.</translation>
+      <translation>Ön yüzün, maskelerinde parça bulunan fotoğrafları: %1; en az 3 gerekli.</translation>
     </message>
     <message>
-      <source>Masks mark sherds in %1 photographs of the back side; 3 are needed.</source>
+      <source>Photographs of the back side whose masks mark sherds: %1; at least 3 are needed.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüzün %1 fotoğrafında maskeler parça işaretliyor; 3 gerekir.</translation>
+      <translation>Arka yüzün, maskelerinde parça bulunan fotoğrafları: %1; en az 3 gerekli.</translation>
     </message>
     <message>
       <source>Check the masks, and whether sherds were on the plate.</source>
@@ -8197,7 +8144,7 @@
       <translation>Her köşenin dokuda bir yeri yok.</translation>
     </message>
     <message>
-      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file anew.</source>
+      <source>The texture of this GLB model cannot be read, so the model is used without it; reprocess its batch to write the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu GLB modelinin dokusu okunamıyor, bu nedenle model dokusuz kullanılıyor; dosyanın yeniden yazılması için partisini yeniden işleyin.</translation>
     </message>
@@ -8237,7 +8184,7 @@
       <translation>Taramanın normalleri yok; normalleriyle dışa aktarın.</translation>
     </message>
     <message>
-      <source>Fewer than 50 points lie on the fracture; rescan the sherd including its fracture.</source>
+      <source>Fewer than 50 points are on the fracture; rescan the sherd including its fracture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kırıkta 50’den az nokta var; parçayı kırığıyla birlikte yeniden tarayın.</translation>
     </message>
@@ -8257,7 +8204,7 @@
       <translation>Bir işaret ızgarası 'dictionary', 'markers_x', 'markers_y', 'marker_length' ve 'marker_separation' ister.</translation>
     </message>
     <message>
-      <source>Nothing to calibrate from: photograph the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
+      <source>Nothing to calibrate from: put photographs of the plate at each position into &apos;front&apos; (cam0_pos00.jpg and so on) and pictures of the board into &apos;calib&apos;, and copy plate.json and board.json next to them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kalibre etmek için bir şey yok: tablayı her konumda 'front' içine (cam0_pos00.jpg ve böyle sürer), kalibrasyon levhasını 'calib' içine fotoğraflayın ve yanlarına plate.json ile board.json dosyalarını kopyalayın.</translation>
     </message>
@@ -8372,14 +8319,14 @@
       <translation>%1: hiç işaret görünmüyor; fotoğrafın bu konumu gösterdiğine bakın. Göstermiyorsa yeniden çekin.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the front side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüzün yalnız %1 fotoğrafının duruşu bilinir, en az 3 gerekir; tablanın işaretlerinin aydınlık ve resmin içinde olduğunu denetleyin.</translation>
+      <translation>Ön yüzün konumu bilinen fotoğrafları: %1; en az 3 gerekli. Tablanın işaretlerinin aydınlık ve görüntü içinde olduğunu denetleyin.</translation>
     </message>
     <message>
-      <source>Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
+      <source>Photographs of the back side with a pose: %1; at least 3 are needed. Check that the plate&apos;s markers are lit and in the picture.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Arka yüzün yalnız %1 fotoğrafının duruşu bilinir, en az 3 gerekir; tablanın işaretlerinin aydınlık ve resmin içinde olduğunu denetleyin.</translation>
+      <translation>Arka yüzün konumu bilinen fotoğrafları: %1; en az 3 gerekli. Tablanın işaretlerinin aydınlık ve görüntü içinde olduğunu denetleyin.</translation>
     </message>
     <message>
       <source>Camera %1 sees fewer than six of the plate&apos;s markers at position %2; check lighting and focus there and that nothing covers the markers.</source>
@@ -8387,9 +8334,9 @@
       <translation>Kamera %1, %2 konumunda tablanın altıdan az işaretini görüyor; oradaki ışığa ve odağa, işaretlerin üstünde bir şey olmadığına bakın.</translation>
     </message>
     <message>
-      <source>Only %1 positions were photographed; photograph at least four around the full turn to determine the axis.</source>
+      <source>Positions photographed: %1; photograph at least four around the full turn to determine the axis.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yalnız %1 konum fotoğraflandı; eksenin bulunması için tam tur boyunca en az dört konum çekin.</translation>
+      <translation>Fotoğraflanan konumlar: %1; ekseni belirlemek için tam tur boyunca en az dördünü çekin.</translation>
     </message>
     <message>
       <source>Fewer than eight markers were detected, so no distance could be held out of the fit: the scale is not checked.</source>
@@ -8402,7 +8349,7 @@
       <translation>%1 ve %2 işaretleri arasında %3 mm ölçtünüz, plate.json dosyasına göre %4 mm (%5 %); tablanın cetvelini ölçün ve plate.json dosyasını 'ostraka plate --ruler-measured' ile yeniden yapın.</translation>
     </message>
     <message>
-      <source>Not usable: Camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
+      <source>Not usable: camera %1 misses the plate&apos;s markers by a median of %2 px; check that it did not move between the photographs and that plate.json belongs to this plate.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kullanılamaz: kamera %1 tablanın işaretlerini ortanca %2 px kaçırıyor; fotoğraflar arasında ona dokunuldu mu, yoksa plate.json başka bir tablanın mı?</translation>
     </message>
@@ -8607,7 +8554,7 @@
       <translation>Kamera dosyasında 'images' listesi yok.</translation>
     </message>
     <message>
-      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use OPENCV instead.</source>
+      <source>COLMAP&apos;s camera %1 has the model &apos;%2&apos; or values that Ostraka does not support; use the model OPENCV instead.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>COLMAP kamerası %1, '%2' modelini ya da burada kullanılamayan değerler taşıyor; yerine OPENCV kullanın.</translation>
     </message>
@@ -8787,7 +8734,7 @@
       <translation>%1 bir hatayla bitti; bildirileri bu dosyada.</translation>
     </message>
     <message>
-      <source>A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
+      <source>A small object of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm’lik bir kırıntı (x %2, y %3 mm) dışarıda bırakıldı; parçaysa onu tek başına çekin.</translation>
     </message>
@@ -8882,12 +8829,12 @@
       <translation>%1 parça tablaya sığmıyor; daha az parça ya da başka bir başlangıç sayısı isteyin.</translation>
     </message>
     <message>
-      <source>sherds must lie between 1 and 40.</source>
+      <source>sherds must be between 1 and 40.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parça sayısı 1 ile 40 arasında olmalı.</translation>
     </message>
     <message>
-      <source>width must lie between 160 and 8192 pixels and be divisible by 4.</source>
+      <source>width must be between 160 and 8192 pixels and divisible by 4.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Genişlik 160 ile 8192 piksel arasında olmalı ve 4’e bölünmeli.</translation>
     </message>
@@ -8977,7 +8924,7 @@
       <translation>Bir torba bir kontekstte bulunur; önce konteksti girin.</translation>
     </message>
     <message>
-      <source>Context %1 has no bag %2; change or empty the bag at the same time.</source>
+      <source>Context %1 has no bag %2; change or clear the bag at the same time.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 konteksti %2 torbasını içermiyor; torbayı da aynı anda değiştirin ya da boşaltın.</translation>
     </message>
@@ -9132,9 +9079,9 @@
       <translation>Klasör olması gereken yerde bir bağlantı ya da dosya, ya da dosya olması gereken yerde bir bağlantı var; oraya dosyaların kendisini koyun.</translation>
     </message>
     <message>
-      <source>A file of this name already exists; it is not overwritten.</source>
+      <source>A file with this name already exists and is not overwritten; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu adda bir dosya zaten var; üzerine yazılmaz.</translation>
+      <translation>Bu adda bir dosya zaten var ve üzerine yazılmaz; başka bir ad seçin.</translation>
     </message>
     <message>
       <source>The export names a location in the project where no such file belongs; nothing was imported.</source>
@@ -9142,12 +9089,12 @@
       <translation>Dışa aktarım, projede böyle bir dosyanın yeri olmayan bir konum belirtiyor; hiçbir şey girilmedi.</translation>
     </message>
     <message>
-      <source>The archive contains a journal of its catalogue, which an Ostraka archive never does; nothing was written.</source>
+      <source>The archive contains a journal of its catalogue, which an Ostraka archive never contains; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arşiv, kataloğunun bir günlüğünü içeriyor; Ostraka&apos;nın hiçbir arşivi bunu içermez; hiçbir şey yazılmadı.</translation>
     </message>
     <message>
-      <source>The catalogue&apos;s tables, indexes and triggers are not as Ostraka makes them; nothing was written.</source>
+      <source>The catalogue&apos;s tables, indexes or triggers differ from those that Ostraka creates; nothing was written.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kataloğun tabloları, dizinleri ve tetikleyicileri Ostraka&apos;nın oluşturduğu gibi değil; hiçbir şey yazılmadı.</translation>
     </message>
@@ -9372,9 +9319,9 @@
       <translation>en kötü resim %1, %2 px ile; yeniden çekin ya da çıkarın.</translation>
     </message>
     <message>
-      <source>Only %1 calibration pictures show the board; at least 3 are needed. Take more pictures of it.</source>
+      <source>Calibration pictures that show the board: %1; at least 3 are needed. Take more pictures of it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kalibrasyon levhası yalnız %1 kalibrasyon resminde görünüyor, en az 3 gerekir; onun daha çok resmini çekin.</translation>
+      <translation>Levhanın göründüğü kalibrasyon görüntüleri: %1; en az 3 gerekli. Levhanın daha çok görüntüsünü çekin.</translation>
     </message>
     <message>
       <source>Camera %1, position %2: %3.</source>
@@ -9402,7 +9349,7 @@
       <translation>Birimi denetleyin: %1, hesaplanan değerin yaklaşık onda biri.</translation>
     </message>
     <message>
-      <source>Check the value: %1 is at least three times off the computed value.</source>
+      <source>Check the value: %1 differs from the computed value by a factor of three or more.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Değeri denetleyin: %1, hesaplanan değerden en az üç kat farklı.</translation>
     </message>
@@ -9445,6 +9392,381 @@
       <source>the thickness</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kalınlık</translation>
+    </message>
+    <message>
+      <source>(%1, %2) mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>(%1, %2) mm</translation>
+    </message>
+    <message>
+      <source>The sherds could not be counted: too few of the plate&apos;s markers are visible.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçalar sayılamadı: tablanın çok az işareti görünüyor.</translation>
+    </message>
+    <message>
+      <source>No sherd is visible on the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablada hiç parça görünmüyor.</translation>
+    </message>
+    <message>
+      <source>Sherds touch or nearly touch at %1 from the plate&apos;s centre: move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parçalar tablanın ortasından %1 uzakta birbirine değiyor ya da neredeyse değiyor: ayırın ve yeniden çekin.</translation>
+    </message>
+    <message>
+      <source>What lies at %1 from the plate&apos;s centre was counted as one but may be two touching sherds: check it; if so, move them apart and reshoot.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablanın ortasından %1 uzakta duran bir parça sayıldı, ama birbirine değen iki parça olabilir: oraya bakın; öyleyse ayırın ve yeniden çekin.</translation>
+    </message>
+    <message>
+      <source>The back looks like the front: turn the sherds over and reshoot them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüz ön yüze benziyor: parçaları çevirin ve yeniden çekin.</translation>
+    </message>
+    <message>
+      <source>The sherds of the back could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzün parçaları sayılamadı: tablayı boşaltmadan önce resimleri kendiniz karşılaştırın.</translation>
+    </message>
+    <message>
+      <source>The sherds of the front could not be counted: compare the pictures before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzün parçaları sayılamadı: tablayı boşaltmadan önce resimleri kendiniz karşılaştırın.</translation>
+    </message>
+    <message>
+      <source>%1, %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Find the missing ones before you clear the plate.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzde sayılan parça: %1, arka yüzde: %2. Tablayı boşaltmadan önce eksik olanları bulun.</translation>
+    </message>
+    <message>
+      <source>Sherds counted on the front: %1, on the back: %2. Check whether one was added or broke.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzde sayılan parça: %1, arka yüzde: %2. Birinin eklenip eklenmediğini ya da kırılıp kırılmadığını denetleyin.</translation>
+    </message>
+    <message>
+      <source>The turntable&apos;s own count was %1 degrees off; it was corrected from the plate&apos;s markers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Döner masanın kendi sayımı %1 derece kaymıştı; tablanın işaretlerine göre düzeltildi.</translation>
+    </message>
+    <message>
+      <source>Not an Ostraka project: this folder has no catalogue.sqlite; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu bir Ostraka projesi değil: klasörde catalogue.sqlite yok; hiçbir şey birleştirilmedi.</translation>
+    </message>
+    <message>
+      <source>Another version of Ostraka made this project; nothing was merged. Open it once with this version, which updates it, or install the newer version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu projeyi Ostraka’nın başka bir sürümü oluşturdu; hiçbir şey birleştirilmedi. Projeyi güncellemesi için bir kez bu sürümle açın ya da yeni sürümü kurun.</translation>
+    </message>
+    <message>
+      <source>A project cannot be merged with itself; name another project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir proje kendisiyle birleştirilemez; başka bir proje belirtin.</translation>
+    </message>
+    <message>
+      <source>This project is read-only here, so nothing was merged; copy it to a folder that you can write to.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu proje burada salt okunur, bu yüzden hiçbir şey birleştirilmedi; yazabileceğiniz bir klasöre kopyalayın.</translation>
+    </message>
+    <message>
+      <source>The project changed while files were copied, so nothing was merged; run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dosyalar kopyalanırken proje değişti, bu yüzden hiçbir şey birleştirilmedi; aynı komutu yeniden çalıştırın.</translation>
+    </message>
+    <message>
+      <source>The conflict %1 (%2) cannot be settled with &apos;%3&apos;; nothing was merged. Choose one of the ways that the list of conflicts offers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 çakışması (%2) “%3” ile çözülemez; hiçbir şey birleştirilmedi. Çakışma listesinin sunduğu yollardan birini seçin.</translation>
+    </message>
+    <message>
+      <source>The number %1 was assigned before and is never reused; nothing was merged. Settle the conflict number/%2 with another number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numarası daha önce verildi ve asla yeniden kullanılmaz; hiçbir şey birleştirilmedi. number/%2 çakışmasını başka bir numarayla çözün.</translation>
+    </message>
+    <message>
+      <source>This file must be a JSON list of {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} or {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;}; nothing was merged. Correct the file.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosya, {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} ya da {&quot;id&quot;: &quot;…&quot;, &quot;number&quot;: &quot;…&quot;} öğelerinden oluşan bir JSON listesi olmalıdır; hiçbir şey birleştirilmedi. Dosyayı düzeltin.</translation>
+    </message>
+    <message>
+      <source>An entry of this file does not have the form {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} (or &quot;b&quot;, or &quot;number&quot; with a new number): %1; nothing was merged. Correct the entry.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosyanın bir girdisi {&quot;id&quot;: &quot;…&quot;, &quot;take&quot;: &quot;a&quot;} biçiminde değil (ya da &quot;b&quot;, ya da yeni bir numarayla &quot;number&quot;): %1; hiçbir şey birleştirilmedi. Girdiyi düzeltin.</translation>
+    </message>
+    <message>
+      <source>The conflict %1 is settled twice in this file; nothing was merged. Keep one of the two entries.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 çakışması bu dosyada iki kez çözülüyor; hiçbir şey birleştirilmedi. İki girdiden birini bırakın.</translation>
+    </message>
+    <message>
+      <source>This file of project B differs from what its catalogue records; nothing was merged. Restore it from a copy (&apos;ostraka catalogue check&apos; lists all such files).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>B projesinin bu dosyası kataloğunda kayıtlı olandan farklı; hiçbir şey birleştirilmedi. Bir kopyadan geri yükleyin (“ostraka catalogue check” bu tür dosyaların hepsini listeler).</translation>
+    </message>
+    <message>
+      <source>The disk does not return what was written to it; nothing was merged. Check the disk.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Disk, üzerine yazılanı geri vermiyor; hiçbir şey birleştirilmedi. Diski denetleyin.</translation>
+    </message>
+    <message>
+      <source>A link or a device cannot be merged; nothing was merged. Move what it leads to into project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir bağlantı ya da aygıt birleştirilemez; hiçbir şey birleştirilmedi. Gösterdiği içeriği B projesine taşıyın.</translation>
+    </message>
+    <message>
+      <source>Results from a cluster must be regular files with plain names; nothing of this batch was entered. Submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir kümeden gelen sonuçlar, yalın adlı olağan dosyalar olmalıdır; bu partiden hiçbir şey girilmedi. Partiyi yeniden gönderin.</translation>
+    </message>
+    <message>
+      <source>This batch was processed here or reshot in the meantime; the cluster&apos;s results are not entered.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu parti bu arada burada işlendi ya da yeniden çekildi; kümenin sonuçları girilmiyor.</translation>
+    </message>
+    <message>
+      <source>The name of a partition or an account consists of letters, digits, &apos;-&apos;, &apos;_&apos; and &apos;.&apos;; look it up with &apos;sinfo&apos; or ask the cluster&apos;s administrators.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir bölümün ya da hesabın adı harf, rakam, “-”, “_” ve “.” karakterlerinden oluşur; “sinfo” ile bakın ya da kümenin yöneticilerine sorun.</translation>
+    </message>
+    <message>
+      <source>The command that starts Ostraka on the cluster must be one line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kümede Ostraka’yı başlatan komut tek satır olmalıdır.</translation>
+    </message>
+    <message>
+      <source>A job needs at least one core, and its memory and time must not be negative.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir iş için en az bir çekirdek gerekir; belleği ve süresi negatif olamaz.</translation>
+    </message>
+    <message>
+      <source>This folder cannot be opened (%1); check its name and permissions.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasör açılamıyor (%1); adını ve izinlerini denetleyin.</translation>
+    </message>
+    <message>
+      <source>The path of this project contains a character that has a special meaning for Slurm (%, a backslash or a control character); rename the folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu projenin yolu, Slurm için özel anlamı olan bir karakter içeriyor (%, ters eğik çizgi ya da denetim karakteri); klasörün adını değiştirin.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH; run this command on a login node of the cluster, or name one with --host USER@LOGIN:/FOLDER.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 programı bu bilgisayarın PATH değişkeninde yok; bu komutu kümenin bir oturum açma düğümünde çalıştırın ya da --host USER@LOGIN:/FOLDER ile bir düğüm belirtin.</translation>
+    </message>
+    <message>
+      <source>Not a folder on a cluster; write USER@LOGIN:/FOLDER, with the folder&apos;s full path and without spaces.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu, kümedeki bir klasör değil; klasörün tam yoluyla ve boşluksuz olarak USER@LOGIN:/FOLDER yazın.</translation>
+    </message>
+    <message>
+      <source>The program %1 is not on this computer&apos;s PATH, but --host needs it; install it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 programı bu bilgisayarın PATH değişkeninde yok, ama --host için gerekli; kurun.</translation>
+    </message>
+    <message>
+      <source>The program %1 cannot be started there; ask the cluster&apos;s administrators how Slurm is reached.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 programı orada başlatılamıyor; Slurm’a nasıl erişildiğini kümenin yöneticilerine sorun.</translation>
+    </message>
+    <message>
+      <source>%1 failed (%2). Nothing is lost; once the cause is removed, run the same command again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 başarısız oldu (%2). Hiçbir şey kaybolmadı; neden giderilince aynı komutu yeniden çalıştırın.</translation>
+    </message>
+    <message>
+      <source>This batch contains imported scans and is not submitted; the window&apos;s queue processes it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu parti içe aktarılmış taramalar içeriyor ve gönderilmiyor; onu pencerenin sırası işler.</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk has %1 GB left, but the batches to submit (%2) need about %3 GB. Nothing was submitted; free some space, or submit fewer with --most.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kümenin diskinde %1 GB kaldı, ama gönderilecek partiler (%2) yaklaşık %3 GB istiyor. Hiçbir şey gönderilmedi; yer açın ya da --most ile daha azını gönderin.</translation>
+    </message>
+    <message>
+      <source>Batches of this project are on another cluster or in another folder; collect them before you submit to this one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu projenin partileri başka bir kümede ya da başka bir klasörde; buraya göndermeden önce onları toplayın.</translation>
+    </message>
+    <message>
+      <source>Not a list of the batches on a cluster; restore an earlier one, or delete it: batches that are on the cluster are then processed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu, kümedeki partilerin listesi değil; daha eskisini geri yükleyin ya da silin: kümedeki partiler o zaman yeniden işlenir.</translation>
+    </message>
+    <message>
+      <source>Out of memory (%1 MB requested); the next submission requests twice as much.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bellek tükendi (istenen: %1 MB); sonraki gönderim iki katını ister.</translation>
+    </message>
+    <message>
+      <source>Out of time (minutes requested: %1); the next submission requests twice as many and resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Süre doldu (istenen dakika: %1); sonraki gönderim iki katını ister ve son tamamlanan aşamadan sürdürür.</translation>
+    </message>
+    <message>
+      <source>The node failed, or the job was killed; the next submission resumes after the last complete stage.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Düğüm arızalandı ya da iş sonlandırıldı; sonraki gönderim son tamamlanan aşamadan sürdürür.</translation>
+    </message>
+    <message>
+      <source>The cluster&apos;s disk is full, or your quota is used up; free some space, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kümenin diski dolu ya da kotanız tükendi; yer açın, sonra yeniden gönderin.</translation>
+    </message>
+    <message>
+      <source>The cluster does not know this job, and the job wrote nothing into the project&apos;s folder; check that the cluster&apos;s nodes see that folder, then submit again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Küme bu işi tanımıyor ve iş, projenin klasörüne hiçbir şey yazmadı; kümenin düğümlerinin bu klasörü gördüğünü denetleyin, sonra yeniden gönderin.</translation>
+    </message>
+    <message>
+      <source>The program ended with status %1; its output is in %2.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Program %1 durumuyla sona erdi; çıktısı şurada: %2.</translation>
+    </message>
+    <message>
+      <source>The partition ends jobs earlier than the %1 minutes requested; cancel the job, then submit again with another --partition or fewer --minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bölüm, işleri istenen %1 dakikadan önce bitiriyor; işi iptal edin, sonra başka bir --partition ya da daha az --minutes ile yeniden gönderin.</translation>
+    </message>
+    <message>
+      <source>Slurm&apos;s reason: %1.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Slurm’un bildirdiği neden: %1.</translation>
+    </message>
+    <message>
+      <source>This network cannot be used: %1. Choose an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or 1 x 2 x h x w.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu ağ kullanılamıyor: %1. 1 x 3 x H x W alan ve 1 x 1 x h x w ya da 1 x 2 x h x w veren bir ONNX ağı seçin.</translation>
+    </message>
+    <message>
+      <source>it cannot be run (%1)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>çalıştırılamıyor (%1)</translation>
+    </message>
+    <message>
+      <source>its output has another shape</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>çıktısının biçimi farklı</translation>
+    </message>
+    <message>
+      <source>its output contains numbers that are not finite</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>çıktısı sonlu olmayan sayılar içeriyor</translation>
+    </message>
+    <message>
+      <source>its input is not an image</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>girdisi bir görüntü değil</translation>
+    </message>
+    <message>
+      <source>its input has %1 channels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>girdisinde %1 kanal var</translation>
+    </message>
+    <message>
+      <source>its input is larger than %1 pixels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>girdisi %1 pikselden büyük</translation>
+    </message>
+    <message>
+      <source>You have no permission to use it: copy packaging/udev/70-ostraka.rules to /etc/udev/rules.d/ and plug it in again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Onu kullanma izniniz yok: packaging/udev/70-ostraka.rules dosyasını /etc/udev/rules.d/ içine kopyalayın ve yeniden takın.</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: &apos;ostraka devices --release&apos; releases it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 tarafından kullanılıyor: “ostraka devices --release” onu serbest bırakır.</translation>
+    </message>
+    <message>
+      <source>It is in use by %1: close that program.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 tarafından kullanılıyor: o programı kapatın.</translation>
+    </message>
+    <message>
+      <source>The kernel has no driver for it; install one for this adapter.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çekirdekte bunun sürücüsü yok; bu bağdaştırıcı için bir sürücü kurun.</translation>
+    </message>
+    <message>
+      <source>A folder of the project cannot be read (%1); check its permissions, then archive the project again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projenin bir klasörü okunamıyor (%1); izinlerini denetleyin, sonra projeyi yeniden arşivleyin.</translation>
+    </message>
+    <message>
+      <source>No output folder was given; name one with --output OUT.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çıktı klasörü verilmedi; --output OUT ile bir klasör belirtin.</translation>
+    </message>
+    <message>
+      <source>No folder of front scans was given; name one with --front DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüz taramalarının klasörü verilmedi; --front DIR ile bir klasör belirtin.</translation>
+    </message>
+    <message>
+      <source>No folder of back scans was given; name one with --back DIR.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüz taramalarının klasörü verilmedi; --back DIR ile bir klasör belirtin.</translation>
+    </message>
+    <message>
+      <source>The field %1 has no unit &apos;%2&apos;; choose another unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 alanının “%2” birimi yok; başka bir birim seçin.</translation>
+    </message>
+    <message>
+      <source>The table has no column &apos;%1&apos;; check its name.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tabloda “%1” sütunu yok; adını denetleyin.</translation>
+    </message>
+    <message>
+      <source>The columns &apos;%1&apos; and &apos;%2&apos; are both mapped to the field %3; leave one of them out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>“%1” ve “%2” sütunlarının ikisi de %3 alanına eşlenmiş; birini dışarıda bırakın.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>“%1” hiçbir sütunu eşlemiyor; COLUMN=FIELD ya da COLUMN=FIELD:unit yazın.</translation>
+    </message>
+    <message>
+      <source>The scan&apos;s colours or qualities differ in number from its points; give one for each point.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Taramanın renk ya da kalite değerlerinin sayısı noktalarınınkinden farklı; her nokta için bir değer verin.</translation>
+    </message>
+    <message>
+      <source>A point or a normal of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Taramanın bir noktası ya da normali sonlu değil; böyle noktaları dışarıda bırakın.</translation>
+    </message>
+    <message>
+      <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pikseller ya da maske, belirtilen genişlik ve yüksekliğe uymuyor; her piksel için bir değer verin.</translation>
+    </message>
+    <message>
+      <source>No scan of this side was given; give at least one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu yüzün taraması verilmedi; en az bir tane verin.</translation>
+    </message>
+    <message>
+      <source>give them in mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>onları mm olarak verin</translation>
+    </message>
+    <message>
+      <source>A remark in this file cannot be read; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosyadaki bir not okunamıyor; dosyanın daha eski bir kopyasını geri yükleyin ya da partiyi yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>Camera %1, position %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kamera %1, konum %2</translation>
     </message>
 </context>
 <context>

@@ -13,10 +13,13 @@ Result<void> checkCloud(const PointCloud& cloud, const std::string& name) {
     return Error::unusable(message("The scan has no normals; export it with nx, ny and nz."), name);
   if ((!cloud.colors.empty() && cloud.colors.size() != count) ||
       (!cloud.quality.empty() && cloud.quality.size() != count))
-    return Error::unusable("The colours or the qualities are not as many as the points.", name);
+    return Error::unusable(message("The scan's colours or qualities differ in number from its "
+                                   "points; give one for each point."),
+                           name);
   if (!std::all_of(cloud.points.begin(), cloud.points.end(), finite) ||
       !std::all_of(cloud.normals.begin(), cloud.normals.end(), finite))
-    return Error::unusable("A point or a normal is not finite; leave such points out.", name);
+    return Error::unusable(
+        message("A point or a normal of the scan is not finite; leave such points out."), name);
   return {};
 }
 

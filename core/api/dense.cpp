@@ -26,9 +26,9 @@ Result<stereo::View> asView(const DensePhotograph& photograph, std::size_t index
                                    : 0;
   if (!sized || photograph.rgb.size() != 3 * pixels ||
       (!photograph.mask.empty() && photograph.mask.size() != pixels))
-    return Error::unusable(
-        "The pixels or the mask do not have the size that width and height state.",
-        "photograph " + std::to_string(index));
+    return Error::unusable(message("The pixels or the mask differ in size from the stated width "
+                                   "and height; give one value for each pixel."),
+                           "photograph " + std::to_string(index));
   stereo::View view;
   cv::cvtColor(over<cv::Vec3b>(photograph, photograph.rgb), view.photograph, cv::COLOR_RGB2BGR);
   view.mask = photograph.mask.empty() ? stereo::possibleObject(view.photograph)

@@ -26,8 +26,8 @@ Result<decisions::ScanFolder> asScans(std::span<const PointCloud> clouds, const 
     folder.files.push_back(std::filesystem::path(side) / std::to_string(i));
   }
   if (folder.scans.empty())
-    return Error{ErrorCode::NotEnough, "No scan of this side was given; hand in at least one.",
-                 side};
+    return Error{ErrorCode::NotEnough,
+                 message("No scan of this side was given; give at least one."), side};
   return folder;
 }
 
@@ -38,7 +38,8 @@ Result<RegisteredScans> registered(std::span<const PointCloud> fronts,
   if (!front) return front.error();
   const Result<decisions::ScanFolder> back = asScans(backs, "back");
   if (!back) return back.error();
-  if (const Result<void> unit = decisions::checkUnit(*front, *back, "hand them in in mm"); !unit)
+  if (const Result<void> unit = decisions::checkUnit(*front, *back, message("give them in mm"));
+      !unit)
     return unit.error();
   decisions::PairOptions options;
   options.candidates.threads = options.threads = threads;

@@ -52,9 +52,11 @@ Result<ProjectFiles> filesOf(const fs::path& project) {
     if (type == fs::file_type::symlink) files.links.push_back(it->path());
   }
   if (code)
-    return Error::unusable("A folder of the project cannot be read (" + code.message() +
-                               "); check its permissions, and archive it again.",
-                           project.string());
+    return Error::unusable(
+        message("A folder of the project cannot be read (%1); check its permissions, then archive "
+                "the project again.",
+                code.message()),
+        project.string());
   for (std::vector<fs::path>* list : {&files.regular, &files.links})
     std::sort(list->begin(), list->end());
   return files;
@@ -210,8 +212,7 @@ Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder,
     // SQLite would act on a journal that lies beside the catalogue.
     if (file.path.starts_with("data/catalogue.sqlite-"))
       return Error::unusable(message("The archive contains a journal of its catalogue, which an "
-                                     "Ostraka archive never does; "
-                                     "nothing was written."),
+                                     "Ostraka archive never contains; nothing was written."),
                              file.path);
   std::vector<fs::path> made;  // the innermost first
   for (fs::path parent = folderNamed(folder).parent_path(); !fs::exists(parent, code);

@@ -42,11 +42,17 @@ Result<Hashes> parseManifest(const std::string& text, const std::string& where) 
     const std::string hash = line.substr(0, line.find_first_of(" \t"));
     const std::size_t name = line.find_first_not_of(" \t*", hash.size());
     if (!isSha256(hash) || name == std::string::npos)
-      return Error::unusable(
-          message("The manifest has a line that cannot be read: %1", line.substr(0, 80)), where);
+      return Error::unusable(message("The manifest has a line that cannot be read (%1), so nothing "
+                                     "was read; copy the folder again.",
+                                     line.substr(0, 80)),
+                             where);
     const std::string path = fromManifest(line.substr(name));
     if (!hashes.emplace(path, hash).second)
-      return Error::unusable(message("The manifest names a file twice: %1", path), where);
+      return Error::unusable(
+          message(
+              "The manifest names the file %1 twice, so nothing was read; copy the folder again.",
+              path),
+          where);
   }
   return hashes;
 }
@@ -98,7 +104,9 @@ Result<Hashes> BagReader::tagFiles() const {
   Hashes texts;
   for (const auto& [name, wanted] : *hashes) {
     if (!kTagFiles.contains(name))
-      return Error::unusable(message("The manifest names a file outside the folder: %1", name),
+      return Error::unusable(message("The manifest names a file outside the folder (%1), so "
+                                     "nothing was read; copy the folder again.",
+                                     name),
                              where(kTags));
     Result<std::string> text = read(name, hash);
     if (!text)
@@ -117,9 +125,10 @@ Result<Hashes> BagReader::listed(const std::string& manifest) const {
   for (const auto& [name, hash] : *hashes) {
     const Result<ContainedPath> path = parsed(name);
     if (!path || path->parts().size() < 2 || path->parts().front() != "data")
-      return Error::unusable(
-          message("The manifest names a file outside the folder: %1", name.substr(0, 255)),
-          where(kPayload));
+      return Error::unusable(message("The manifest names a file outside the folder (%1), so "
+                                     "nothing was read; copy the folder again.",
+                                     name.substr(0, 255)),
+                             where(kPayload));
     if (Result<void> apart = distinct.add(name); !apart) return apart.error();
   }
   return hashes;

@@ -72,9 +72,8 @@ Result<void> BagWriter::take(const std::string& path) {
   const Result<std::string> good = store::checkedPath(path);
   if (!good)
     return Error::unusable(
-        message(
-            "A name with a line break, a backslash or letters that are not UTF-8 is not kept on "
-            "every system; rename this file or folder, then try again."),
+        message("Not every system supports names with a line break, a backslash or characters that "
+                "are not UTF-8; rename this file or folder, then try again."),
         path);
   return distinct_.add(path);
 }

@@ -63,7 +63,7 @@ inline constexpr Limit kFaceCorners{"Corners of a face", 1000, "corners",
 inline constexpr Limit kDecisions{"Decisions about a batch", 10'000, "decisions",
                                   "a person takes a few for each sherd"};
 inline constexpr Limit kDecisionReplaces{"Decisions that one decision replaces", 1000, "decisions",
-                                         "no more scans lie on a plate"};
+                                         "a plate does not hold more scans"};
 inline constexpr Limit kMaskStrokes{"Strokes on the mask of a photograph", 1000, "strokes",
                                     "each is painted again whenever the mask is used"};
 inline constexpr Limit kMaskPoints{"Points of the strokes on a mask", 100'000, "points",

@@ -5,8 +5,8 @@
 
 namespace ostraka {
 
-/// The value in the middle, the upper of two, which is one of the values whatever their order; 0
-/// where there is none. The values are left in another order. O(n).
+/// The median, the upper of the two middle values; independent of the order of the values. 0 for
+/// none. Reorders the values. O(n).
 template <class T>
 T medianOf(std::vector<T>& values) {
   if (values.empty()) return T{};

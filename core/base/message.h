@@ -12,7 +12,7 @@ namespace ostraka {
 
 class Message;
 
-/// A number with so many digits behind the point; the unit stands in the template.
+/// A number with this many digits after the decimal point; the unit belongs in the template.
 struct Decimal {
   double value = 0;
   int digits = 0;  ///< 0 to 80
@@ -21,10 +21,10 @@ inline Decimal decimal(double value, int digits) {
   return {value, digits};
 }
 
-/// What stands in a place of a template.
+/// The value for a place of a template.
 struct MessageValue {
   enum class Kind {
-    Text,     ///< a name, a file, words of another program: never translated
+    Text,     ///< a name, a file, another program's output: never translated
     Count,    ///< a whole number
     Decimal,  ///< written with the decimal sign of the reader's language
     Message   ///< a phrase or sentence that is translated itself
@@ -50,8 +50,8 @@ struct MessageValue {
   std::shared_ptr<const Message> message;  ///< of kind Message; else none
 };
 
-/// An English sentence or phrase with places %1 to %N, each of them there at least once; checked
-/// when it is compiled. translations/messages.py finds these literals for translators.
+/// An English sentence or phrase with places %1 to %N, each used at least once; checked at compile
+/// time. translations/messages.py finds these literals for translators.
 template <std::size_t N>
 class Template {
  public:
@@ -71,9 +71,9 @@ class Template {
   const char* words_;
 };
 
-/// What is said to a person: a template in English and its values. Terminals, logs and files for
-/// people get english(); the window translates the template and writes the values as the language
-/// does. Words without a template, as those of another program, stay as they are.
+/// A text for a person: a template in English and its values. Terminals, logs and files for people
+/// get english(); the window translates the template and formats the values for the language. A
+/// text without a template, such as another program's output, is shown unchanged.
 class Message {
  public:
   Message() = default;
@@ -85,12 +85,12 @@ class Message {
   const std::string& english() const { return english_; }
   /// Explicit, since what a window may show must keep its template.
   explicit operator const std::string&() const { return english_; }
-  /// Empty where the words have no template.
+  /// Empty if the text has no template.
   const std::string& templateWords() const { return template_; }
   const std::vector<MessageValue>& values() const { return values_; }
   bool empty() const { return english_.empty(); }
 
-  /// As they read in English.
+  /// Compares the English texts.
   friend bool operator==(const Message& a, const Message& b) { return a.english_ == b.english_; }
   friend bool operator==(const Message& a, std::string_view b) { return a.english_ == b; }
   friend bool operator==(const Message& a, const std::string& b) { return a.english_ == b; }
@@ -104,21 +104,21 @@ class Message {
   std::vector<MessageValue> values_;
 };
 
-/// The message of a literal template, which translators see, and its values.
+/// A message from a literal template, which translators see, and its values.
 template <class... Values>
 Message message(Template<sizeof...(Values)> words, const Values&... values) {
   return Message(words.words(), std::vector<MessageValue>{MessageValue(values)...});
 }
 
-/// A literal template in a table, for a message that is made elsewhere; for translators, too.
+/// Marks a literal template in a table for translators; the message is made elsewhere.
 template <std::size_t N>
 consteval Template<N> translatable(Template<N> words) {
   return words;
 }
 
-/// One sentence after the other, with a space between.
+/// Two sentences, separated by a space.
 Message inOne(const Message& first, const Message& second);
-/// In English, a line each, without one at the end.
+/// In English, one line each, without a newline at the end.
 std::string linesOf(const std::vector<Message>& messages);
 /// "front/a.jpg: It is blurred."
 Message about(const MessageValue& name, const Message& words);

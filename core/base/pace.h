@@ -4,8 +4,8 @@
 
 namespace ostraka {
 
-/// Fraction and time left of work that goes through stages of expected shares; work without stages
-/// is one whole.
+/// Fraction done and time left of work in stages with expected shares; work without stages counts
+/// as one stage.
 class Pace {
  public:
   using Clock = std::chrono::steady_clock;
@@ -16,13 +16,13 @@ class Pace {
   void skip(Clock::duration idle);
 
   double fraction() const;
-  /// Empty as long as the pace would be a guess.
+  /// Empty while the pace would be a guess.
   std::optional<double> secondsLeft(Clock::time_point now) const;
 
  private:
   bool in_stage_ = false;
   double stage_share_ = 1, share_before_ = 0, stage_done_ = 0;
-  // Stages found whole from an earlier run take no time: the pace comes from the others.
+  // Stages reused from an earlier run take no time; the pace comes from the others.
   double worked_share_ = 0, worked_seconds_ = 0;
   std::optional<Clock::time_point> stage_begin_;  // empty before the first word of the work
 };

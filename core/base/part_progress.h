@@ -7,7 +7,7 @@
 
 namespace ostraka {
 
-/// One of several equal parts of a stage: a bar does not begin again with each of them.
+/// One of several equal parts of a stage, so that the progress bar does not restart with each.
 class PartProgress final : public Progress {
  public:
   PartProgress(Progress& outer, std::size_t part, std::size_t parts)

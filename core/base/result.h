@@ -16,9 +16,9 @@ enum class ErrorCode {
   UnusableInput,  ///< a file or a value that cannot be used; exit status 2
   CannotWrite,    ///< disk full, no permission, folder taken
   NotEnough,      ///< readable, but too little to compute from (markers, views, points)
-  Missing,        ///< an optional program or device is not there
-  Failed,         ///< a computation that did not succeed
-  Damaged         ///< a file of the program's own whose content was changed; it can be repaired
+  Missing,        ///< an optional program or device is absent
+  Failed,         ///< a computation failed
+  Damaged         ///< a file of the program itself was changed; it can be repaired
 };
 
 /// One sentence for a person: what happened and what to do; `where` names the file or device.
@@ -35,7 +35,7 @@ struct Error {
   Message sentence() const { return where.empty() ? what : about(where, what); }
 };
 
-/// A value or an Error. The names are those of C++23's std::expected, to become it later.
+/// A value or an Error, with the names of C++23's std::expected, which replaces it later.
 template <class T>
 class [[nodiscard]] Result {
  public:

@@ -7,13 +7,13 @@
 
 namespace ostraka {
 
-/// A number with so many digits behind the point, whatever the person's locale writes.
+/// A number with this many digits after the decimal point, independent of the locale.
 /// digits: 0 to 80.
 std::string fixed(double value, int digits);
 
-/// As printf writes it, but with a point in numbers whatever the person's locale writes.
+/// As printf writes it, but with a decimal point in every locale.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
-/// The same of arguments that were handed on.
+/// The same for arguments that are passed on.
 [[gnu::format(printf, 1, 0)]] std::string vformatted(const char* format, std::va_list arguments);
 
 /// A to Z as a to z; other characters, those of UTF-8 too, stay as they are.

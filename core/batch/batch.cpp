@@ -304,9 +304,9 @@ class Reader {
     if (views >= options_.min_views_per_side) return {};
     return Error{ErrorCode::NotEnough,
                  message(side == Side::Front
-                             ? translatable<3>("The front side has %1 usable photographs; at least "
+                             ? translatable<3>("Usable photographs of the front side: %1; at least "
                                                "%2 are needed. Add photographs named %3.")
-                             : translatable<3>("The back side has %1 usable photographs; at least "
+                             : translatable<3>("Usable photographs of the back side: %1; at least "
                                                "%2 are needed. Add photographs named %3."),
                          views, options_.min_views_per_side, layout.pattern),
                  (batch_.folder / layout.folder[side == Side::Front ? 0 : 1]).string()};

@@ -19,7 +19,7 @@ std::string cameraLetter(int camera);
 /// What stands still while a side is photographed.
 enum class Way {
   Rig,         ///< the cameras: the marker plate turns below them, with the sherds on it
-  FreeCamera,  ///< the sherds: each photograph is taken from a place of its own, with one camera
+  FreeCamera,  ///< the sherds: one camera takes each photograph from another place
 };
 
 /// One photograph; (side, camera, stop) is unique in a batch. Way::FreeCamera: `camera` counts the
@@ -105,14 +105,15 @@ Result<Batch> readBatch(const std::filesystem::path& folder, const ReadBatchOpti
 
 /// Pixels of the largest photograph.
 double largestPixels(const Batch& batch);
-/// Memory that such a one takes, MB, while it is decoded and its markers are sought.
+/// Memory that such a photograph takes while it is decoded and its markers are detected, MB.
 double originalMb(const Batch& batch);
-/// How many of `threads` (0: all processors) may have one at a time, so that all take half of the
-/// memory that is free (free_mb; 0: not known), at least 1: fine patterns take twice as much.
+/// How many of `threads` (0: all processors) may decode one at a time, so that together they take
+/// half of the free memory (free_mb; 0: not known), at least 1: fine patterns take twice as much.
 int threadsForOriginals(const Batch& batch, int threads, double free_mb);
 
 Result<Plate> readPlate(const std::filesystem::path& file);
-/// The same for photographs by hand, which lie over a sheet whatever plate.json says: without
+/// The same for hand-held photographs, which always show a sheet, even if plate.json describes a
+/// plate: without
 /// "sheet" the paper is taken around the markers, with as much margin as there is between them, and
 /// the frame moved into its middle, since files of others count from a corner. A round plate is as
 /// wide as it says, about its own origin.

@@ -12,7 +12,7 @@ namespace ostraka::batch {
 bool isHeif(std::string_view bytes);
 
 /// Size of the main image as stored, before the rotation that the file asks for; checks that each
-/// box lies inside of the file. Error: UnusableInput.
+/// box is within the file. Error: UnusableInput.
 Result<ImageSize> heifSize(std::string_view bytes, const std::string& where);
 
 /// The main image as 8-bit BGR, as stored. Error: UnusableInput.

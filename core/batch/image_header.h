@@ -14,7 +14,7 @@ struct ImageSize {
 };
 
 /// Size of a JPEG, PNG, TIFF, HEIC or RAW image from its bytes, without decoding, and whether the
-/// file goes on to its own end: a JPEG without end marker, a PNG without IEND, a TIFF whose strips
+/// file is complete: a JPEG without end marker, a PNG without IEND, a TIFF whose strips
 /// and a HEIC whose boxes lie outside of the file, and a RAW whose values end early are cut off.
 /// `where` is the file's name, whose ending says that it is RAW. Never reads outside of `bytes`.
 /// Errors: UnusableInput, one sentence.

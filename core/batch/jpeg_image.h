@@ -11,8 +11,8 @@ namespace ostraka::batch {
 bool isJpeg(std::string_view bytes);
 
 /// A JPEG image of this size (imageSize) as stored: 8-bit BGR, or grey with one channel; the values
-/// are those of cv::imdecode. Errors: UnusableInput, also where picture data is lost in the middle
-/// of the file, which OpenCV fills up without a word.
+/// are those of cv::imdecode. Errors: UnusableInput, also if picture data is lost in the middle
+/// of the file, which OpenCV silently fills in.
 Result<cv::Mat> decodeJpeg(std::string_view bytes, const ImageSize& size, int channels,
                            const std::string& where);
 

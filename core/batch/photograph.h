@@ -8,8 +8,8 @@
 
 namespace ostraka::batch {
 
-/// Is this a photograph by the ending of its name (JPEG, PNG, TIFF, HEIC, in capitals or not)? RAW
-/// files are not among them, which cameras write beside their photographs (raw_image.h).
+/// Whether the file name has a photograph's ending (JPEG, PNG, TIFF, HEIC, in any case). Not RAW
+/// files, which cameras write beside their photographs (raw_image.h).
 bool hasPhotographEnding(const std::filesystem::path& file);
 
 /// The photograph as 8-bit BGR, rows x columns as stored: an EXIF orientation is not applied, since
@@ -23,8 +23,8 @@ Result<cv::Mat> decodePhotograph(std::string_view bytes, const std::string& wher
 /// The image of a file's bytes, empty where OpenCV cannot decode it; flags: OpenCV's IMREAD_.
 cv::Mat decodedByOpenCv(std::string_view bytes, int flags);
 
-/// From now on OpenCV throws std::bad_alloc where the memory does not suffice, in place of a
-/// cv::Exception that looks like a defect or a damaged file. For the start of a program.
+/// From now on OpenCV throws std::bad_alloc when there is not enough memory, instead of a
+/// cv::Exception that looks like a defect or a damaged file. To be called when a program starts.
 void makeOpenCvThrowBadAlloc();
 
 /// A mask or label image as 8-bit grey values, unscaled. Errors as above.

@@ -282,9 +282,9 @@ Result<Batch> readPhotographs(const fs::path& front, const std::optional<fs::pat
 Error tooFewOf(Side side, std::ptrdiff_t photographs, int least, const fs::path& folder) {
   return {ErrorCode::NotEnough,
           message(side == Side::Front
-                      ? translatable<2>("The front side has %1 usable photographs; at least %2 are "
+                      ? translatable<2>("Usable photographs of the front side: %1; at least %2 are "
                                         "needed. Take more from all directions.")
-                      : translatable<2>("The back side has %1 usable photographs; at least %2 are "
+                      : translatable<2>("Usable photographs of the back side: %1; at least %2 are "
                                         "needed. Take more from all directions."),
                   photographs, least),
           folder.string()};

@@ -16,7 +16,7 @@ namespace ostraka::batch {
 bool inNaturalOrder(std::string_view a, std::string_view b);
 
 /// Files of the folder whose names end like a photograph's, in natural order; not hidden ones, not
-/// RAW files beside a developed picture of the same stem, and not what lies in folders within.
+/// RAW files beside a developed picture with the same stem, and not those in subfolders.
 /// Empty where the folder cannot be read.
 std::vector<std::filesystem::path> photographsIn(const std::filesystem::path& folder);
 
@@ -29,7 +29,7 @@ struct FreeSide {
       mask_folder;  ///< masks by the photographs' stems; empty when there are none
 };
 
-/// Shots in natural order of their names, each a camera of its own; sizes may differ. Left out,
+/// Shots in natural order of their names, each with its own camera; sizes may differ. Left out,
 /// with a warning that names them: what is no image, thumbnails, a second photograph of the same
 /// stem, and all beyond ReadBatchOptions::max_free_views: these are thinned to the most detailed
 /// ones of equally long stretches of the series. Errors: UnusableInput (no photograph at all),

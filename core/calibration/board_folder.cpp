@@ -80,9 +80,9 @@ Result<std::map<int, BoardPictures>> readBoardFolder(const fs::path& folder, int
   std::error_code absent;
   if (!fs::exists(folder / "board.json", absent))
     return Error::unusable(
-        message("Nothing to calibrate from: photograph the plate at each position into 'front' "
-                "(cam0_pos00.jpg and so on) and the board into 'calib', and copy plate.json and "
-                "board.json next to them."),
+        message("Nothing to calibrate from: put photographs of the plate at each position into "
+                "'front' (cam0_pos00.jpg and so on) and pictures of the board into 'calib', and "
+                "copy plate.json and board.json next to them."),
         folder.string());
   const Result<Target> target = readTarget(folder / "board.json");
   if (!target) return target.error();

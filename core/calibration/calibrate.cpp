@@ -22,11 +22,11 @@ namespace {
 constexpr int kMinViewsPerSide = 3;
 constexpr std::size_t kTellTale = 4;  // markers found: as many do not all err by chance
 constexpr Template<1> kTooFewOfFront = translatable<1>(
-    "Only %1 photographs of the front side have a pose; at least 3 are needed. Check that the "
-    "plate's markers are lit and in the picture.");
+    "Photographs of the front side with a pose: %1; at least 3 are needed. Check that the plate's "
+    "markers are lit and in the picture.");
 constexpr Template<1> kTooFewOfBack = translatable<1>(
-    "Only %1 photographs of the back side have a pose; at least 3 are needed. Check that the "
-    "plate's markers are lit and in the picture.");
+    "Photographs of the back side with a pose: %1; at least 3 are needed. Check that the plate's "
+    "markers are lit and in the picture.");
 
 int indexOf(const std::vector<int>& sorted, int value) {
   return static_cast<int>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());
@@ -189,7 +189,7 @@ class Poser : MarkerPoser {
       int agreeing = 0;
       for (std::size_t m = 0; m < markers_[i].size(); ++m) {
         agreeing += pose->agrees[m] ? 1 : 0;
-        if (!pose->agrees[m]) drop(i, m, "it lies elsewhere than the others say");
+        if (!pose->agrees[m]) drop(i, m, "it is not where the other markers place it");
       }
       views.push_back({cameraOf(i), sideOf(i), stopOf(i), pose->camera_from_plate, agreeing});
     }

@@ -51,8 +51,8 @@ void adviseOnStops(const BatchPoses& poses, std::vector<Message>& missing) {
                 batch::cameraLetter(camera), enumerated(stops)));
   if (poses.rig.stops.size() < 4)
     missing.push_back(
-        message("Only %1 positions were photographed; photograph at least four around the full "
-                "turn to determine the axis.",
+        message("Positions photographed: %1; photograph at least four around the full turn to "
+                "determine the axis.",
                 poses.rig.stops.size()));
 }
 
@@ -79,7 +79,7 @@ void judge(CalibrationReport& report) {
     if (c.plate_residual_px <= kMostResidual_px) continue;
     report.verdict = Verdict::NotUsable;
     report.verdict_in_words = message(
-        "Not usable: Camera %1 misses the plate's markers by a median of %2 px; check that it did "
+        "Not usable: camera %1 misses the plate's markers by a median of %2 px; check that it did "
         "not move between the photographs and that plate.json belongs to this plate.",
         batch::cameraLetter(c.camera), decimal(c.plate_residual_px, 2));
     return;

@@ -68,7 +68,7 @@ class FreePoser : MarkerPoser {
     }
     if (lens_ != by_exif_)
       inform("rig: photographs of one camera were taken at several focal lengths; " +
-             std::to_string(count) + " lenses are told apart");
+             std::to_string(count) + " lenses are distinguished");
   }
 
   Result<rig::Intrinsics> lensFromMarkers(int lens) const {
@@ -106,7 +106,7 @@ class FreePoser : MarkerPoser {
         continue;
       }
       for (std::size_t m = 0; m < markers_[i].size(); ++m)
-        if (!pose->agrees[m]) drop(i, m, "it lies elsewhere than the others say");
+        if (!pose->agrees[m]) drop(i, m, "it is not where the other markers place it");
       places_[i].camera = static_cast<int>(state_.cameras.size());
       RigState::Camera& camera = state_.cameras.emplace_back();
       camera.intrinsics = *lens;

@@ -158,8 +158,8 @@ Result<IntrinsicsReport> calibrateIntrinsics(std::span<const TargetView> views, 
   }
   if (usable.size() < kMinViews)
     return Error{ErrorCode::NotEnough,
-                 message("Only %1 calibration pictures show the board; at least 3 are needed. Take "
-                         "more pictures of it.",
+                 message("Calibration pictures that show the board: %1; at least 3 are needed. "
+                         "Take more pictures of it.",
                          usable.size()),
                  {}};
   const cv::Size size(width, height);

@@ -110,7 +110,7 @@ void MarkerPoser::dropOutliers() {
       if (dropped_[i][m]) continue;
       const double error = errorOf(i, markers_[i][m]);
       if (error > std::max(0.5, 6 * scale * markers_[i][m].seen.sd_px))
-        drop(i, m, "it misses its place by " + fixed(error, 2) + " px");
+        drop(i, m, "it is off its place by " + fixed(error, 2) + " px");
     }
 }
 

@@ -61,7 +61,7 @@ Error gphotoTrouble(int code, const std::string& where) {
               "The camera does not answer and may be asleep. Turn off its automatic power-off."),
           where};
     case GP_ERROR_CAMERA_BUSY:
-      return {ErrorCode::Missing, message("The camera stays busy; switch it off and on."), where};
+      return {ErrorCode::Missing, message("The camera remains busy; switch it off and on."), where};
     case GP_ERROR_IO:
     case GP_ERROR:
     case GP_ERROR_IO_READ:

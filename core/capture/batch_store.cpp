@@ -167,8 +167,8 @@ Result<BatchStore> BatchStore::open(const fs::path& batch, batch::Side side, int
     m.cameras = cameras;
   }
   if (m.stops != stops || m.cameras != cameras)
-    return Error::unusable(message("This batch started with %1 cameras and %2 positions, not with "
-                                   "%3 and %4; choose another folder.",
+    return Error::unusable(message("This batch started with another setup (cameras: %1, positions: "
+                                   "%2; now: %3 and %4); choose another folder.",
                                    m.cameras, m.stops, cameras, stops),
                            batch.string());
   if (const Result<void> kept = keepPlate(batch, plate); !kept) return kept.error();

@@ -8,7 +8,7 @@ namespace ostraka::capture {
 
 Result<void> SideOptions::check() const {
   const auto bad = [](const Message& what) { return Error::unusable(what); };
-  if (batch.empty()) return bad("The batch must name a folder.");
+  if (batch.empty()) return bad(message("No batch folder was given."));
   if (stops < 3 || stops > 99)
     return bad(message("The number of positions must be between 3 and 99."));
   return {};

@@ -15,8 +15,8 @@ constexpr double kSameAngle_deg = 0.3;
 
 }  // namespace
 
-std::string shotWords(int stop, int camera) {
-  return "Camera " + batch::cameraLetter(camera) + ", position " + std::to_string(stop + 1);
+Message shotWords(int stop, int camera) {
+  return message("Camera %1, position %2", batch::cameraLetter(camera), stop + 1);
 }
 
 Message listed(const ShotCheck& check) {
@@ -297,9 +297,10 @@ Result<void> Series::correctZero(const std::vector<Shot>& shots) {
   zero_deg_ -= off[0];
   zero_unknown_ = false;
   doubted_zero_deg_.reset();
-  progress_.note(NoteLevel::Warning, "capture: the markers show the table turned by " +
-                                         std::to_string(off[0]) +
-                                         " degrees from its own count; corrected");
+  progress_.note(NoteLevel::Warning,
+                 message("The turntable's own count was %1 degrees off; it was corrected from the "
+                         "plate's markers.",
+                         decimal(off[0], 1)));
   return {};
 }
 
@@ -324,10 +325,6 @@ Result<SideSummary> Series::summary() {
     }
   done.check = checkSide(files, devices_.plate, {}, stop_);
   if (stop_.stop_requested()) return Error::cancelled();
-  if (!done.flagged.empty())
-    done.check.sentences.push_back(
-        std::to_string(done.flagged.size()) +
-        " photographs have problems but are kept; check them before you continue.");
   return done;
 }
 

@@ -115,7 +115,7 @@ class Series {
 };
 
 /// "Camera B, position 3".
-std::string shotWords(int stop, int camera);
+Message shotWords(int stop, int camera);
 /// Sentences about the problems, one after the other.
 Message listed(const ShotCheck& check);
 

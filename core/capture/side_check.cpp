@@ -65,15 +65,16 @@ int steepestCamera(const Photographs& photographs, const batch::Plate& plate,
   return best;
 }
 
-std::string places(const std::vector<Eigen::Vector2d>& list) {
-  std::string text;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    text += std::string(i == 0                 ? ""
-                        : i + 1 == list.size() ? " and "
-                                               : ", ") +
-            "(" + std::to_string(std::lround(list[i].x())) + ", " +
-            std::to_string(std::lround(list[i].y())) + ") mm";
-  return text;
+Message places(const std::vector<Eigen::Vector2d>& list) {
+  Message all;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Message place =
+        message("(%1, %2) mm", std::lround(list[i].x()), std::lround(list[i].y()));
+    all = i == 0                 ? place
+          : i + 1 == list.size() ? message("%1 and %2", all, place)
+                                 : message("%1, %2", all, place);
+  }
+  return all;
 }
 
 // The votes of all looks round the notches off; each look shows them. A look from aside shifts a
@@ -135,7 +136,7 @@ PlateMap together(const Looks& looks) {
 SideCheck uncounted() {
   SideCheck side;
   side.sentences.push_back(
-      "The sherds could not be counted: too few of the plate's markers are visible.");
+      message("The sherds could not be counted: too few of the plate's markers are visible."));
   return side;
 }
 
@@ -175,15 +176,18 @@ SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
       }
   }
   side.counted = true;
-  if (pieces.empty()) side.sentences.push_back("No sherd is visible on the plate.");
+  if (pieces.empty()) side.sentences.push_back(message("No sherd is visible on the plate."));
   if (!side.touching_mm.empty())
-    side.sentences.push_back("Sherds touch or nearly touch at " + places(side.touching_mm) +
-                             " from the plate's centre: move them apart and reshoot.");
+    side.sentences.push_back(
+        message("Sherds touch or nearly touch at %1 from the plate's centre: move them apart and "
+                "reshoot.",
+                places(side.touching_mm)));
   side.doubtful = static_cast<int>(side.doubtful_mm.size());
   if (!side.doubtful_mm.empty())
-    side.sentences.push_back("What lies at " + places(side.doubtful_mm) +
-                             " from the plate's centre was counted as one but may be two touching "
-                             "sherds: check it; if so, move them apart and reshoot.");
+    side.sentences.push_back(
+        message("What lies at %1 from the plate's centre was counted as one but may be two "
+                "touching sherds: check it; if so, move them apart and reshoot.",
+                places(side.doubtful_mm)));
   return side;
 }
 
@@ -200,16 +204,24 @@ bool sameSide(const SideCheck& front, const SideCheck& back) {
 std::vector<Message> compareSides(const SideCheck& front, const SideCheck& back) {
   std::vector<Message> sentences;
   if (sameSide(front, back))
-    sentences.push_back("The back looks like the front: turn the sherds over and reshoot them.");
+    sentences.push_back(
+        message("The back looks like the front: turn the sherds over and reshoot them."));
   if (!front.counted || !back.counted) {
-    sentences.push_back("The sherds of the " + std::string(front.counted ? "back" : "front") +
-                        " could not be counted: compare the pictures before you clear the plate.");
-  } else if (front.sherds != back.sherds) {
-    const int missing = front.sherds - back.sherds;
-    sentences.push_back("The front showed " + std::to_string(front.sherds) + " sherds, the back " +
-                        std::to_string(back.sherds) +
-                        (missing > 0 ? ": find the missing one before you clear the plate."
-                                     : ": check whether one was added or broke."));
+    sentences.push_back(
+        front.counted ? message("The sherds of the back could not be counted: compare the pictures "
+                                "before you clear the plate.")
+                      : message("The sherds of the front could not be counted: compare the "
+                                "pictures before you clear the plate."));
+  } else if (front.sherds > back.sherds) {
+    sentences.push_back(
+        message("Sherds counted on the front: %1, on the back: %2. Find the missing ones before "
+                "you clear the plate.",
+                front.sherds, back.sherds));
+  } else if (front.sherds < back.sherds) {
+    sentences.push_back(
+        message("Sherds counted on the front: %1, on the back: %2. Check whether one was added or "
+                "broke.",
+                front.sherds, back.sherds));
   }
   return sentences;
 }

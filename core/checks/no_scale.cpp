@@ -56,9 +56,9 @@ void resizeSide(std::vector<rig::PosedImage>& images, batch::Side side, double f
 
 Message noScaleWarning() {
   return message(
-      "The result has no scale: without plate.json no length is known, and lengths in mm rest "
-      "on a guessed pixel size; photograph on a marker plate, lay the board of board.json "
-      "beside the sherds on both sides, or mark a known length on both in scale.json.");
+      "The result has no scale: without plate.json no length is known, and lengths in mm are based "
+      "on a guessed pixel size; photograph on a marker plate, lay the board of board.json beside "
+      "the sherds on both sides, or mark a known length on both in scale.json.");
 }
 
 }  // namespace ostraka::checks

@@ -97,12 +97,12 @@ Message coverWarning(batch::Side side, const std::vector<int>& covered, std::siz
   for (const int id : covered) ids += (ids.empty() ? "" : ", ") + std::to_string(id);
   return side == batch::Side::Front
              ? message(
-                   "%1 of the plate's %2 markers are visible in no photograph of the front "
-                   "side (%3); camera poses rely on the others, so uncover these.",
+                   "%1 of the plate's %2 markers are not visible in any photograph of the front "
+                   "side (%3); the camera poses depend on the others, so uncover these.",
                    covered.size(), markers, ids)
              : message(
-                   "%1 of the plate's %2 markers are visible in no photograph of the back "
-                   "side (%3); camera poses rely on the others, so uncover these.",
+                   "%1 of the plate's %2 markers are not visible in any photograph of the back "
+                   "side (%3); the camera poses depend on the others, so uncover these.",
                    covered.size(), markers, ids);
 }
 

@@ -204,21 +204,21 @@ Message movedWarning(const MovedSherd& sherd, batch::Side side, const std::strin
   const bool front = side == batch::Side::Front;
   if (!photograph.empty())
     return front ? message(
-                       "%1 moved by about %2 mm on the front side: from %3 on, it lies "
-                       "elsewhere; reshoot this side.",
+                       "%1 moved by about %2 mm on the front side: from %3 on, it is in another "
+                       "place; reshoot this side.",
                        sherd.scan, by, photograph)
                  : message(
-                       "%1 moved by about %2 mm on the back side: from %3 on, it lies "
-                       "elsewhere; reshoot this side.",
+                       "%1 moved by about %2 mm on the back side: from %3 on, it is in another "
+                       "place; reshoot this side.",
                        sherd.scan, by, photograph);
   const std::string file = formatted("%02d", sherd.from_stop);
   return front ? message(
-                     "%1 moved by about %2 mm on the front side: from position %3 on (pos%4), "
-                     "it lies elsewhere; reshoot this side.",
+                     "%1 moved by about %2 mm on the front side: from position %3 on (pos%4), it "
+                     "is in another place; reshoot this side.",
                      sherd.scan, by, sherd.from_stop + 1, file)
                : message(
-                     "%1 moved by about %2 mm on the back side: from position %3 on (pos%4), "
-                     "it lies elsewhere; reshoot this side.",
+                     "%1 moved by about %2 mm on the back side: from position %3 on (pos%4), it is "
+                     "in another place; reshoot this side.",
                      sherd.scan, by, sherd.from_stop + 1, file);
 }
 

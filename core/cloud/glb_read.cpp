@@ -17,8 +17,7 @@ constexpr std::size_t kHeader = 12, kChunkHeader = 8;
 
 Error noTexture(const std::string& where) {
   return Error::unusable(message("The texture of this GLB model cannot be read, so the model is "
-                                 "used without it; reprocess "
-                                 "its batch to write the file anew."),
+                                 "used without it; reprocess its batch to write the file again."),
                          where);
 }
 

@@ -43,8 +43,8 @@ Result<void> checkNames(const fs::path& folder) {
   for (const OpenFolder::Entry& entry : *entries)
     if (!entry.is_regular || !ContainedPath::parse(entry.path))
       return Error::unusable(
-          "Results from a cluster consist of plain files with plain names, but this is another "
-          "thing. Nothing of them was entered; submit the batch again.",
+          message("Results from a cluster must be regular files with plain names; nothing of this "
+                  "batch was entered. Submit the batch again."),
           (folder.parent_path() / entry.path).string());
   return review::computedToItsEnd(folder);
 }
@@ -74,10 +74,10 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const std::str
       catalogue::Batches(project.catalogue()).byNumber(batch);
   if (!record) return record.error();
   if (record->state != BatchState::Queued && record->state != BatchState::Computed) {
-    progress.note(NoteLevel::Warning,
-                  batch +
-                      ": This batch was processed here or photographed again meanwhile; the "
-                      "cluster's results are not entered.");
+    progress.note(
+        NoteLevel::Warning,
+        about(batch, message("This batch was processed here or reshot in the meantime; the "
+                             "cluster's results are not entered.")));
     return Entry{};
   }
   if (place.isRemote()) {

@@ -64,16 +64,17 @@ exit $((status > 0 ? status : 1))
 Result<void> Ask::check() const {
   if (!isName(partition) || !isName(account))
     return Error::unusable(
-        "The name of a partition or an account consists of letters, digits, '-', '_' and '.'; "
-        "look it up with 'sinfo' or ask the cluster's administrators.",
+        message("The name of a partition or an account consists of letters, digits, '-', '_' and "
+                "'.'; look it up with 'sinfo' or ask the cluster's administrators."),
         isName(partition) ? account : partition);
   const bool one_line = std::none_of(program.begin(), program.end(),
                                      [](unsigned char c) { return c < 0x20 || c == 0x7F; });
   if (program.empty() || !one_line)
-    return Error::unusable("The words that start Ostraka on the cluster must be one line.",
-                           program);
+    return Error::unusable(
+        message("The command that starts Ostraka on the cluster must be one line."), program);
   if (cores < 1 || memory_mb < 0 || minutes < 0)
-    return Error::unusable("A job needs at least one core, and memory and time above 0.");
+    return Error::unusable(
+        message("A job needs at least one core, and its memory and time must not be negative."));
   return {};
 }
 

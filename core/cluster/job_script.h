@@ -12,13 +12,13 @@ struct Ask {
   int memory_mb = 0;
   int minutes = 0;
   std::string partition, account;  ///< empty: the cluster's own choice
-  /// Words that start Ostraka on a node, as a shell reads them:
+  /// The command that starts Ostraka on a node, as a shell reads it:
   /// "module load ostraka; ostraka", "apptainer run ostraka.sif".
   std::string program = "ostraka";
   Result<void> check() const;
 };
 
-/// Slurm takes arrays of up to 1000 tasks where its administrator set nothing else.
+/// Slurm accepts arrays of up to 1000 tasks unless its administrator changed that.
 constexpr int kMostTasks = 1000;
 
 /// A script for sbatch, to be submitted in a folder that is laid out as a project: the n-th task

@@ -48,11 +48,9 @@ std::string shortened(std::string output) {
   return output;
 }
 
-Result<void> requireProgram(const std::string& program, const std::string& what_to_do) {
+Result<void> requireProgram(const std::string& program, Message missing) {
   if (colmap::findProgram(program)) return {};
-  return Error{ErrorCode::Missing,
-               "The program " + program + " is not on this computer's PATH; " + what_to_do,
-               {}};
+  return Error{ErrorCode::Missing, std::move(missing), {}};
 }
 
 }  // namespace
@@ -60,17 +58,22 @@ Result<void> requireProgram(const std::string& program, const std::string& what_
 Result<Place> Place::of(const fs::path& project, const std::string& host) {
   std::error_code failed;
   const fs::path here = fs::canonical(project, failed);
-  if (failed) return Error::unusable("This folder cannot be opened.", project.string());
+  if (failed)
+    return Error::unusable(
+        message("This folder cannot be opened (%1); check its name and permissions.",
+                failed.message()),
+        project.string());
   if (host.empty()) {
     if (!isReadAsItStands(here.string()))
       return Error::unusable(
-          "The path of this project contains a character that Slurm reads as something else (%, a "
-          "backslash, or a control character); rename the folder.",
+          message("The path of this project contains a character that has a special meaning for "
+                  "Slurm (%, a backslash or a control character); rename the folder."),
           here.string());
-    if (Result<void> there =
-            requireProgram("sbatch",
-                           "run this command on a login node of the cluster, or name one "
-                           "with --host USER@LOGIN:/FOLDER.");
+    if (Result<void> there = requireProgram(
+            "sbatch", message("The program %1 is not on this computer's PATH; run this command "
+                              "on a login node of the cluster, or name one with --host "
+                              "USER@LOGIN:/FOLDER.",
+                              "sbatch"));
         !there)
       return there.error();
     return Place(here, {}, {});
@@ -80,11 +83,16 @@ Result<Place> Place::of(const fs::path& project, const std::string& host) {
                     folder = colon == std::string::npos ? "" : host.substr(colon + 1);
   if (!isPlain(login, "@._-") || !isPlain(folder, "/._-+=@,") || folder.front() != '/')
     return Error::unusable(
-        "Not a folder on a cluster; write USER@LOGIN:/FOLDER, the folder from the root on and "
-        "without spaces.",
+        message("Not a folder on a cluster; write USER@LOGIN:/FOLDER, with the folder's full path "
+                "and without spaces."),
         host);
   for (const char* program : {"ssh", "rsync"})
-    if (Result<void> there = requireProgram(program, "install it, as --host needs it."); !there)
+    if (Result<void> there = requireProgram(
+            program,
+            message(
+                "The program %1 is not on this computer's PATH, but --host needs it; install it.",
+                program));
+        !there)
       return there.error();
   return Place(here, login, folder);
 }
@@ -105,14 +113,15 @@ Result<std::string> Place::runHere(const std::string& program,
   if (done) return output;
   if (done.error().code == ErrorCode::Missing)
     return Error{ErrorCode::Missing,
-                 "The program " + named +
-                     " cannot be started there; ask the cluster's administrators how Slurm is "
-                     "reached.",
+                 message("The program %1 cannot be started there; ask the cluster's administrators "
+                         "how Slurm is reached.",
+                         named),
                  name()};
   if (done.error().code != ErrorCode::Failed) return done.error();
   return Error{ErrorCode::Failed,
-               named + " did not succeed: " + shortened(output ? *output : std::string()) +
-                   " Nothing is lost; when that is mended, run the same command again.",
+               message("%1 failed (%2). Nothing is lost; once the cause is removed, run the same "
+                       "command again.",
+                       named, shortened(output ? *output : std::string())),
                name()};
 }
 

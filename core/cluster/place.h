@@ -14,22 +14,23 @@ namespace ostraka::cluster {
 class Place {
  public:
   /// host: empty, or user@login:/folder. Errors: UnusableInput for a host or folder with characters
-  /// that a shell or Slurm reads as something else; Missing (sbatch; ssh and rsync).
+  /// that have a special meaning for a shell or Slurm; Missing (sbatch; ssh and rsync).
   static Result<Place> of(const std::filesystem::path& project, const std::string& host);
 
   bool isRemote() const { return !host_.empty(); }
   /// user@login:/folder, or the project's folder.
   std::string name() const;
 
-  /// What a program wrote on both of its outputs, run in the folder. Errors: Missing (not on that
-  /// computer's PATH), Failed with what it said, Cancelled.
+  /// Runs a program in the folder; returns both of its outputs. Errors: Missing (not on that
+  /// computer's PATH), Failed with its output, Cancelled.
   Result<std::string> run(const std::vector<std::string>& words, const std::stop_token& stop) const;
 
-  /// The folders that jobs need, made where they are missing. Errors: those of run.
+  /// Creates the folders that jobs need if they are missing. Errors: those of run.
   Result<void> prepare(const std::stop_token& stop) const;
-  /// Files and folders of the project, as "batches/B0031", copied to the other computer; what has
-  /// the same checksum stays, and what is no more in such a folder goes. Nothing is done in the
-  /// project's own folder, nor for what is not there. Errors: Failed, Cancelled.
+  /// Copies files and folders of the project, such as "batches/B0031", to the other computer; files
+  /// with the same checksum are skipped, and files no longer in such a folder are removed there.
+  /// Does nothing in the project's own folder, or for what does not exist. Errors: Failed,
+  /// Cancelled.
   Result<void> send(const std::vector<std::string>& paths, const std::stop_token& stop) const;
   /// The other way, into the folder `to` of the project: regular files only, no larger than most_mb
   /// (0: any size), and none of those names at the top. Error: CannotWrite for a link on the way

@@ -8,11 +8,11 @@
 
 namespace ostraka::cluster {
 
-/// What Slurm says of one task.
+/// What Slurm reports about one task.
 enum class QueueState {
   Waiting,
   Running,
-  Ended,  ///< by itself, whatever its exit status
+  Ended,  ///< of its own accord, with any exit status
   TimeLimit,
   NoMemory,
   NodeFailed,
@@ -29,12 +29,12 @@ using Queue = std::map<std::pair<std::string, int>, QueueTask>;
 bool isJobName(std::string_view text);
 std::string newJobName();
 
-/// Words for squeue and sacct, and what they print for them. Anything else in the text (greetings
-/// of a computer, warnings) is passed over.
+/// Arguments for squeue and sacct, and what these print. Anything else in the text (a computer's
+/// greeting, warnings) is ignored.
 std::vector<std::string> queueQuestion(const std::vector<std::string>& jobs);
 void readQueue(std::string_view text, Queue& queue);
 std::vector<std::string> accountingQuestion(const std::vector<std::string>& jobs);
-/// Only of tasks that the queue does not know any more.
+/// Only for tasks that are no longer in the queue.
 void readAccounting(std::string_view text, Queue& queue);
 
 /// The free space of the folder in which `df -Pk .` ran, MB.

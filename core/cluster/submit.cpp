@@ -68,8 +68,9 @@ Result<std::vector<Wanted>> wantedOf(const upkeep::Project& project,
     if (options.most > 0 && static_cast<int>(wanted.size()) == options.most) break;
     const fs::path folder = project.batchFolder(batch.number);
     if (decisions::holdsScans(folder)) {
-      submitted.warnings.push_back(
-          batch.number + ": This batch holds imported scans; the window's queue processes it.");
+      submitted.warnings.push_back(about(
+          batch.number, message("This batch contains imported scans and is not submitted; the "
+                                "window's queue processes it.")));
       continue;
     }
     QuietProgress quiet;
@@ -91,11 +92,12 @@ Result<void> hasRoom(const upkeep::Project& project, const Place& place, std::si
   const double needed_mb =
       intake::bytesPerBatch(project.folder()) / 1e6 * static_cast<double>(batches);
   if (!free_mb || *free_mb >= needed_mb) return {};
-  return Error{ErrorCode::CannotWrite,
-               "The cluster's disk has " + fixed(*free_mb / 1000, 1) + " GB left, but " +
-                   std::to_string(batches) + " batches need about " + fixed(needed_mb / 1000, 1) +
-                   " GB. Nothing was submitted; make room, or submit fewer with --most.",
-               place.name()};
+  return Error{
+      ErrorCode::CannotWrite,
+      message("The cluster's disk has %1 GB left, but the batches to submit (%2) need about "
+              "%3 GB. Nothing was submitted; free some space, or submit fewer with --most.",
+              decimal(*free_mb / 1000, 1), batches, decimal(needed_mb / 1000, 1)),
+      place.name()};
 }
 
 // The list knows of an array before Slurm does, so that no crash in between makes a batch run
@@ -151,8 +153,8 @@ Result<std::string> submitArray(const upkeep::Project& project, const Place& pla
 Result<Place> placeOf(const fs::path& project, const std::string& host, Tasks& tasks) {
   if (!host.empty() && host != tasks.host && tasks.anyUncollected())
     return Error::unusable(
-        "Batches of this project are on another cluster or folder; collect them before you submit "
-        "to this one.",
+        message("Batches of this project are on another cluster or in another folder; collect them "
+                "before you submit to this one."),
         host);
   if (!host.empty()) tasks.host = host;
   return Place::of(project, tasks.host);

@@ -16,30 +16,30 @@ namespace ostraka::cluster {
 
 struct SubmitOptions {
   std::string host;  ///< as Place::of; empty: as before, or the project's own folder
-  Ask ask;           ///< memory_mb, minutes: 0: by what `process` states of the batches
+  Ask ask;           ///< memory_mb, minutes: 0: from the needs that `process` states
   int most = 0;      ///< batches, oldest first; 0: all that wait
 };
 
 struct Submitted {
   std::vector<std::string> batches, arrays;  ///< arrays: Slurm's numbers
   int already = 0;                           ///< waiting, running or done on the cluster before
-  int memory_mb = 0, minutes = 0;            ///< the most that was asked for
+  int memory_mb = 0, minutes = 0;            ///< the most that was requested
   std::vector<Message> warnings;             ///< of batches that were left out, a sentence each
 };
 
-/// Hands every batch that waits in the project to the cluster, unless it has it already: job
-/// arrays of one batch a task. A failed one is submitted again, with twice the memory or time where
-/// that was short. Errors: those of Place; CannotWrite where the cluster's disk has no room for the
-/// results, and when another such command is at work; Failed with what sbatch said: nothing of that
-/// array is submitted then.
+/// Submits every waiting batch of the project to the cluster, unless it is there already: job
+/// arrays with one batch per task. A failed batch is submitted again, with twice the memory or time
+/// if that was too little. Errors: those of Place; CannotWrite if the cluster's disk has no space
+/// for the results or another such command is running; Failed with sbatch's output: nothing of that
+/// array is then submitted.
 Result<Submitted> submit(upkeep::Project& project, const SubmitOptions& options, Progress& progress,
                          std::stop_token stop);
 
 /// What became of the batches that were submitted, oldest first.
 Result<std::vector<TaskStatus>> status(const std::filesystem::path& project, std::stop_token stop);
 
-/// What a batch asks for: by what `process` states, with room for other processors and busy disks,
-/// and by what became of it before; `before` may be nullptr.
+/// What a batch requests: the needs that `process` states, with a margin for other processors and
+/// busy disks, and its earlier outcome; `before` may be nullptr.
 void raiseTo(Ask& ask, const pipeline::Needs& needs, const TaskStatus* before);
 
 }  // namespace ostraka::cluster

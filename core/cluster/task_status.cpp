@@ -18,7 +18,7 @@ constexpr std::size_t kMostBytes = std::size_t{8} << 20, kLongestWords = 500;
 constexpr int kTerminated = 128 + 15;  // Slurm ended it before the script heard of that
 constexpr int kKilled = 128 + 9;       // as a shell gives it: by the kernel, where memory is short
 
-TaskStatus failedWith(const Task& task, Cause cause, std::string words) {
+TaskStatus failedWith(const Task& task, Cause cause, Message words) {
   return {task, TaskState::Failed, cause, std::move(words)};
 }
 
@@ -26,29 +26,31 @@ TaskStatus failedFor(const Task& task, Cause cause) {
   switch (cause) {
     case Cause::Memory:
       return failedWith(task, cause,
-                        "Out of memory (" + std::to_string(task.memory_mb) +
-                            " MB were asked for); the next submission asks for twice as much.");
+                        message("Out of memory (%1 MB requested); the next submission requests "
+                                "twice as much.",
+                                task.memory_mb));
     case Cause::Time:
       return failedWith(
           task, cause,
-          "Out of time (" + std::to_string(task.minutes) +
-              " minutes were asked for); the next submission asks for twice as many and "
-              "goes on from the last complete stage.");
+          message("Out of time (minutes requested: %1); the next submission requests twice as many "
+                  "and resumes after the last complete stage.",
+                  task.minutes));
     case Cause::Node:
       return failedWith(
           task, cause,
-          "The node failed, or the job was killed; the next submission goes on from the "
-          "last complete stage.");
+          message("The node failed, or the job was killed; the next submission resumes after the "
+                  "last complete stage."));
     case Cause::Disk:
       return failedWith(
           task, cause,
-          "The cluster's disk is full, or your quota is used up; make room, then submit "
-          "again.");
+          message("The cluster's disk is full, or your quota is used up; free some space, then "
+                  "submit again."));
     default:
       return failedWith(
           task, Cause::Lost,
-          "The cluster knows nothing of this job, and it wrote nothing into the "
-          "project's folder; check that its nodes see that folder, then submit again.");
+          message(
+              "The cluster does not know this job, and the job wrote nothing into the project's "
+              "folder; check that the cluster's nodes see that folder, then submit again."));
   }
 }
 
@@ -83,10 +85,9 @@ TaskStatus judgeEnd(const Task& task, const StateNote& note, std::string_view lo
   if (note.exit_status == kTerminated) return failedFor(task, Cause::Node);
   const std::string said = lastSentence(log);
   return failedWith(task, Cause::Program,
-                    said.empty()
-                        ? "The program ended with status " + std::to_string(note.exit_status) +
-                              "; its output is in " + logOf(task.job, task.number) + "."
-                        : said);
+                    said.empty() ? message("The program ended with status %1; its output is in %2.",
+                                           note.exit_status, logOf(task.job, task.number))
+                                 : Message(said));
 }
 
 // A file of the cluster's, which may be anything: no link is followed.
@@ -127,13 +128,14 @@ TaskStatus judge(const Task& task, const QueueTask* queue, const StateNote* note
   if (queue != nullptr && queue->state == QueueState::Running)
     return {task, TaskState::Running, Cause::None, {}};
   if (queue != nullptr && queue->state == QueueState::Waiting) {
-    std::string words;
+    Message words;
     if (queue->reason == "PartitionTimeLimit")
-      words = "The partition ends jobs earlier than the " + std::to_string(task.minutes) +
-              " minutes asked for; cancel the job, and submit again with another --partition or "
-              "fewer --minutes.";
+      words = message(
+          "The partition ends jobs earlier than the %1 minutes requested; cancel the job, "
+          "then submit again with another --partition or fewer --minutes.",
+          task.minutes);
     else if (!queue->reason.empty())
-      words = "Slurm's reason: " + queue->reason + ".";
+      words = message("Slurm's reason: %1.", queue->reason);
     return {task, TaskState::Waiting, Cause::None, words};
   }
   if (note != nullptr && note->ended) return judgeEnd(task, *note, log);

@@ -51,8 +51,9 @@ Result<Tasks> readTasks(const fs::path& project) {
   const Result<nlohmann::json> value = readJson(file);
   if (!value) return value.error();
   const Error bad = Error::unusable(
-      "Not a list of the batches on a cluster; restore an earlier one, or delete it: batches that "
-      "the cluster has already are then computed once more.",
+      message(
+          "Not a list of the batches on a cluster; restore an earlier one, or delete it: batches "
+          "that are on the cluster are then processed again."),
       file.string());
   try {
     if (value->at("format") != kTasksFormat) return bad;

@@ -7,18 +7,18 @@
 
 namespace ostraka::cluster {
 
-/// A batch that was handed to the cluster: the n-th task of an array.
+/// A batch that was submitted to the cluster: the n-th task of an array.
 struct Task {
   std::string batch;  ///< B0031
   std::string job;    ///< the array's name
   int number = 1;
-  int memory_mb = 0, minutes = 0;  ///< that were asked for
-  bool collected = false;          ///< its results were entered, or are wanted no more
+  int memory_mb = 0, minutes = 0;  ///< requested
+  bool collected = false;          ///< its results were entered or are no longer wanted
   bool operator==(const Task&) const = default;
 };
 
 /// PROJECT/cluster/tasks.json: the newest task of each batch. It is written before a job is
-/// submitted, so that a job which the cluster has is always known.
+/// submitted, so that every job on the cluster is known.
 struct Tasks {
   std::string host;  ///< user@login:/folder; empty: the cluster sees the project's folder
   std::vector<Task> tasks;

@@ -67,7 +67,7 @@ Result<rig::Intrinsics> fromColmap(const ColmapCamera& camera) {
   const auto unusable = [&] {
     return Error::unusable(
         message("COLMAP's camera %1 has the model '%2' or values that Ostraka does not support; "
-                "use OPENCV instead.",
+                "use the model OPENCV instead.",
                 camera.id, colmapModelName(camera.model)));
   };
   if (colmapParameterCount(camera.model) == 0 ||

@@ -162,8 +162,8 @@ Settled settledBy(const Decisions& standing, const CandidateTable& table) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (const PairDecision* later = laterThan(i, all))
       settled.warnings.push_back(
-          message("The decision of %1 by %2 has no effect: the decision of %3 by %4, which is "
-                  "later, concerns the same scan; withdraw one of them.",
+          message("The decision of %1 by %2 has no effect: the later decision of %3 by %4 concerns "
+                  "the same scan; withdraw one of them.",
                   momentOf(*all[i].decision), all[i].decision->by, momentOf(*later), later->by));
     else
       put(all[i], settled);

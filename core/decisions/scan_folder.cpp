@@ -134,7 +134,7 @@ Result<scan::Scan> readScan(const fs::path& file, Message& warning) {
   }
   if (const double lengths = awayFromOrigin(scan.cloud); lengths > kMostLengthsAway) {
     return Error::unusable(
-        message("The scan lies %1 times its length away from the origin, so its coordinates are "
+        message("The scan is %1 times its length away from the origin, so its coordinates are "
                 "rounded; move it to the origin and export it again.",
                 decimal(lengths, 0)),
         file.string());

@@ -74,14 +74,14 @@ void judgeUse(const fs::path& node, const SystemFolders& folders, FoundDevice& d
   if (!fs::exists(node, absent)) return;
   if (::access(node.c_str(), R_OK | W_OK) != 0)
     device.troubles.push_back(
-        "You have no permission to use it: copy packaging/udev/70-ostraka.rules to "
-        "/etc/udev/rules.d/ and plug it in again.");
+        message("You have no permission to use it: copy packaging/udev/70-ostraka.rules to "
+                "/etc/udev/rules.d/ and plug it in again."));
   for (const std::string& holder : holdersOf(node, folders)) {
     device.holders.push_back(holder);
     const bool desktop = holder.starts_with("gvfs");
     device.troubles.push_back(
-        "It is in use by " + holder +
-        (desktop ? ": 'ostraka devices --release' releases it." : ": close that program."));
+        desktop ? message("It is in use by %1: 'ostraka devices --release' releases it.", holder)
+                : message("It is in use by %1: close that program.", holder));
   }
 }
 
@@ -107,7 +107,8 @@ void addSerial(const fs::path& interface, const SystemFolders& folders, bool cdc
     device.address = "usb:" + device.usb + (device.serial.empty() ? "" : ":" + device.serial);
   } else {
     if (!tty) {
-      device.troubles.push_back("The kernel has no driver for it; install one for this adapter.");
+      device.troubles.push_back(
+          message("The kernel has no driver for it; install one for this adapter."));
     } else {
       device.address = stableName(*tty, folders.dev / "serial" / "by-id");
       if (device.address.empty()) device.address = (folders.dev / *tty).string();

@@ -272,7 +272,7 @@ class Composer {
 
 Result<void> DrawingOptions::check() const {
   if (!(scale >= 0.05 && scale <= 5))
-    return Error::unusable(message("The drawing's scale must lie between 1:20 and 5:1."));
+    return Error::unusable(message("The drawing's scale must be between 1:20 and 5:1."));
   return {};
 }
 

@@ -144,7 +144,7 @@ Result<PairsEvaluation> evaluatePairs(const Proposal& proposal, const PairsTruth
                              truth.set);
     const bool again = !seen_backs.insert(pair.back).second && !pair.ambiguous;
     if (!seen_fronts.insert(pair.front).second || again)  // who shares a back must say so
-      return Error::unusable("Scan " + pair.front + " or " + pair.back + " stands in two pairs.",
+      return Error::unusable("Scan " + pair.front + " or " + pair.back + " occurs in two pairs.",
                              truth.set);
     Result<PairVerdict> verdict = judge(pair, names, read_scan);
     if (!verdict) return verdict.error();

@@ -120,8 +120,7 @@ void shrinkPhotographs(texture::TexturedMesh& model, std::size_t most_bytes) {
 Result<texture::TexturedMesh> retextured(TriangleMesh mesh, const texture::TexturedMesh& model) {
   const double texel_mm = texelEdge_mm(model);
   if (!model::isClosedManifold(mesh) || !(texel_mm > 0))
-    return Error::unusable(
-        message("The photographs cannot be laid on a model that is not closed."));
+    return Error::unusable(message("Photographs can be projected only onto a closed model."));
   if (mesh.normals.size() != mesh.vertices.size()) mesh.normals = model::vertexNormals(mesh);
   const std::vector<texture::Chart> charts = texture::chartsOf(mesh, texel_mm);
   const texture::Atlas atlas = texture::packed(charts, texel_mm);

@@ -91,7 +91,7 @@ bool sameAs(const records::SherdRecord& sherd, const tables::ImportRow& row,
 
 Message keepsItsOwn(const std::string& from) {
   return message(
-      "The project has this sherd with other values and keeps them; differing values "
+      "The project already has this sherd with other values, which it keeps; the differing values "
       "are added in fields that end in _in_%1.",
       from);
 }

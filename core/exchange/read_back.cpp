@@ -387,7 +387,7 @@ Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& 
   // export and no batch gets its files.
   const Result<FolderLock> alone = FolderLock::waitFor(
       project.folder(),
-      message("Another import into this project is running; this one waits until it has ended."),
+      message("Another import into this project is running; this one waits until it has finished."),
       progress, stop);
   if (!alone) return alone.error();
   // Another import has entered since: what is new, and where its files go, is another answer now.
@@ -412,7 +412,7 @@ Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& 
   }
   if (*put_back > 0)
     report.warnings.push_back(
-        message("Files that were missing from the project and came back: %1.", *put_back));
+        message("Files that were missing from the project and are restored: %1.", *put_back));
   return report;
 }
 

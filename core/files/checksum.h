@@ -11,14 +11,14 @@
 
 namespace ostraka {
 
-/// SHA-256 of bytes that come in pieces.
+/// SHA-256 of bytes that arrive in pieces.
 class Sha256 {
  public:
   Sha256();
   Sha256(Sha256&&) noexcept;
   ~Sha256();
   void add(std::string_view bytes);
-  std::string hexadecimal();  ///< in small letters, once, at the end
+  std::string hexadecimal();  ///< in lower case; call once, at the end
 
  private:
   struct Context;

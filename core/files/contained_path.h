@@ -7,9 +7,9 @@
 
 namespace ostraka {
 
-/// A relative path as a file that strangers write may name it: parts between single '/', none of
-/// them '.' or '..', no backslash, drive or control character, at most 4096 bytes. It says nothing
-/// of links on the disk: OpenFolder opens it without following any.
+/// A relative path as a file from elsewhere may name it: parts between single '/', none of them '.'
+/// or '..', no backslash, drive or control character, at most 4096 bytes. It does not exclude links
+/// on the disk; OpenFolder opens it without following any.
 class ContainedPath {
  public:
   /// Error: UnusableInput for everything else.

@@ -12,28 +12,27 @@ namespace ostraka {
 Result<std::string> readFile(const std::filesystem::path& path,
                              std::size_t max_bytes = std::size_t{4} << 30);
 
-/// Writes beside the final name, syncs, renames, syncs the folder: after a crash or a full disk
-/// the old file or the new one is there, whole. Folders on the way are created.
+/// Writes beside the final name, syncs, renames, syncs the folder: after a crash or a full disk,
+/// either the old or the new file is there, complete. Creates missing folders.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
-/// What was made or renamed in the folder outlives a power failure, where the disk can promise
-/// that.
+/// Makes sure that what was created or renamed in the folder survives a power failure, if the disk
+/// can guarantee that.
 void syncFolder(const std::filesystem::path& folder);
 
-/// What was written to the file outlives a power failure, likewise.
+/// The same for what was written to the file.
 Result<void> syncFile(const std::filesystem::path& file);
 
-/// Whether this process may write there: permissions, and file systems that can only be read.
+/// Whether this process may write there: permissions and read-only file systems.
 bool mayBeWritten(const std::filesystem::path& path);
 
 /// SHA-256 in lower-case hexadecimal.
 std::string sha256(std::string_view bytes);
 
-/// The error of what could not be written there, in words; reason is an errno: a full disk, or
-/// another one. Error: CannotWrite.
+/// The error CannotWrite for a path that could not be written; reason: errno.
 Error cannotWrite(const std::filesystem::path& path, int reason);
 
-/// Makes the folder and those on the way to it. Error: CannotWrite.
+/// Creates the folder and its missing parents. Error: CannotWrite.
 Result<void> makeFolder(const std::filesystem::path& folder);
 
 }  // namespace ostraka

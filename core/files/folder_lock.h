@@ -10,14 +10,14 @@
 namespace ostraka {
 
 /// Holds a folder for one program at a time: an advisory lock on FOLDER/lock that ends with this
-/// object, or with the process however that ends. Where a file system knows no locks (some network
-/// shares) it holds nothing and says nothing.
+/// object, or with the process, however it ends. On a file system without locks (some network
+/// shares) it silently holds nothing.
 class FolderLock {
  public:
   /// Error: CannotWrite when another holds the folder.
   static Result<FolderLock> take(const std::filesystem::path& folder);
-  /// Waits until nobody else holds the folder; where it has to, it notes once for whom: `waiting`,
-  /// a sentence. Errors: Cancelled, CannotWrite.
+  /// Waits until nobody else holds the folder; if it has to wait, it notes `waiting` once. Errors:
+  /// Cancelled, CannotWrite.
   static Result<FolderLock> waitFor(const std::filesystem::path& folder, const Message& waiting,
                                     Progress& progress, const std::stop_token& stop);
   ~FolderLock();
@@ -26,7 +26,7 @@ class FolderLock {
   FolderLock& operator=(FolderLock&&) = delete;
 
   const std::filesystem::path& folder() const { return folder_; }
-  /// False once the folder was deleted or moved away, also where another of its name is there now.
+  /// False once the folder was deleted or moved away, even if another now has its name.
   bool stands() const;
 
  private:

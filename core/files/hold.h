@@ -5,13 +5,13 @@
 
 namespace ostraka {
 
-/// Holds a file or a folder that is there, for one holder at a time, until this object or its
-/// process ends: what nobody holds although it is unfinished was left by a process that is gone.
+/// Holds an existing file or folder, for one holder at a time, until this object or its process
+/// ends: an unfinished file that nobody holds was left by a process that no longer runs.
 class Hold {
  public:
-  /// None when another holds it, or it is not there.
+  /// None if another holds it or it does not exist.
   static std::optional<Hold> take(const std::filesystem::path& path);
-  /// Waits at most so long for another one.
+  /// Waits at most this long for another holder.
   static std::optional<Hold> wait(const std::filesystem::path& path,
                                   std::chrono::milliseconds most);
   ~Hold();

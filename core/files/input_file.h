@@ -7,9 +7,9 @@
 
 namespace ostraka {
 
-/// A regular file, opened for reading: the way in which all files are opened that people name or
-/// hand over. A folder, pipe, device or socket is refused by its kind, and nothing waits for a
-/// writer that may never come.
+/// A regular file, opened for reading: all files that people name are opened this way. A folder,
+/// pipe, device or socket is rejected by its kind, so that nothing waits for a writer that may
+/// never come.
 class InputFile {
  public:
   /// Error: UnusableInput.
@@ -20,7 +20,7 @@ class InputFile {
 
   /// When it was opened.
   std::size_t size_bytes() const { return size_bytes_; }
-  /// The next bytes, at most so many; fewer at the end of the file.
+  /// The next bytes, at most this many; fewer at the end of the file.
   Result<std::string> read(std::size_t most_bytes);
 
  private:
@@ -30,7 +30,7 @@ class InputFile {
   std::filesystem::path path_;
 };
 
-/// What stands in the place of a regular file, in a sentence; empty for a regular file and for
+/// A sentence that says what is there instead of a regular file; empty for a regular file and for
 /// nothing. A link counts as what it leads to.
 Message otherThanAFile(const std::filesystem::path& path);
 

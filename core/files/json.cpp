@@ -69,7 +69,7 @@ Result<Json> parsed(std::string_view text, const std::string& where) {
   Inspection inspection;
   nlohmann::json::sax_parse(text, &inspection);
   if (inspection.too_deep)
-    return Error::unusable(message("The JSON is nested deeper than 64 levels."), where);
+    return Error::unusable(message("The JSON is nested more than 64 levels deep."), where);
   try {
     Json value = Json::parse(text);
     if (inspection.twice)

@@ -66,6 +66,13 @@ std::optional<Message> messageOf(const json& value, int depth) {
   return Message(words.get<std::string>(), std::move(read));
 }
 
+Error unreadable(const std::string& where) {
+  return Error::unusable(
+      message("A remark in this file cannot be read; restore an earlier copy of the file, or "
+              "reprocess the batch."),
+      where);
+}
+
 }  // namespace
 
 ordered_json toJson(const Message& message) {
@@ -85,11 +92,11 @@ ordered_json toJson(const std::vector<Message>& messages) {
 
 Result<Message> messageFromJson(const json& value, const std::string& where) {
   if (std::optional<Message> read = messageOf(value, 0)) return std::move(*read);
-  return Error::unusable("A message must be text, or a template with its values.", where);
+  return unreadable(where);
 }
 
 Result<std::vector<Message>> messagesFromJson(const json& value, const std::string& where) {
-  if (!value.is_array()) return Error::unusable("Messages must be a list.", where);
+  if (!value.is_array()) return unreadable(where);
   std::vector<Message> all;
   for (const json& one : value) {
     Result<Message> read = messageFromJson(one, where);

@@ -9,8 +9,8 @@
 
 namespace ostraka {
 
-/// {"text", "template", "values"}, text in English, or a string where the words have no template.
-/// For files that are read back; files for people alone hold Message::english().
+/// {"text", "template", "values"}, text in English, or a string if the message has no template.
+/// For files that are read back; files for people only contain Message::english().
 nlohmann::ordered_json toJson(const Message& message);
 nlohmann::ordered_json toJson(const std::vector<Message>& messages);
 
@@ -19,7 +19,8 @@ Result<Message> messageFromJson(const nlohmann::json& value, const std::string& 
 Result<std::vector<Message>> messagesFromJson(const nlohmann::json& value,
                                               const std::string& where);
 
-/// A list as one field of a table: empty for none. What is no such list is words of their own.
+/// A list as one field of a table: empty for none. Any other text is one message without a
+/// template.
 std::string textOf(const std::vector<Message>& messages);
 std::vector<Message> messagesFromText(std::string_view text, const std::string& where);
 

@@ -10,7 +10,7 @@
 
 namespace ostraka {
 
-/// A number of a JSON text that is refused: no number, none that is whole, or out of its range.
+/// A number of a JSON text that is rejected: not a number, not whole, or out of its range.
 /// what() is a sentence that names the field and its range.
 class JsonNumberError final : public nlohmann::json::exception {
  public:
@@ -29,7 +29,7 @@ Error unusableJson(const nlohmann::json::exception& refused, const Message& othe
 constexpr std::int64_t kMostInt = 2'147'483'647;
 constexpr double kMostNumber = std::numeric_limits<double>::max();  ///< where there is no limit
 
-/// A whole number from least to most; 9.0 is one, 9.5, true and "9" are none. name: for the
+/// A whole number from least to most; 9.0 is one, but 9.5, true and "9" are not. name: for the
 /// sentence. Throws JsonNumberError.
 template <class Json>
 std::int64_t wholeIn(const Json& value, const std::string& name, std::int64_t least,
@@ -60,7 +60,7 @@ double numberIn(const Json& value, const std::string& name, double least = -kMos
   return number;
 }
 
-/// The same of object[name]; an absent one throws as nlohmann's at() does.
+/// The same for object[name]; an absent one throws as nlohmann's at() does.
 template <class Json>
 int wholeAt(const Json& object, const char* name, int least = -static_cast<int>(kMostInt),
             int most = static_cast<int>(kMostInt)) {
@@ -72,14 +72,14 @@ double numberAt(const Json& object, const char* name, double least = -kMostNumbe
   return numberIn(object.at(name), name, least, most);
 }
 
-/// The same where null says that there is none.
+/// The same, with null for none.
 template <class Json>
 std::optional<double> numberOrNone(const Json& object, const char* name) {
   if (object.at(name).is_null()) return std::nullopt;
   return numberAt(object, name);
 }
 
-/// The same where the field may be absent.
+/// The same if the field may be absent.
 template <class Json>
 int wholeOr(const Json& object, const char* name, int otherwise,
             int least = -static_cast<int>(kMostInt), int most = static_cast<int>(kMostInt)) {

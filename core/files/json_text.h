@@ -7,11 +7,11 @@
 
 namespace ostraka {
 
-/// As parseJson (base/json.h), with the keys in the order of the text.
+/// As parseJson (files/json.h), with the keys in the order of the text.
 Result<nlohmann::ordered_json> parseOrderedJson(std::string_view text, const std::string& where);
 
-/// For texts within others, as the catalogue holds: what parseJson refuses is a discarded value,
-/// which is neither an object nor a list.
+/// For texts within others, such as those in the catalogue: what parseJson rejects becomes a
+/// discarded value, which is neither an object nor a list.
 nlohmann::json jsonOrDiscarded(std::string_view text);
 nlohmann::ordered_json orderedJsonOrDiscarded(std::string_view text);
 

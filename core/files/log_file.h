@@ -4,8 +4,8 @@
 
 namespace ostraka {
 
-/// A text file that grows at its end. A link of its name is replaced, not followed; where a pipe or
-/// device has the name, or nothing can be written, nothing is.
+/// A text file that is appended to. A link with its name is replaced, not followed; nothing is
+/// written if a pipe or device has the name or the file cannot be written.
 class LogFile {
  public:
   explicit LogFile(const std::filesystem::path& path);
@@ -13,9 +13,9 @@ class LogFile {
   LogFile(const LogFile&) = delete;
   LogFile& operator=(const LogFile&) = delete;
 
-  /// Written at once, so that it is there if the program ends the next moment.
+  /// Written immediately, so that it survives if the program ends the next moment.
   void line(std::string_view text);
-  /// For a program that writes into it; negative when it is not open.
+  /// For a program that writes into it; negative if it is not open.
   int descriptor() const { return fd_; }
 
  private:

@@ -6,9 +6,9 @@
 
 namespace ostraka {
 
-/// A folder that is there whole or not at all: it is filled beside its place, in
-/// PLACE.partial/content, and takes its place by one renaming. What a killed run left is removed by
-/// the next one for the same place; what goes out of scope unfinished is removed at once.
+/// A folder that is created completely or not at all: it is filled beside its place, in
+/// PLACE.partial/content, and renamed once it is complete. What a killed run left is removed by the
+/// next one for the same place; what goes out of scope unfinished is removed immediately.
 class NewFolder {
  public:
   /// place: absent, or an empty folder. Errors: UnusableInput (files in it or in PLACE.partial, or
@@ -19,7 +19,7 @@ class NewFolder {
   NewFolder& operator=(NewFolder&&) = delete;
 
   std::filesystem::path path() const { return partial_ / "content"; }  ///< to be filled
-  /// Gives the folder its place. Error: CannotWrite; all is removed then, too.
+  /// Moves the folder to its place. Error: CannotWrite; everything is then removed.
   Result<void> finish();
 
  private:

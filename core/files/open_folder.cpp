@@ -36,8 +36,10 @@ Error cannotOpen(int reason, std::string where) {
 Error cannotMake(int reason, std::string where) {
   if (reason == ELOOP || reason == ENOTDIR) return cannotOpen(reason, std::move(where));
   if (reason == EEXIST)
-    return Error::unusable(message("A file of this name already exists; it is not overwritten."),
-                           std::move(where));
+    return Error::unusable(
+        message(
+            "A file with this name already exists and is not overwritten; choose another name."),
+        std::move(where));
   return cannotWrite(where, reason);
 }
 

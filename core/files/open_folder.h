@@ -30,12 +30,12 @@ class FileDescriptor {
   int fd_;
 };
 
-/// A regular file, opened once: what is read of it is of one file, whatever takes its name
-/// meanwhile.
+/// A regular file, opened once: everything read comes from one file, even if another takes its name
+/// in the meantime.
 class OpenFile {
  public:
   /// Links on the way are followed: for names that come from a person. Never waits, not for a pipe
-  /// either. Errors: UnusableInput for what is not there, not readable or no regular file.
+  /// either. Error: UnusableInput if it does not exist, cannot be read or is not a regular file.
   static Result<OpenFile> open(const std::filesystem::path& path);
   /// For names that come from a catalogue or another file: ContainedPath and OpenFolder in one.
   static Result<OpenFile> within(const std::filesystem::path& folder, std::string_view path);
@@ -56,8 +56,8 @@ class OpenFile {
   std::int64_t bytes_;
 };
 
-/// A file that is being written beside its place, under a name of its own; without finish()
-/// nothing stays.
+/// A file that is written beside its place, under a temporary name; without finish() nothing
+/// remains.
 class NewFile {
  public:
   NewFile(NewFile&&) noexcept = default;
@@ -81,28 +81,28 @@ class NewFile {
   std::string partial_, name_, where_;
 };
 
-/// A folder, opened once. What lies below it is reached part by part and no link is followed, so
-/// that no path leads out of it, whatever anybody does to the folder meanwhile.
+/// A folder, opened once. Everything below it is reached part by part without following links, so
+/// that no path leads out of it, whatever happens to the folder in the meantime.
 class OpenFolder {
  public:
   /// The folder itself may be reached through links: a person named it.
   static Result<OpenFolder> open(const std::filesystem::path& folder);
-  /// Errors: UnusableInput for what is not there, a link on the way, or no regular file.
+  /// Error: UnusableInput for a missing file, a link on the way, or anything but a regular file.
   Result<OpenFile> read(const ContainedPath& path) const;
-  /// Folders on the way are made. Errors: UnusableInput for a link on the way or a file that is
-  /// there, CannotWrite.
+  /// Creates missing folders. Errors: UnusableInput for a link on the way or an existing file,
+  /// CannotWrite.
   Result<NewFile> create(const ContainedPath& path) const;
-  /// Gives a file another place below this folder, where it replaces a file. Folders on the way are
-  /// made. Errors: UnusableInput for a link on the way, CannotWrite.
+  /// Moves a file to another place below this folder, where it replaces a file. Creates missing
+  /// folders. Errors: UnusableInput for a link on the way, CannotWrite.
   Result<void> move(const ContainedPath& from, const ContainedPath& to) const;
-  /// Something of this name is there, whatever it is.
+  /// Whether anything has this name.
   bool has(const ContainedPath& path) const;
   struct Entry {
     std::string path;
     bool is_regular;  ///< else a link, a pipe, a device
   };
-  /// Everything below a folder of this one but folders, in the order of the names. Errors: the
-  /// folder is no folder, cannot be read, or is nested deeper than 64.
+  /// Everything but folders below a folder of this one, sorted by name. Errors: it is not a folder,
+  /// cannot be read, or is nested deeper than 64.
   Result<std::vector<Entry>> filesBelow(const ContainedPath& path) const;
   const std::filesystem::path& path() const { return path_; }
 

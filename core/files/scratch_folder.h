@@ -6,12 +6,12 @@
 
 namespace ostraka {
 
-/// A new folder for what is needed for a while, which nobody else may enter. It is removed with
-/// all that it holds when this object ends.
+/// A new temporary folder that nobody else may enter. It is removed with its content when this
+/// object ends.
 class ScratchFolder {
  public:
-  /// In `parent`, or where the system keeps such (TMPDIR, /tmp); its name begins with `name`.
-  /// Error: CannotWrite.
+  /// In `parent`, or in the system's folder for temporary files (TMPDIR, /tmp); its name begins
+  /// with `name`. Error: CannotWrite.
   static Result<ScratchFolder> make(std::string_view name,
                                     const std::filesystem::path& parent = {});
   ~ScratchFolder();

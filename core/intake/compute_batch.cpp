@@ -129,8 +129,8 @@ Result<void> hasSpace(const fs::path& project) {
   const fs::space_info space = fs::space(project, error);
   if (error || static_cast<double>(space.available) > kLeastFree_bytes) return {};
   return Error{ErrorCode::CannotWrite,
-               message("The disk has only %1 MB left; a batch needs more. Nothing is lost: make "
-                       "room, then go on.",
+               message("The disk has only %1 MB left, and a batch needs more. Nothing is lost: "
+                       "free some space, then resume.",
                        space.available / 1000000),
                project.string()};
 }
@@ -149,12 +149,12 @@ Message leftSentence(const catalogue::Catalogue& rows, const std::string& number
   const auto holder = sherds::Sherds(rows).byNumber(number);
   return holder && *holder
              ? message(
-                   "%1: this number was typed on the plate, but is another sherd's; look which "
-                   "of the two bears it, and give the other one a new number.",
+                   "%1: this number was entered on the plate, but it belongs to another sherd; "
+                   "check which of the two bears it, and give the other one a new number.",
                    number)
              : message(
-                   "%1: this number was typed on the plate, but no sherd with a context lies "
-                   "there; give it in the catalogue.",
+                   "%1: this number was entered on the plate, but there is no sherd with a context "
+                   "in that place; assign it in the catalogue.",
                    number);
 }
 
@@ -174,8 +174,9 @@ Result<BatchFigures> figuresIn(const fs::path& output, const fs::path& batch) {
       figures.uncertainty_mm = std::max(figures.uncertainty_mm, sherd.value("uncertainty_mm", 0.0));
     }
   } catch (const nlohmann::json::exception&) {
-    return Error::unusable("These results of 'ostraka process' are incomplete; run it again.",
-                           (output / "report.json").string());
+    return Error::unusable(
+        message("These results of 'ostraka process' are incomplete; run it again."),
+        (output / "report.json").string());
   }
   figures.sure = figures.sherds - figures.ask - figures.decided;
   if (fs::exists(batch / "rig.json"))
@@ -223,18 +224,16 @@ Result<BatchFigures> enteredFigures(upkeep::Project& project, const records::Bat
     progress.note(NoteLevel::Warning, leftSentence(rows, number));
   figures.numbers_left = entered->numbers_left;
   if (entered->decided_meanwhile && !(again && *again))
-    progress.note(
-        NoteLevel::Warning,
-        message("Pairs were decided or masks edited while the batch was processed. Reprocess it "
-                "for them."));
+    progress.note(NoteLevel::Warning, message("Pairs were decided or masks edited while the batch "
+                                              "was being processed; reprocess it to apply them."));
   if (auto unlike = sherds::unlikeBefore(rows, begun.row)) figures.unlike = *unlike;
   // A sherd that was on the plate and is in no scan would be missed by nobody.
   figures.sherds = piecesOf(rows, begun.row);
   if (figures.sherds != begun.counted) figures.counted = begun.counted;
   if (figures.counted > 0)
     progress.note(NoteLevel::Warning,
-                  message("Sherds counted on the plate: %1. Another number was found; look at the "
-                          "map for one that is missing or cut in two.",
+                  message("Sherds counted on the plate: %1, but another number was found; check "
+                          "the map for a sherd that is missing or was split in two.",
                           figures.counted));
   if (const auto backup = project.backUp(); !backup)
     progress.note(NoteLevel::Warning, backup.error().sentence());

@@ -315,7 +315,7 @@ class PlateMasker {
     if (flat.empty()) return false;
     for (unsigned char& voxel : voxels_)
       if (std::find(flat.begin(), flat.end(), voxel) != flat.end()) voxel = 0;
-    warn(message("masks: flat things that look like labels or scale bars are left out (%1); if "
+    warn(message("masks: flat objects that look like labels or scale bars are left out (%1); if "
                  "there are sherds among them, add them to the masks",
                  flat.size()),
          progress);

@@ -68,8 +68,8 @@ void Merging::placeScan(const Table& table, const Row& theirs, Values& values) {
   if (last.next()) last >> row;
   settle({"batch/" + batch + "/results",
           "batch " + labelOf(batch) + ", results",
-          "as it was computed there",
-          "as it was computed there",
+          "as it was processed there",
+          "as it was processed there",
           {"a"}});
   demoted_[theirs.id] = value("name").value_or("");
   values[table.column("position")] = std::to_string(-row);

@@ -199,7 +199,9 @@ std::size_t Table::column(const std::string& of_name) const {
 const Table& Content::table(const std::string& name) const {
   for (const Table& table : tables)
     if (table.name == name) return table;
-  store::refuse("The catalogue has no table of this name.", name);
+  store::refuse(message("The catalogue's tables, indexes or triggers differ from those that "
+                        "Ostraka creates; nothing was written."),
+                name);
 }
 
 Content readContent(store::Database& database) {

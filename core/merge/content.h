@@ -15,7 +15,7 @@ class Database;
 /// that they refer to.
 namespace ostraka::merge {
 
-using Value = std::optional<std::string>;  ///< as text whatever its type; none: NULL
+using Value = std::optional<std::string>;  ///< as text, independent of its type; none: NULL
 
 struct Row {
   std::int64_t row = 0;
@@ -36,17 +36,17 @@ struct Table {
   std::size_t column(const std::string& of_name) const;  ///< columns.size() where there is none
 };
 
-/// One row of the history. What both projects know of is what they share.
+/// One row of the history. Rows that both projects contain are their common past.
 struct Event {
   std::int64_t at = 0;
   std::string person, table, row;  ///< uuids; row: "vocabulary#0" where it has none
   std::string field, old_value, new_value, why, source;
-  std::string refers;  ///< the table whose uuids stand in old and new; empty: texts
+  std::string refers;  ///< the table whose uuids are in old and new; empty: texts
 };
 
 struct Content {
   std::string project_id;
-  std::vector<Table> tables;  ///< a table stands behind those that it refers to
+  std::vector<Table> tables;  ///< a table comes after those that it refers to
   std::vector<Event> events;
   std::unordered_map<std::string, std::vector<std::string>> bags;  ///< of a batch, in order
   std::vector<std::pair<std::string, std::string>> joins;          ///< of two sherds, both ways

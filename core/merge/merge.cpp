@@ -26,7 +26,7 @@ using catalogue::Catalogue;
 Result<Catalogue> openToRead(const fs::path& folder, const Catalogue::Clock& clock) {
   if (!upkeep::Project::isProject(folder))
     return Error::unusable(
-        "Not an Ostraka project: this folder has no catalogue.sqlite; nothing was merged.",
+        message("Not an Ostraka project: this folder has no catalogue.sqlite; nothing was merged."),
         folder.string());
   Result<std::unique_ptr<store::Database>> database =
       store::Database::open(folder / "catalogue.sqlite", store::Database::Mode::ReadOnly);
@@ -35,8 +35,9 @@ Result<Catalogue> openToRead(const fs::path& folder, const Catalogue::Clock& clo
   Catalogue catalogue(std::move(*database), clock);
   if (catalogue.schemaVersion() != store::migrations().back().number)
     return Error::unusable(
-        "Another version of Ostraka made this project; open it once with this one, which brings it "
-        "up to date, or update Ostraka; nothing was merged.",
+        message(
+            "Another version of Ostraka made this project; nothing was merged. Open it once with "
+            "this version, which updates it, or install the newer version."),
         folder.string());
   if (const Result<void> whole = catalogue.checkIntegrity(); !whole) return whole.error();
   if (const Result<void> inside = upkeep::checkPaths(catalogue); !inside) return inside.error();
@@ -47,13 +48,14 @@ Result<Catalogue> openToRead(const fs::path& folder, const Catalogue::Clock& clo
 Result<void> checkProjects(const upkeep::Project& a, const fs::path& b) {
   std::error_code failed;
   if (fs::equivalent(a.folder(), b, failed))
-    return Error::unusable("A project cannot be merged with itself; name another project.",
+    return Error::unusable(message("A project cannot be merged with itself; name another project."),
                            b.string());
   if (a.catalogue().readOnly())
-    return Error{ErrorCode::CannotWrite,
-                 "This project is read-only here, and nothing was merged; copy it to a folder that "
-                 "you can write to.",
-                 a.folder().string()};
+    return Error{
+        ErrorCode::CannotWrite,
+        message("This project is read-only here, so nothing was merged; copy it to a folder "
+                "that you can write to."),
+        a.folder().string()};
   return {};
 }
 
@@ -148,8 +150,8 @@ class Merge {
       if (catalogue_before_ != history || entered.copies != outcome.copies ||
           entered.files_of != outcome.files_of || entered.unsettled())
         return Error{ErrorCode::Failed,
-                     "The project was changed while files were copied, and nothing was merged; run "
-                     "the same command again.",
+                     message("The project changed while files were copied, so nothing was merged; "
+                             "run the same command again."),
                      a_.folder().string()};
       if (const Result<void> joined = joinDecisions(files, a_.folder(), b_folder_, entered);
           !joined)
@@ -203,7 +205,8 @@ Result<MergeReport> mergeInto(upkeep::Project& a, const fs::path& b, MergeMode m
   const Result<Catalogue> theirs = openToRead(b, [&a] { return a.catalogue().now(); });
   if (!theirs) return theirs.error();
   const Result<FolderLock> alone = FolderLock::waitFor(
-      a.folder(), "Another import into this project is running; this one waits until it has ended.",
+      a.folder(),
+      message("Another import into this project is running; this one waits until it has finished."),
       progress, stop);
   if (!alone) return alone.error();
   if (mode == MergeMode::Enter)  // what a merge that was killed left

@@ -23,14 +23,14 @@ struct MergeReport {
   std::int64_t bytes = 0;
   std::vector<Conflict> conflicts;             ///< the settled ones, too
   std::map<std::string, std::string> batches;  ///< numbers of B that are others in A
-  std::vector<std::string> missing;            ///< files that B's catalogue names and B has not
+  std::vector<std::string> missing;            ///< files that B's catalogue names but B lacks
   bool unsettled() const;
 };
 
 /// Brings what project B holds into A, in one transaction, with its files; B is only read. Nothing
-/// is written while a conflict is unsettled. Once more changes nothing. docs/merge.md has the rule.
-/// Errors: UnusableInput (A itself, no project, another version's schema, a file that is not as B's
-/// catalogue has it), Damaged, CannotWrite, Cancelled; then A is as it was.
+/// is written while a conflict is unsettled. Repeating a merge changes nothing. docs/merge.md has
+/// the rules. Errors: UnusableInput (A itself, no project, another version's schema, a file that
+/// differs from B's catalogue), Damaged, CannotWrite, Cancelled; A is then unchanged.
 Result<MergeReport> mergeInto(upkeep::Project& a, const std::filesystem::path& b, MergeMode mode,
                               const Settled& settled, const records::Provenance& provenance,
                               Progress& progress, std::stop_token stop);

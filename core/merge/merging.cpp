@@ -421,9 +421,10 @@ Take Merging::settle(Conflict conflict) {
   if (choice) {
     const std::string name = kNames[static_cast<int>(choice->take)];
     if (std::find(conflict.takes.begin(), conflict.takes.end(), name) == conflict.takes.end())
-      store::refuse("The conflict " + conflict.id + " (" + conflict.subject +
-                    ") cannot be settled with \"" + name +
-                    "\"; nothing was merged, choose what the list of conflicts offers.");
+      store::refuse(message(
+          "The conflict %1 (%2) cannot be settled with '%3'; nothing was merged. Choose one "
+          "of the ways that the list of conflicts offers.",
+          conflict.id, conflict.subject, name));
     conflict.settled = true;
   }
   const Take take = choice ? choice->take : Take::A;

@@ -19,8 +19,8 @@ namespace ostraka::merge {
 inline constexpr const char* kSameRow = "merge.same.";
 
 /// Brings the content of B into A's catalogue: once, within the caller's transaction, which is
-/// taken back where a conflict is unsettled (those count as settled for A meanwhile). Throws as
-/// Statement does. docs/merge.md has the rule.
+/// rolled back if a conflict is unsettled (until then it counts as settled for A). Throws as
+/// Statement does. docs/merge.md has the rules.
 class Merging {
  public:
   struct Projects {
@@ -59,7 +59,7 @@ class Merging {
     std::string a, b;                   ///< for a person
     std::string field, told_a, told_b;  ///< for the history; told_a = told_b: as a and b
   };
-  /// Whose word holds: by who changed it since both were the same.
+  /// Whose value holds, by who changed it since both were the same.
   Take decide(const Table* table, Said said);
   Take settle(Conflict conflict);
   const Choice* choiceOf(const std::string& conflict_id) const;

@@ -54,8 +54,10 @@ bool Merging::takesNumber(const std::string& sherd, const Table& table, Values& 
     const std::string wanted = store::valueOrThrow(store::checkedNumber(choice->number));
     if (wanted.empty() || number_owner_.contains(keyOfNumber(wanted)) ||
         slug_owner_.contains(slugOfNumber(wanted)))
-      store::refuse("The number " + wanted + " was assigned before and is never reused; settle " +
-                    "the conflict number/" + sherd + " with another one, nothing was merged.");
+      store::refuse(message(
+          "The number %1 was assigned before and is never reused; nothing was merged. Settle "
+          "the conflict number/%2 with another number.",
+          wanted, sherd));
     new_numbers_[sherd] = {number, wanted};
     values[table.column("number")] = wanted;
     values[table.column("number_sort")] = store::sortKey(wanted);
@@ -166,7 +168,8 @@ void Merging::mergeMeasurements() {
   for (const auto& [of, rows] : counts) {
     const auto& [a, b] = rows;
     const auto& [id, name] = of;
-    if (records::unitOf(name).empty()) store::refuse("There is no measurement of this kind.", name);
+    if (records::unitOf(name).empty())
+      store::refuse(message("There is no measurement of this kind."), name);
     if ((a && b && a->id == b->id) || !rows_.contains(id)) continue;
     // A sherd that only A has, or whose measures B never had.
     if (!b && !touches(touched_b_, id, {name})) continue;

@@ -9,9 +9,10 @@ namespace ostraka::merge {
 
 /// A file of B that A gets.
 struct FileCopy {
-  std::string from, to;   ///< relative to their projects
-  std::string sha256;     ///< as B's catalogue has it; empty: it does not name the file
-  bool replaces = false;  ///< what lies at its place was of the same row, or of results that go
+  std::string from, to;  ///< relative to their projects
+  std::string sha256;    ///< from B's catalogue; empty: the catalogue does not name the file
+  bool replaces =
+      false;  ///< the file in its place belonged to the same row, or to replaced results
   bool operator==(const FileCopy&) const = default;
 };
 

@@ -9,13 +9,11 @@ namespace ostraka::merge {
 Result<Settled> readSettled(const std::filesystem::path& file) {
   const Result<nlohmann::json> json = readJson(file);
   if (!json) return json.error();
-  const auto unusable = [&](const std::string& what) {
-    return Error::unusable(what, file.string());
-  };
+  const auto unusable = [&](const Message& what) { return Error::unusable(what, file.string()); };
   if (!json->is_array())
-    return unusable(
+    return unusable(message(
         "This file must be a JSON list of {\"id\": \"…\", \"take\": \"a\"} or {\"id\": \"…\", "
-        "\"number\": \"…\"}; correct it, nothing was merged.");
+        "\"number\": \"…\"}; nothing was merged. Correct the file."));
   Settled settled;
   for (const nlohmann::json& entry : *json) {
     const auto text = [&](const char* key) {
@@ -26,14 +24,16 @@ Result<Settled> readSettled(const std::filesystem::path& file) {
     const std::string id = text("id"), take = text("take"), number = text("number");
     const bool one_side = (take == "a" || take == "b") && number.empty();
     if (id.empty() || (!one_side && (number.empty() || !take.empty())))
-      return unusable("An entry of this file is not of the form {\"id\": \"…\", \"take\": \"a\"} " +
-                      std::string("(or \"b\", or \"number\" with a new number): ") + entry.dump() +
-                      "; correct it, nothing was merged.");
+      return unusable(message(
+          "An entry of this file does not have the form {\"id\": \"…\", \"take\": \"a\"} (or "
+          "\"b\", or \"number\" with a new number): %1; nothing was merged. Correct the entry.",
+          entry.dump()));
     const Choice choice{one_side ? (take == "a" ? Take::A : Take::B) : Take::Number, number};
     if (!settled.emplace(id, choice).second)
-      return unusable("The conflict " + id +
-                      " is settled twice in this file; keep one of the entries, nothing was "
-                      "merged.");
+      return unusable(message(
+          "The conflict %1 is settled twice in this file; nothing was merged. Keep one of the "
+          "two entries.",
+          id));
   }
   return settled;
 }

@@ -20,8 +20,8 @@ constexpr const char* kJournal = "merge.files";
 
 Error unlikeInB(const std::string& path) {
   return Error::unusable(
-      "This file of B is not as its catalogue has it; put it back from a copy ('ostraka catalogue "
-      "check' lists all such files), nothing was merged.",
+      message("This file of project B differs from what its catalogue records; nothing was merged. "
+              "Restore it from a copy ('ostraka catalogue check' lists all such files)."),
       path);
 }
 
@@ -35,19 +35,17 @@ Result<bool> isToBeWritten(const OpenFolder& project, const ContainedPath& place
   const Result<Checksum> sum = checksumOf(*there, stop);
   if (!sum) return sum.error();
   if (sum->sha256 == sha256) return false;
-  return Error::unusable(
-      message("Project A has another file of this name, which its catalogue does "
-              "not know; move it elsewhere, nothing was merged."),
-      there->name());
+  return Error::unusable(message("Project A has another file with this name, which its catalogue "
+                                 "does not list; nothing was merged. Move that file elsewhere."),
+                         there->name());
 }
 
 }  // namespace
 
 Error notAPlaceOfFiles(const std::string& path) {
-  return Error::unusable(
-      message("Not a place of photographs, results or models, which are the only "
-              "files that a merge writes; nothing was merged."),
-      path);
+  return Error::unusable(message("Not a location of photographs, results or models, the only files "
+                                 "that a merge writes; nothing was merged."),
+                         path);
 }
 
 bool isPlaceOfFiles(const std::string& path) {
@@ -112,7 +110,8 @@ Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& f
     if (!back) return back.error();
     if (back->sha256 != sum->sha256)
       return Error{ErrorCode::CannotWrite,
-                   "The disk does not return what was written to it; check it, nothing was merged.",
+                   message("The disk does not return what was written to it; nothing was merged. "
+                           "Check the disk."),
                    (project_ / kFolder / name).string()};
     staged_[files[i].to] = name;
     bytes_ += sum->bytes;
@@ -178,8 +177,9 @@ Result<std::vector<FileCopy>> filesToCopy(const fs::path& b, const Outcome& outc
       if (name == "lock" || name.ends_with(".partial")) continue;
       if (!entry.is_regular)
         return Error::unusable(
-            "This is a link or a device, which is not merged; move what it leads to into project "
-            "B, nothing was merged.",
+            message(
+                "A link or a device cannot be merged; nothing was merged. Move what it leads to "
+                "into project B."),
             (b / entry.path).string());
       const std::string below =
           entry.path.starts_with(from + "/") ? entry.path.substr(from.size() + 1) : entry.path;

@@ -14,23 +14,23 @@
 
 namespace ostraka::merge {
 
-/// Where files of a project lie, a folder a batch: a merge writes nowhere else.
+/// The folders of a project's files, one for each batch: a merge writes nowhere else.
 inline constexpr const char* kFoldersOfBatches[] = {"batches/", "results/", "models/"};
 bool isPlaceOfFiles(const std::string& path);
 Error notAPlaceOfFiles(const std::string& path);
 
 /// Files on their way into a project: they wait in PROJECT/merge.partial, whole, until the
-/// catalogue that names them is saved, and then take their places by renaming. Which go where
-/// stands in the same transaction (setting merge.files), so that a process that was killed in
-/// between is completed by the next one, and one that was killed before has left nothing.
+/// catalogue that names them is saved, and are then renamed to their places. The same transaction
+/// records which file goes where (setting merge.files), so that the next merge completes one that
+/// was killed in between, and one that was killed earlier leaves nothing.
 class StagedFiles {
  public:
   /// After what an earlier merge left was completed or removed.
   static Result<StagedFiles> begin(catalogue::Catalogue& catalogue,
                                    const std::filesystem::path& project);
-  /// Each against its checksum, in B's catalogue and as it was written. Those that B has not are
-  /// listed. Errors: UnusableInput for a file that is not as B's catalogue has it, a link, or a
-  /// place where another file lies that FileCopy::replaces does not give up.
+  /// Each is compared with its checksum, in B's catalogue and after writing. Files that B lacks are
+  /// listed. Error: UnusableInput for a file that differs from B's catalogue, a link, or a place
+  /// taken by another file that FileCopy::replaces does not allow to replace.
   Result<void> copy(const std::filesystem::path& b, const std::vector<FileCopy>& files,
                     Progress& progress, const std::stop_token& stop);
   Result<void> put(const std::string& to, const std::string& bytes);
@@ -49,7 +49,7 @@ class StagedFiles {
   explicit StagedFiles(std::filesystem::path project) : project_(std::move(project)) {}
   std::string nextName();
   std::filesystem::path project_;
-  std::map<std::string, std::string> staged_;  ///< where it goes -> its name meanwhile
+  std::map<std::string, std::string> staged_;  ///< its final place -> its temporary name
   std::vector<std::string> missing_;
   std::int64_t bytes_ = 0;
   int names_ = 0;

@@ -6,7 +6,7 @@
 
 namespace ostraka::merge {
 
-/// Columns that change together: a person decides about all of them at once.
+/// Columns that change together: a person decides about all of them in one step.
 struct Unit {
   std::string name;
   std::vector<std::size_t> columns;

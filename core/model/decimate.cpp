@@ -212,7 +212,8 @@ Result<TriangleMesh> decimated(const TriangleMesh& mesh, double max_deviation_mm
   if (!isClosedManifold(mesh, &why))
     return Error::unusable(inOne(message("Only a closed mesh can be simplified."), why));
   if (!(max_deviation_mm > 0))
-    return Error::unusable(message("The deviation of a simplified mesh must be above 0 mm."));
+    return Error::unusable(
+        message("The deviation of a simplified mesh must be greater than 0 mm."));
   return Decimation(mesh, max_deviation_mm).run();
 }
 

@@ -155,14 +155,14 @@ Result<void> checkExtent(const TriangleMesh& mesh, const std::string& where) {
   const double extent_mm = mesh.vertices.empty() ? 0 : box.sizes().maxCoeff();
   if (extent_mm > 0 && extent_mm < kLeastExtent_mm)
     return Error::unusable(
-        message("This model is only %1 mm large, less than any sherd, so its unit is probably "
-                "another (%2); export it in mm.",
+        message("This model is only %1 mm in size, smaller than any sherd, so its unit is probably "
+                "not mm (%2); export it in mm.",
                 decimal(extent_mm, 3),
                 extent_mm < kLeastExtent_cm ? message("metres") : message("centimetres")),
         where);
   if (extent_mm <= static_cast<double>(limits::kModelExtent_mm.most)) return {};
-  return Error::unusable(message("This model is %1 mm large, more than any vessel, so its unit "
-                                 "seems to be another; export it in mm.",
+  return Error::unusable(message("This model is %1 mm in size, larger than any vessel, so its unit "
+                                 "is probably not mm; export it in mm.",
                                  decimal(extent_mm, 0)),
                          where);
 }

@@ -148,14 +148,13 @@ Result<stages::StageNotes> poseWithoutPlate(const Run& run, const fs::path& fold
     grounds[sideIndex(side)] = posed->ground;
     reprojection_px = std::max(reprojection_px, poses.reprojection_px);
     if (poses.images.size() < shots.size())
-      notes.warnings.push_back(
-          side == batch::Side::Front
-              ? message("%1 of the front side's photographs have no pose from COLMAP and are left "
-                        "out.",
-                        shots.size() - poses.images.size())
-              : message("%1 of the back side's photographs have no pose from COLMAP and are left "
-                        "out.",
-                        shots.size() - poses.images.size()));
+      notes.warnings.push_back(side == batch::Side::Front
+                                   ? message("Photographs of the front side that are left out "
+                                             "because COLMAP found no pose for them: %1.",
+                                             shots.size() - poses.images.size())
+                                   : message("Photographs of the back side that are left out "
+                                             "because COLMAP found no pose for them: %1.",
+                                             shots.size() - poses.images.size()));
   }
   if (run.options.rig)
     notes.warnings.push_back(
@@ -245,8 +244,8 @@ void leaveOutOutliers(const Run& run, calibration::BatchPoses& poses, stages::St
     for (std::size_t k = images.size(); k-- > 0;) {
       if ((*places)[k].ring >= 0) continue;
       const Message warning = message(
-          "%1: the camera was not where it stood while the plate turned; the photograph is left "
-          "out.",
+          "%1: the camera was not in the place that it had while the plate turned; the photograph "
+          "is left out.",
           images[k].file);
       run.progress.note(NoteLevel::Warning, warning);
       notes.warnings.push_back(warning);

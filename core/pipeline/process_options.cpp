@@ -10,7 +10,8 @@ namespace fs = std::filesystem;
 
 Result<void> ProcessOptions::check() const {
   if (batch.empty()) return Error::unusable(message("No batch folder was given."));
-  if (output.empty()) return Error::unusable("No output folder was given (--output OUT).");
+  if (output.empty())
+    return Error::unusable(message("No output folder was given; name one with --output OUT."));
   if (Result<void> good = checkOutputPlace(output, "results"); !good) return good;
   std::error_code failed;
   for (const fs::path& input : {batch, back.value_or(batch)}) {
@@ -18,10 +19,9 @@ Result<void> ProcessOptions::check() const {
     const fs::path folder = fs::weakly_canonical(input, failed);
     const fs::path beyond = fs::weakly_canonical(output, failed).lexically_relative(folder);
     if (!beyond.empty() && *beyond.begin() != "..")
-      return Error::unusable(
-          message("The output folder lies inside the batch folder, to which Ostraka never writes; "
-                  "choose one next to it."),
-          output.string());
+      return Error::unusable(message("The output folder is inside the batch folder, to which "
+                                     "Ostraka never writes; choose one next to it."),
+                             output.string());
   }
   if (megapixels && !(*megapixels >= 0.3))
     return Error::unusable(message("Photographs cannot be reduced to less than 0.3 megapixels."));

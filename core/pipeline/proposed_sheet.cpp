@@ -72,12 +72,12 @@ Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& opti
   if (options.marker_mm)
     progress.note(
         NoteLevel::Warning,
-        message("No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were "
-                "found in the photographs (%4 px) and are used instead. Measure the distance "
-                "between two markers that lie far apart and compare it with plate.json in the "
-                "output folder.",
-                markers, batch.plate->dictionary, decimal(how.marker_mm, 2),
-                decimal(sheet->rms_px, 2)));
+        message(
+            "No plate.json describes the sheet: %1 markers of %2 with sides of %3 mm were found in "
+            "the photographs (%4 px) and are used instead. Measure the distance between two "
+            "markers that are far apart and compare it with plate.json in the output folder.",
+            markers, batch.plate->dictionary, decimal(how.marker_mm, 2),
+            decimal(sheet->rms_px, 2)));
   else
     progress.note(
         NoteLevel::Warning,

@@ -272,12 +272,12 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
     if (used.size() < 3)
       return Error{
           ErrorCode::NotEnough,
-          inOne(side == batch::Side::Front
-                    ? message("Masks mark sherds in %1 photographs of the front side; 3 are "
-                              "needed.",
-                              used.size())
-                    : message("Masks mark sherds in %1 photographs of the back side; 3 are needed.",
-                              used.size()),
+          inOne(side == batch::Side::Front ? message("Photographs of the front side whose masks "
+                                                     "mark sherds: %1; at least 3 are needed.",
+                                                     used.size())
+                                           : message("Photographs of the back side whose masks "
+                                                     "mark sherds: %1; at least 3 are needed.",
+                                                     used.size()),
                 message("Check the masks, and whether sherds were on the plate.")),
           (run.work / (std::string("masks_") + batch::name(side))).string()};
     const Result<std::vector<cv::Mat>> photographs = photographsOf(used, run.threadsForOriginals());

@@ -82,7 +82,9 @@ Message sentenceOf(const MeasureFinding& finding) {
                  ? message("Check the unit: %1 is about ten times the computed value.", value)
                  : message("Check the unit: %1 is about a tenth of the computed value.", value);
     case MeasureDoubt::FarFromComputed:
-      return message("Check the value: %1 is at least three times off the computed value.", value);
+      return message(
+          "Check the value: %1 differs from the computed value by a factor of three or more.",
+          value);
     case MeasureDoubt::OrderReversed:
       return message("Check the values: %1 (%2) is below %3 (%4).", nameOf(finding.kind), value,
                      nameOf(finding.than), reference);

@@ -202,7 +202,7 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options,
     return Error{
         ErrorCode::NotEnough,
         message(
-            "Fewer than 50 points lie on the fracture; rescan the sherd including its fracture."),
+            "Fewer than 50 points are on the fracture; rescan the sherd including its fracture."),
         scan.id};
   if (options.boundary == Boundary::Paper) {
     const std::vector<std::uint8_t> boundary = scan::findBoundary(cloud, views, {});

@@ -197,8 +197,8 @@ bool isSherd(const PointCloud& piece, const Limits& limits, SplitResult& result)
     leaveOutRelative(limits, extent.longest_mm, result);
   } else if (small) {
     result.warnings.push_back(
-        message("A crumb of %1 mm at x %2, y %3 mm was left out; if it is a sherd, photograph it "
-                "alone.",
+        message("A small object of %1 mm at x %2, y %3 mm was left out; if it is a sherd, "
+                "photograph it alone.",
                 decimal(extent.longest_mm, 0), decimal(extent.middle.x(), 0),
                 decimal(extent.middle.y(), 0)));
   } else {

@@ -145,9 +145,12 @@ Result<Paired> paired(const RegisterOptions& options, std::span<const scan::Scan
 
 Result<void> RegisterOptions::check() const {
   const auto bad = [](Message what) { return Error::unusable(std::move(what)); };
-  if (front.empty()) return bad("Name the folder of the front scans (--front DIR).");
-  if (back.empty()) return bad("Name the folder of the back scans (--back DIR).");
-  if (output.empty()) return bad("Name the output folder (--output OUT).");
+  if (front.empty())
+    return bad(message("No folder of front scans was given; name one with --front DIR."));
+  if (back.empty())
+    return bad(message("No folder of back scans was given; name one with --back DIR."));
+  if (output.empty())
+    return bad(message("No output folder was given; name one with --output OUT."));
   return checkOutputPlace(output);
 }
 

@@ -28,11 +28,12 @@ constexpr std::int64_t kMaxInputPx = 8192;  // 800 MB as three channels of float
 // halvings).
 constexpr int kFreeInput_px = 1024, kFreeMultiple_px = 32;
 
-Error unusable(const std::string& onnx, const std::string& what) {
+Error unusable(const std::string& onnx, const Message& why) {
   return Error::unusable(
-      what +
-          "; expected an ONNX network that takes 1 x 3 x H x W and gives 1 x 1 x h x w or "
-          "1 x 2 x h x w.",
+      message(
+          "This network cannot be used: %1. Choose an ONNX network that takes 1 x 3 x H x W and "
+          "gives 1 x 1 x h x w or 1 x 2 x h x w.",
+          why),
       onnx);
 }
 
@@ -117,15 +118,15 @@ Result<cv::Mat1f> probability(const cv::Mat& photograph, std::string_view model,
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const cv::Exception& problem) {
-    return unusable(where, "The network cannot be run (" + problem.err + ")");
+    return unusable(where, message("it cannot be run (%1)", problem.err));
   } catch (const std::exception& problem) {  // of protobuf
-    return unusable(where, std::string("The network cannot be run (") + problem.what() + ")");
+    return unusable(where, message("it cannot be run (%1)", problem.what()));
   }
   if (output.dims != 4 || output.type() != CV_32F || output.size[0] != 1 || output.size[1] < 1 ||
       output.size[1] > 2 || output.size[2] < 1 || output.size[3] < 1)
-    return unusable(where, "The network's output has another shape");
+    return unusable(where, message("its output has another shape"));
   if (!cv::checkRange(output.reshape(1, 1)))
-    return unusable(where, "The network's output contains numbers that are not finite");
+    return unusable(where, message("its output contains numbers that are not finite"));
   return probabilityOf(output);
 }
 
@@ -141,13 +142,12 @@ Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
                                   const std::string& where) {
   if (const Result<void> right = checkOnnx(model, where); !right) return right.error();
   const std::optional<InputShape> shape = inputShapeOf(model);
-  if (!shape || shape->size() != 4)
-    return unusable(where, "The network does not take an image as input");
+  if (!shape || shape->size() != 4) return unusable(where, message("its input is not an image"));
   const std::int64_t channels = (*shape)[1], rows = (*shape)[2], columns = (*shape)[3];
   if (channels > 0 && channels != 3)
-    return unusable(where, "The network takes " + std::to_string(channels) + " channels");
+    return unusable(where, message("its input has %1 channels", channels));
   if (rows > kMaxInputPx || columns > kMaxInputPx)
-    return unusable(where, "The network's input is larger than 8192 pixels");
+    return unusable(where, message("its input is larger than %1 pixels", kMaxInputPx));
   const double scale = std::min(
       1.0, static_cast<double>(kFreeInput_px) / std::max(photograph.width, photograph.height));
   const auto free = [&](int length) {

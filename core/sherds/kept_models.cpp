@@ -77,11 +77,10 @@ Result<FolderLock> holdModels(const fs::path& project, const std::string& batch,
   if (const Result<void> own = checkNoLinkedFolder(project, names, LinkedFolders::OfTheseNames);
       !own)
     return own.error();
-  return FolderLock::waitFor(
-      project / folderOf(batch),
-      message(
-          "Another program is entering results of this batch; this one waits until it has ended."),
-      progress, stop);
+  return FolderLock::waitFor(project / folderOf(batch),
+                             message("Another program is entering results of this batch; this one "
+                                     "waits until it has finished."),
+                             progress, stop);
 }
 
 Result<std::string> keepModel(const fs::path& project, const std::string& batch,

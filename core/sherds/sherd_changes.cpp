@@ -288,7 +288,7 @@ class Examination {
         refuse(
             !context ? message("A bag belongs to a context; enter the context first.")
             : wanted["bag"] == sherd.bag_number
-                ? message("Context %1 has no bag %2; change or empty the bag at the same time.",
+                ? message("Context %1 has no bag %2; change or clear the bag at the same time.",
                           wanted["context"], wanted["bag"])
                 : message("There is no bag %1 in context %2 yet; enter it during capture or import "
                           "a table of contexts that contains it.",

@@ -201,7 +201,7 @@ Result<void> DenseOptions::check() const {
   if (min_agreeing_views < 1)
     return Error{ErrorCode::UnusableInput, "min_agreeing_views must be at least 1.", {}};
   if (!(min_source_angle_rad >= 0 && min_source_angle_rad < max_source_angle_rad))
-    return Error{ErrorCode::UnusableInput, "min_source_angle_rad must lie below the maximum.", {}};
+    return Error{ErrorCode::UnusableInput, "min_source_angle_rad must be below the maximum.", {}};
   return {};
 }
 

@@ -119,11 +119,9 @@ Result<OurSchema> ourSchema(int version) {
 }
 
 Error notOurs(const std::string& part) {
-  return Error::unusable(
-      message(
-          "The catalogue's tables, indexes and triggers are not as Ostraka makes them; nothing was "
-          "written."),
-      part);
+  return Error::unusable(message("The catalogue's tables, indexes or triggers differ from those "
+                                 "that Ostraka creates; nothing was written."),
+                         part);
 }
 
 struct Found {

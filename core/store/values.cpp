@@ -80,7 +80,7 @@ Result<std::string> checkedText(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i)
     if (forbiddenInXml(text, i) > 0)
       return Error::unusable(message(
-          "The text contains control characters, which documents cannot hold; type it again."));
+          "The text contains control characters, which documents cannot contain; type it again."));
   return composed(trimmed(text));
 }
 

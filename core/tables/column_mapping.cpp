@@ -84,7 +84,8 @@ void proposeUnit(const CsvTable& table, std::size_t column, ColumnChoice& choice
 }
 
 Error noUnit(const std::string& unit, const std::string& field, const std::string& where) {
-  return Error::unusable("The field " + field + " has no unit '" + unit + "'.", where);
+  return Error::unusable(
+      message("The field %1 has no unit '%2'; choose another unit.", field, unit), where);
 }
 
 class Mapper {
@@ -108,7 +109,8 @@ class Mapper {
           std::find_if(mapping_.columns.begin(), mapping_.columns.end(),
                        [&](const ColumnChoice& column) { return column.column == one.column; });
       if (found == mapping_.columns.end())
-        return Error::unusable("The table has no column '" + one.column + "'.", where_);
+        return Error::unusable(message("The table has no column '%1'; check its name.", one.column),
+                               where_);
       if (found->by != ChosenBy::Nobody) continue;
       if (by == ChosenBy::Earlier && !one.field.empty() && isTaken(one.field)) continue;
       found->field = one.field;
@@ -189,10 +191,11 @@ class Mapper {
     if (!known) return Error::unusable(message("There is no field '%1'.", choice.field), where_);
     for (std::size_t i = 0; i < at; ++i)
       if (mapping_.columns[i].field == choice.field)
-        return Error::unusable("The columns '" + mapping_.columns[i].column + "' and '" +
-                                   choice.column + "' are both for the field " + choice.field +
-                                   "; leave one of them out.",
-                               where_);
+        return Error::unusable(
+            message("The columns '%1' and '%2' are both mapped to the field %3; leave one of "
+                    "them out.",
+                    mapping_.columns[i].column, choice.column, choice.field),
+            where_);
     if (choice.unit.empty())
       if (const std::string said = nameAndUnit(choice.column).unit;
           !said.empty() && holds(unitsOf(choice.field), said))
@@ -324,8 +327,8 @@ Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping
 Result<ColumnChoice> parseColumnChoice(std::string_view text) {
   const std::size_t equals = text.rfind('=');
   if (equals == std::string_view::npos || equals == 0)
-    return Error::unusable("'" + std::string(text) +
-                           "' maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.");
+    return Error::unusable(
+        message("'%1' maps no column; write COLUMN=FIELD or COLUMN=FIELD:unit.", text));
   ColumnChoice choice{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
   if (const std::size_t colon = choice.field.find(':'); colon != std::string::npos) {
     choice.unit = unitNamed(choice.field.substr(colon + 1));

@@ -146,7 +146,7 @@ Result<std::vector<ChangedValue>> enterRow(Catalogue& catalogue, Places& places,
   values.text("note", context.note);
   const std::string closed = store::uniqueKey(values.raw("closed"));
   if (!closed.empty() && closed != "yes" && closed != "no" && closed != "<clear>")
-    return Error::unusable(message("The column closed accepts yes or no."));
+    return Error::unusable(message("The column 'closed' accepts only yes or no."));
   if (!closed.empty()) context.closed = closed == "yes";
   context.extra_json = values.extra(context.extra_json);
   if (const auto saved = catalogue::Places(catalogue).save(context, provenance); !saved)
@@ -168,7 +168,7 @@ Result<std::vector<ChangedValue>> enterRow(Catalogue& catalogue, Places& places,
   if (Result<void> counted = values.number("count_written", count); !counted)
     return counted.error();
   if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count)))
-    return Error::unusable(message("The column count_written accepts a whole number."));
+    return Error::unusable(message("The column 'count_written' accepts only a whole number."));
   bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
   if (const auto saved = catalogue::Places(catalogue).save(bag, provenance); !saved)
     return saved.error();

@@ -60,8 +60,8 @@ std::vector<Refusal> takeBroken(CsvTable& table) {
     broken.push_back({row.line,
                       {},
                       {},
-                      message("The row has %1 values, but the header has %2.", row.values.size(),
-                              table.columns.size())});
+                      message("Values in the row: %1, columns in the header: %2; correct the row.",
+                              row.values.size(), table.columns.size())});
     return true;
   });
   return broken;

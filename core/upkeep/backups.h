@@ -9,9 +9,9 @@
 
 namespace ostraka::upkeep {
 
-/// 20261121-181557-123, UTC: sorts as time does.
+/// 20261121-181557-123, UTC: sorts chronologically.
 std::string timeStamp(std::int64_t now_ms);
-/// Of a project's folder, the newest first; those of a time that is still to come are last.
+/// Of a project's folder, the newest first; those with a time in the future are last.
 std::vector<std::filesystem::path> backupsOf(const std::filesystem::path& folder,
                                              std::int64_t now_ms);
 /// A copy of a catalogue, and the number of the last change that it contains.
@@ -24,7 +24,7 @@ struct Backup {
 /// as the clock may have been wrong; equal ones stay in their order. project: its id; empty: the
 /// project of the first. All but their schema may be damaged.
 std::vector<Backup> copiesOf(std::string project, const std::vector<std::filesystem::path>& files);
-/// A copy of the project's catalogue in backups/, read back; kind stands behind its time. Copies of
+/// A copy of the project's catalogue in backups/, read back; kind follows its time. Copies of
 /// the kinds -before-update and -before-repair are never removed.
 Result<std::filesystem::path> backUpInto(const std::filesystem::path& folder,
                                          const catalogue::Catalogue& catalogue,

@@ -32,7 +32,7 @@ struct DamagedFile {
 /// "models/B0001/…/model.ply (sherd ARM1-T3-0012-0007, batch B0001) was changed since it was
 /// entered.", for logs and lists.
 std::string sentenceOf(const DamagedFile& damaged);
-/// What is wrong with a file of which this was read; nothing when it is as it was entered.
+/// What is wrong with a file of which this was read; none if it is as it was entered.
 std::optional<Damage> damageOf(const KnownFile& file, const Checksum& found);
 
 enum class CheckDepth { Hashes, NamesAndSizes };
@@ -42,22 +42,22 @@ struct CheckedFiles {
   std::vector<DamagedFile> damaged;
 };
 /// All of them, against what the catalogue holds. Progress counts bytes. A check of hashes that was
-/// interrupted in the last seven days goes on where it stood, which FOLDER/file-checks.txt keeps;
-/// what was damaged, or was written to since, is looked at again. Errors: Cancelled, those of the
+/// interrupted in the last seven days resumes where FOLDER/file-checks.txt says that it stopped;
+/// files that were damaged or changed since are checked again. Errors: Cancelled, those of the
 /// catalogue.
 Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue,
                                 const std::filesystem::path& folder, CheckDepth depth,
                                 Progress& progress, std::stop_token stop);
 
-/// Every page of the catalogue, then a share of them: those that were damaged when last looked at,
-/// then those that were not looked at for longest, until most_bytes are read. Errors: Damaged (the
-/// catalogue itself), Cancelled, those of the catalogue.
+/// Every page of the catalogue, then some of the files: those that were damaged at their last
+/// check, then those checked longest ago, until most_bytes are read. Errors: Damaged (the catalogue
+/// itself), Cancelled, those of the catalogue.
 Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue,
                                 const std::filesystem::path& folder, std::int64_t most_bytes,
                                 Progress& progress, std::stop_token stop);
 
 /// That every path in the catalogue stays within the project, and so do the folders that are made,
-/// emptied and removed by the numbers of batches: a catalogue from elsewhere may say anything.
+/// emptied and removed by the numbers of batches: a catalogue from elsewhere may contain anything.
 Result<void> checkPaths(const catalogue::Catalogue& catalogue);
 
 }  // namespace ostraka::upkeep

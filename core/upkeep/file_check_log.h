@@ -10,9 +10,9 @@
 
 namespace ostraka::upkeep {
 
-/// When each file was looked at last, and what was found: PROJECT/file-checks.txt, a line at a
-/// time, so that a check that is killed has lost nothing. It holds nothing that cannot be found
-/// again: one that cannot be read or written is left alone.
+/// When each file was last checked, and the result: PROJECT/file-checks.txt, one line at a time, so
+/// that a check that is killed loses nothing. It contains nothing that cannot be found again; a
+/// file that cannot be read or written is ignored.
 class FileCheckLog {
  public:
   struct Seen {

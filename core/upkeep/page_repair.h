@@ -11,15 +11,15 @@ namespace ostraka::upkeep {
 /// What the checksums of a damaged catalogue's pages prove.
 struct PageRepair {
   int pages = 0;
-  int by_bit = 0;                ///< one bit was turned back: the page's checksum is right again
+  int by_bit = 0;                ///< one bit was flipped back: the page's checksum is right again
   int by_backup = 0;             ///< a backup's page has the checksum that this one had
   std::set<std::uint32_t> lost;  ///< numbers, from 1, of those that stay damaged
   bool wal_damaged = false;
   int wal_pages_lost = 0;  ///< of a damaged WAL, those whose numbers are not known either
 };
-/// Sets right what can be proved, in the file itself: give it a copy. A WAL beside it that is
-/// damaged is put into it and removed; a whole one is left to SQLite. Missing pages at the file's
-/// end are added, and lost. Errors: the file cannot be read or written.
+/// Repairs in place what the checksums prove, so pass a copy. A damaged WAL beside the file is
+/// merged into it and removed; an intact one is left to SQLite. Missing pages at the file's end are
+/// added and count as lost. Errors: the file cannot be read or written.
 Result<PageRepair> repairPages(const std::filesystem::path& file,
                                std::span<const std::filesystem::path> backups);
 

@@ -36,7 +36,7 @@ class Project {
   const std::filesystem::path& folder() const { return folder_; }
   catalogue::Catalogue& catalogue() { return catalogue_; }
   const catalogue::Catalogue& catalogue() const { return catalogue_; }
-  /// A connection of its own for another thread; callable from any thread.
+  /// A separate connection for another thread; callable from any thread.
   static Result<catalogue::Catalogue> connect(const std::filesystem::path& folder);
 
   std::filesystem::path batchFolder(const std::string& number) const;
@@ -46,10 +46,10 @@ class Project {
   /// stay, of each of the latest `days` (UTC) with a copy the last one, all with changes that this
   /// one lacks, and what is no copy of this project. Returns the file.
   Result<std::filesystem::path> backUp(int keep = 20, int days = 30) const;
-  /// The same if anything was changed since the newest copy, and that is `after` old or more.
+  /// The same if anything changed since the newest copy and that is at least `after` old.
   /// Returns whether a copy was made.
   Result<bool> backUpIfChanged(std::chrono::milliseconds after = std::chrono::hours(1)) const;
-  /// Newest first; those of a time that is still to come are last, and are never removed.
+  /// Newest first; those with a time in the future are last and never removed.
   std::vector<std::filesystem::path> backups() const;
 
  private:

@@ -14,7 +14,7 @@ namespace ostraka::upkeep {
 struct RepairedRow {
   enum class From {
     Backup,   ///< as the backup has it, and changed since as the history says
-    History,  ///< newer than the backup: what the history knows of it
+    History,  ///< newer than the backup: from the history
     Nowhere   ///< not restored; `field` empty: the whole row
   };
   std::string table;
@@ -29,17 +29,17 @@ struct RepairReport {
   bool interrupted = false;       ///< an earlier repair was ended, of which only `damaged` is known
   bool all_from_backup = false;   ///< nothing of the damaged file could be read
   std::filesystem::path backup;   ///< whose rows were taken; empty: none were needed
-  std::filesystem::path damaged;  ///< where the damaged file lies now; empty: nothing was damaged
+  std::filesystem::path damaged;  ///< where the damaged file is now; empty: nothing was damaged
   std::vector<RepairedRow> rows;
 };
 
 /// Makes a damaged catalogue whole: pages that their own checksums prove, then row by row from the
 /// whole backup of this project whose history goes furthest, and the history. Writes the new
 /// catalogue beside it, checks it, backs it up, keeps the damaged file and renames. Nobody may have
-/// the project open, and nobody can open it meanwhile. A repair that was killed is ended by the
-/// next one. A whole catalogue is left as it is; a backup that was put in its place loses the WAL
-/// of the file that it replaced, which is kept as `damaged`-wal. Errors: in use, no whole backup
-/// where one is needed, CannotWrite, Cancelled; then everything is as it was.
+/// the project open, and nobody can open it in the meantime. A repair that was killed is completed
+/// by the next one. A whole catalogue is left as it is; a backup that was put in its place loses
+/// the WAL of the file that it replaced, which is kept as `damaged`-wal. Errors: in use, no whole
+/// backup where one is needed, CannotWrite, Cancelled; then everything is as it was.
 Result<RepairReport> repairCatalogue(const std::filesystem::path& project, Progress& progress,
                                      std::stop_token stop,
                                      const catalogue::Catalogue::Clock& clock = {});

@@ -10,8 +10,8 @@ namespace ostraka::upkeep {
 
 /// Fills `fresh`, whose tables are empty, with the rows of `damaged` that can be read and with
 /// those of `backup` in place of the others. All three have the same schema. What is derived
-/// (search, terms, the sherds' table of measurements) is computed anew; what points at rows that
-/// are gone is unset, or goes with them. Adds to report.rows.
+/// (search, terms, the sherds' table of measurements) is recomputed; references to missing rows are
+/// cleared, or removed with their rows. Adds to report.rows.
 Result<void> collectRows(store::Database& damaged, store::Database& backup, store::Database& fresh,
                          RepairReport& report);
 

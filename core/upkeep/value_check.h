@@ -4,10 +4,10 @@
 
 namespace ostraka::upkeep {
 
-/// That every number in a catalogue from elsewhere is finite and every text UTF-8, as each that
-/// this program writes: SQLite keeps anything, and a table, a JSON file or a sum takes neither.
-/// Not the settings and the history, which hold names of files as the system gave them. Errors:
-/// UnusableInput, which names table, column and row.
+/// Checks that every number in a catalogue from elsewhere is finite and every text is UTF-8, as
+/// this program writes them: SQLite stores anything, but a table, a JSON file or a sum accepts
+/// neither. Not the settings and the history, which contain file names as the system gave them.
+/// Errors: UnusableInput, which names table, column and row.
 Result<void> checkValues(const catalogue::Catalogue& catalogue);
 
 }  // namespace ostraka::upkeep

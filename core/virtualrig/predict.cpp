@@ -306,10 +306,10 @@ bool isBetter(const std::array<SizePrediction, 3>& after,
 Result<void> PredictOptions::check() const {
   if (width != 0 && (width < 400 || width > 8192 || width % 4 != 0))
     return Error::unusable(
-        "width must be 0, or lie between 400 and 8192 pixels and be divisible by 4.");
+        "width must be 0, or be between 400 and 8192 pixels and divisible by 4.");
   if (sherds_per_size < 1 || sherds_per_size > 4)
-    return Error::unusable("sherds_per_size must lie between 1 and 4.");
-  if (moves < 0 || moves > 9) return Error::unusable("moves must lie between 0 and 9.");
+    return Error::unusable("sherds_per_size must be between 1 and 4.");
+  if (moves < 0 || moves > 9) return Error::unusable("moves must be between 0 and 9.");
   if (work.empty()) return Error::unusable("work must name a folder.");
   return {};
 }

@@ -240,14 +240,14 @@ Result<void> SimulateOptions::check() const {
   if (!meshes.empty() && (scans_only || near_duplicates > 0 || !radii_mm.empty()))
     return bad(
         "meshes are photographed as they are: no scans_only, no near_duplicates, no radii_mm.");
-  if (sherds < 1 || sherds > 40) return bad(message("sherds must lie between 1 and 40."));
+  if (sherds < 1 || sherds > 40) return bad(message("sherds must be between 1 and 40."));
   if (width < 160 || width > 8192 || width % 4 != 0)
-    return bad(message("width must lie between 160 and 8192 pixels and be divisible by 4."));
+    return bad(message("width must be between 160 and 8192 pixels and divisible by 4."));
   if (output.empty()) return bad("output must name a folder.");
-  if (stops < 4 || stops > 72) return bad("stops must lie between 4 and 72.");
-  if (gloss && !(*gloss >= 0 && *gloss <= 1)) return bad("gloss must lie between 0 and 1.");
+  if (stops < 4 || stops > 72) return bad("stops must be between 4 and 72.");
+  if (gloss && !(*gloss >= 0 && *gloss <= 1)) return bad("gloss must be between 0 and 1.");
   if (fstop && *fstop != 0 && !(*fstop >= 1 && *fstop <= 64))
-    return bad("fstop must be 0, for none, or lie between 1 and 64.");
+    return bad("fstop must be 0, for none, or be between 1 and 64.");
   if (near_duplicates < 0 || 2 * near_duplicates > sherds)
     return bad(message("near_duplicates are groups of two: at most half the number of sherds."));
   if (touching < 0 || 2 * touching > sherds)
@@ -262,7 +262,7 @@ Result<void> SimulateOptions::check() const {
   if (!radii_mm.empty() && static_cast<int>(radii_mm.size()) != sherds)
     return bad("radii_mm must hold one radius per sherd.");
   for (const double radius : radii_mm)
-    if (!(radius >= 8 && radius <= 60)) return bad("radii_mm must lie between 8 and 60 mm.");
+    if (!(radius >= 8 && radius <= 60)) return bad("radii_mm must be between 8 and 60 mm.");
   if (rig && (rig->cameras.empty() || rig->stop_angles_rad.size() < 4))
     return bad(message("The rig needs a camera and at least four positions; recalibrate it."));
   return {};

@@ -328,7 +328,7 @@ TEST_F(CatalogueCommand, NamesTheFormsWithoutAnyFile) {
   EXPECT_EQ(said_["forms_without_file"], nlohmann::json({"glb", "ply"}));
   EXPECT_EQ(run("export " + at("p") + " -o " + at("none") + " --forms ply,glb"), 1);
   const std::string told = words("export " + at("p") + " -o " + at("once") + " --forms csv,ply");
-  EXPECT_NE(told.find("No file of these forms, since the sherds have none: ply."),
+  EXPECT_NE(told.find("No files in these formats, since the sherds have none: ply."),
             std::string::npos)
       << told;
 }

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -144,6 +146,24 @@ TEST(Structure, NothingInCoreIncludesTheApplication) {
       EXPECT_EQ(line.find("#include <CLI"), std::string::npos) << file << ": " << line;
       EXPECT_EQ(line.find("opencv2/highgui"), std::string::npos) << file << ": " << line;
     }
+}
+
+// What the window may show needs a template, or nobody can translate it. What only terminals show
+// (judging results, simulating a rig, options that programmers set) is English.
+TEST(Structure, CoreRefusesAndWarnsByTemplates) {
+  const std::set<std::string> of_terminals = {"evaluate", "rendering", "stereo", "virtualrig"};
+  const std::regex plain(
+      R"((Error::unusable|\b(refuse|bad|unusable|(sentences|warnings|troubles)\.push_back))\(\s*"|)"
+      R"((ErrorCode::\w+|NoteLevel::Warning),\s*")");
+  for (const std::string& folder : kOrder) {
+    if (of_terminals.contains(folder)) continue;
+    for (const fs::path& file : sourcesUnder(root() / "core" / folder)) {
+      std::string text;
+      for (const std::string& line : linesOf(file)) text += line + "\n";
+      std::smatch found;
+      EXPECT_FALSE(std::regex_search(text, found, plain)) << file << ": " << found.str();
+    }
+  }
 }
 
 // Duplicate keys, depth and size are refused by its own reader only; and only its own writers and

@@ -333,9 +333,10 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
                    .arg(QString::fromStdString(batch::cameraLetter(shot.camera)))
                    .arg(shot.stop + 1)
                    .arg(side_->problemsOf(shot).join(QStringLiteral(", ")));
-  doubts_ << doubtsOf(summary->check);
+  doubts_ << doubtsOf(summary->check.sentences);
   doubtCount(summary->check);
-  if (back && summary_[0]) doubts_ << doubtsBetween(summary_[0]->check, summary_[1]->check);
+  if (back && summary_[0])
+    doubts_ << doubtsOf(capture::compareSides(summary_[0]->check, summary_[1]->check));
   if (back && doubts_.isEmpty()) return queueBatch();
   emit changed();
 }
@@ -360,7 +361,7 @@ void CaptureWizard::takeFrontCount(const capture::SideCheck& check) {
   summary_[0].emplace().check = check;
   summary_[0]->kept = static_cast<int>(batch_.photographs(batch::Side::Front).size());
   if (phase_ != CapturePhase::Flip) return;
-  doubts_ << doubtsOf(check);
+  doubts_ << doubtsOf(check.sentences);
   doubtCount(check);
   emit changed();
 }

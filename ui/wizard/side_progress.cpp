@@ -84,7 +84,7 @@ void SideProgress::keep(const capture::CaptureEvent& event) {
                  event.camera,
                  event.take,
                  QString::fromStdString(event.file.string()),
-                 doubtsOf(event.check),
+                 doubtsOf(event.check.sentences()),
                  event.kind == capture::CaptureEventKind::ShotRefused};
   if (shot.refused && !event.trouble.empty()) shot.problems << wordsOf(event.trouble);
   if (!shot.refused) std::erase(retaking_, capture::ShotName{event.stop, event.camera});

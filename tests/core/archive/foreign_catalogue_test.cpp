@@ -60,7 +60,7 @@ TEST_F(ForeignCatalogue, IsRefusedWithTablesViewsAndTriggersThatAreNotOurs) {
         "CREATE INDEX evil ON sherd (length(ware))"}) {
     const Result<Restored> back = restored(change);
     ASSERT_FALSE(back) << change;
-    EXPECT_THAT(back.error().what, testing::HasSubstr("not as Ostraka makes them")) << change;
+    EXPECT_THAT(back.error().what, testing::HasSubstr("those that Ostraka creates")) << change;
     EXPECT_FALSE(fs::exists(at("laptop"))) << change;
   }
 }

@@ -78,7 +78,7 @@ TEST_F(CopiedPhotographs, DoNotMakeASideEnough) {
   const Result<void> enough = leaveOut();
   ASSERT_FALSE(enough.has_value());
   EXPECT_EQ(enough.error().code, ErrorCode::NotEnough);
-  EXPECT_THAT(enough.error().what, HasSubstr("The back side has 1 usable photographs"));
+  EXPECT_THAT(enough.error().what, HasSubstr("Usable photographs of the back side: 1"));
 }
 
 }  // namespace

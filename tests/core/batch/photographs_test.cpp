@@ -254,7 +254,7 @@ TEST(ReadPhotographs, NeedsThreePhotographsOfEachSideThatIsThere) {
   const auto batch = readPlain(folder, listener);
   ASSERT_FALSE(batch.has_value());
   EXPECT_EQ(batch.error().code, ErrorCode::NotEnough);
-  EXPECT_THAT(batch.error().sentence(), HasSubstr("The back side has 2 usable photographs"));
+  EXPECT_THAT(batch.error().sentence(), HasSubstr("Usable photographs of the back side: 2"));
 }
 
 // Every third photograph is sharp, the others are blurred: of the neighbourhoods of three, the

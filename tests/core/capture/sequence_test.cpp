@@ -469,7 +469,6 @@ TEST_F(Sequence, FlagsWhatAnotherPhotographWouldNotMend) {
   ASSERT_TRUE(done.has_value()) << done.error().what;
   EXPECT_EQ(rig_.truth->exposures, kProofs + 6);
   EXPECT_FALSE(done->flagged.empty());
-  EXPECT_THAT(done->check.sentences.back(), HasSubstr("have problems but are kept"));
 }
 
 TEST(CompareSides, FindsALostSherdAndSherdsThatWereNotTurned) {
@@ -481,7 +480,7 @@ TEST(CompareSides, FindsALostSherdAndSherdsThatWereNotTurned) {
   EXPECT_THAT(compareSides(front, back).at(0), HasSubstr("looks like the front"));
   back.places = {{2, 0, 500}, {50, 4, 600}};
   back.sherds = 2;
-  EXPECT_THAT(compareSides(front, back).at(0), HasSubstr("find the missing one"));
+  EXPECT_THAT(compareSides(front, back).at(0), HasSubstr("Find the missing ones"));
   back.places.push_back({0, 56, 700});
   back.sherds = 3;
   EXPECT_TRUE(compareSides(front, back).empty());

@@ -105,6 +105,7 @@ TEST(CheckSide, TellsBeforeTheFlipThatOneOutlineMayBeTwoSherds) {
   ASSERT_EQ(check.sentences.size(), 1u);
   EXPECT_NE(check.sentences[0].english().find("(-19, 0) mm"), std::string::npos)
       << check.sentences[0];
+  EXPECT_FALSE(check.sentences[0].templateWords().empty()) << "nobody can translate it";
 }
 
 TEST(LookAtPlate, SeesASherdThatTheFrameCutsOff) {

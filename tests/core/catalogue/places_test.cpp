@@ -91,7 +91,7 @@ TEST_F(PlacesTest, ATextThatNoDocumentCanHoldIsRefusedByItsField) {
   const auto refused = Places(catalogue()).save(context, anna);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().sentence(),
-            "note: The text contains control characters, which documents cannot hold; type it "
+            "note: The text contains control characters, which documents cannot contain; type it "
             "again.");
 }
 

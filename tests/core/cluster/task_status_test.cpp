@@ -50,7 +50,7 @@ TEST(TaskStatus, TheProgramsOwnSentenceIsTheReason) {
                                    "reading\nostraka: first\nostraka: B0031: no plate.\nmore\n");
   EXPECT_EQ(status.cause, Cause::Program);
   EXPECT_EQ(status.words, "B0031: no plate.");
-  EXPECT_THAT(judged({}, "ended 9 none yes no").words, testing::HasSubstr("status 9"));
+  EXPECT_EQ(judged({}, "ended 9 none yes no").words.values().at(0).count, 9);
 }
 
 TEST(TaskStatus, APartitionThatEndsJobsEarlierIsNamedWhileTheTaskWaits) {

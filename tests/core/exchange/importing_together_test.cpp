@@ -110,7 +110,7 @@ TEST_F(ImportingTogether, OneThatIsStoppedLeavesWhatTheCatalogueNamesMeanwhile) 
 TEST_F(ImportingTogether, AnotherImportPutsBackWhatTheProjectHasLost) {
   const Result<tables::ImportReport> first = importOnce(quiet);
   ASSERT_TRUE(first) << first.error().sentence();
-  EXPECT_THAT(first->warnings, Each(Not(HasSubstr("came back"))));
+  EXPECT_THAT(first->warnings, Each(Not(HasSubstr("restored"))));
   ASSERT_TRUE(damaged().empty());
   fs::remove_all(at("other/imported/out"));
   fs::remove(at("other/batches/B0001/front/cam0_pos00.jpg"));
@@ -119,7 +119,7 @@ TEST_F(ImportingTogether, AnotherImportPutsBackWhatTheProjectHasLost) {
   const Result<tables::ImportReport> again = importOnce(quiet);
   ASSERT_TRUE(again) << again.error().sentence();
   EXPECT_EQ(again->same, 3);
-  EXPECT_THAT(again->warnings, Contains(EndsWith("came back: " + std::to_string(missing) + ".")));
+  EXPECT_THAT(again->warnings, Contains(EndsWith("restored: " + std::to_string(missing) + ".")));
   EXPECT_TRUE(damaged().empty());
 }
 

@@ -81,7 +81,7 @@ TEST(SchemaCheck, RefusesWhatAStrangerMayHaveSQLiteRun) {
     const Result<void> ours = checkSchema(changed(folder, migrations().size(), change));
     ASSERT_FALSE(ours) << name;
     EXPECT_EQ(ours.error().code, ErrorCode::UnusableInput) << name;
-    EXPECT_THAT(ours.error().what, testing::HasSubstr("not as Ostraka makes them")) << name;
+    EXPECT_THAT(ours.error().what, testing::HasSubstr("those that Ostraka creates")) << name;
   }
 }
 

@@ -13,8 +13,9 @@ TEST(Values, TextsThatNoDocumentCanHoldAreRefused) {
   for (const char* text : {"a\x01"
                            "b",
                            "a\v", "\x1B[2J", "x\uFFFEy", "\uFFFF"})
-    EXPECT_EQ(checkedText(text).error().what,
-              "The text contains control characters, which documents cannot hold; type it again.");
+    EXPECT_EQ(
+        checkedText(text).error().what,
+        "The text contains control characters, which documents cannot contain; type it again.");
 }
 
 TEST(Values, DaysThatDoNotExistAreRefused) {

@@ -67,8 +67,8 @@ TEST_F(Columns, OfNoTwoMeanOneField) {
               ElementsAre("number", "weight_g:g", "extra.Gewicht"));
   const auto twice = map("number;a;b\nX;1;2\n", {{"a", "weight_g"}, {"b", "weight_g"}});
   ASSERT_FALSE(twice);
-  EXPECT_EQ(twice.error().what,
-            "The columns 'a' and 'b' are both for the field weight_g; leave one of them out.");
+  EXPECT_THAT(twice.error().what, testing::HasSubstr("'a' and 'b' are both"));
+  EXPECT_EQ(twice.error().what.values().at(2).text, "weight_g");
   EXPECT_FALSE(map("number\nX\n", {{"b", "weight_g"}})) << "no such column";
   EXPECT_FALSE(map("number;a\nX;1\n", {{"a", "weight_g", "mm"}})) << "no such unit";
   EXPECT_FALSE(map("number;a\nX;1\n", {{"a", "beauty"}})) << "no such field";

@@ -94,7 +94,7 @@ TEST_F(Import, EachRefusalSaysRowColumnValueAndReason) {
                 .find("belong to different sherds"),
             std::string::npos);
   EXPECT_NE(row(",ARM1,T3,0012,,,,,").find("neither a number nor a uuid"), std::string::npos);
-  EXPECT_NE(row("X-1,ARM1").find("2  : The row has 2 values, but the header has 9"),
+  EXPECT_NE(row("X-1,ARM1").find("2  : Values in the row: 2, columns in the header: 9"),
             std::string::npos);
   EXPECT_NE(why(head + "Y-1,ARM1,T3,0012,,,,,\ny-1,ARM1,T3,0012,,,,,\nY-2,ARM1,T3,0012,,,,,\n")
                 .find("2 number Y-1: This appears in more than one row of the table, in the lines "

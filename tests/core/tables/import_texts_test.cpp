@@ -7,7 +7,7 @@ namespace {
 
 TEST_F(Import, RefusesTextsThatNoDocumentCanHoldByRowAndColumn) {
   const std::string reason =
-      ": The text contains control characters, which documents cannot hold; type it again.";
+      ": The text contains control characters, which documents cannot contain; type it again.";
   EXPECT_EQ(why("number,site,trench,context,note\nX-1,ARM1,T3,0012,a\x01\n"),
             "2 note a\x01" + reason);
   EXPECT_EQ(why("number,site,trench,context,note\nX-1,ARM1,T3,0012,x\uFFFEy\n"),

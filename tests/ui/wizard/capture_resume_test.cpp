@@ -66,7 +66,7 @@ class CaptureResumeTest : public QObject {
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Flip);
     again.wizard.next();  // at once
     QTRY_COMPARE(again.wizard.phase(), CapturePhase::Done);
-    QVERIFY2(again.wizard.doubts().join(' ').contains("front showed 9 sherds, the back 7"),
+    QVERIFY2(again.wizard.doubts().join(' ').contains("on the front: 9, on the back: 7"),
              qPrintable(again.wizard.doubts().join('\n')));
   }
 

@@ -295,11 +295,11 @@ class CaptureWizardTest : public QObject {
     bench.goOn(CapturePhase::Flip);
     QCOMPARE(bench.wizard.doubts().size(), 1);
     bench.wizard.description()->setCounted(10);
-    QVERIFY(bench.wizard.doubts()[0].contains("look for one that hides"));
+    QVERIFY(bench.wizard.doubts()[0].contains("look for one that is hidden"));
     bench.wizard.description()->setCounted(7);
     QCOMPARE(bench.wizard.doubts().size(), 1);
     QVERIFY(bench.wizard.doubts()[0].contains("7"));
-    QVERIFY2(bench.wizard.doubts()[0].contains("mend the count"), "none hides of seven");
+    QVERIFY2(bench.wizard.doubts()[0].contains("correct the count"), "none hides of seven");
     bench.wizard.description()->setCounted(9);
     QVERIFY(bench.wizard.doubts().isEmpty());
     bench.wizard.next();

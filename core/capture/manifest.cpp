@@ -34,6 +34,7 @@ nlohmann::ordered_json toJson(const ManifestEntry& e) {
                                  {"edge_width_px", e.sharpness},
                                  {"markers_seen", e.markers_seen},
                                  {"sherds_seen", e.sherds},
+                                 {"sherd_cut_off", e.cut_off},
                                  {"problems", e.problems},
                                  {"checked", e.checked},
                                  {"used", e.used}};
@@ -64,6 +65,7 @@ ManifestEntry entryFromJson(const nlohmann::json& json) {
   e.sharpness = numberOr(json, "edge_width_px", 0.0);
   e.markers_seen = wholeOr(json, "markers_seen", 0);
   e.sherds = wholeOr(json, "sherds_seen", 0);
+  e.cut_off = json.value("sherd_cut_off", false);
   e.problems = json.value("problems", std::vector<std::string>{});
   e.raw = json.value("raw", std::vector<std::string>{});
   e.checked = json.value("checked", false);

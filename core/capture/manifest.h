@@ -33,6 +33,7 @@ struct ManifestEntry {
   std::optional<double> angle_seen_deg;
   double sharpness = 0;
   int markers_seen = 0, sherds = 0;
+  bool cut_off = false;               ///< a sherd touches the picture's edge
   std::vector<std::string> problems;  ///< in English; a kept photograph may have some
   bool checked = false;               ///< false: on disk, but not yet looked at
   bool used = true;

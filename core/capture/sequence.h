@@ -77,8 +77,9 @@ struct SideOptions {
 struct SideSummary {
   int kept = 0;                   ///< photographs of the side on disk, all takes before included
   std::vector<ShotName> flagged;  ///< kept, but with problems
-  /// One of these wants sherds or a camera moved: then the whole side is another.
-  bool lies_wrongly = false;
+  /// A sherd is cut off in one of these: sherds or a camera must be moved, and then the whole side
+  /// is photographed again.
+  bool cut_off = false;
   SideCheck check;
   double overhead_s = 0;  ///< beyond turning, settling, exposure and transfer, all stops
 };

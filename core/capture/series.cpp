@@ -242,6 +242,7 @@ Result<void> Series::takeVerdicts() {
     entry->sharpness = shot.check.sharpness;
     entry->markers_seen = shot.check.markers_seen;
     entry->sherds = shot.check.sherds;
+    entry->cut_off = shot.check.has(ShotProblem::CutOff);
     entry->problems.clear();
     for (const Message& problem : shot.check.sentences())
       entry->problems.push_back(problem.english());
@@ -317,11 +318,7 @@ Result<SideSummary> Series::summary() {
       files[c].push_back({store_->fileOf(*entry),
                           inspection == inspections_.end() ? nullptr : inspection->second});
       if (!entry->problems.empty()) done.flagged.push_back({s, static_cast<int>(c)});
-      done.lies_wrongly =
-          done.lies_wrongly || std::any_of(entry->problems.begin(), entry->problems.end(),
-                                           [](const std::string& problem) {
-                                             return words(ShotProblem::CutOff) == problem;
-                                           });
+      done.cut_off = done.cut_off || entry->cut_off;
     }
   done.check = checkSide(files, devices_.plate, {}, stop_);
   if (stop_.stop_requested()) return Error::cancelled();

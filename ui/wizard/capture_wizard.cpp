@@ -220,7 +220,7 @@ void CaptureWizard::again() {
   const auto& summary = summary_[back ? 1 : 0];
   std::vector<capture::ShotName> retake;
   // Light, focus and settings are of single photographs; what is moved lies elsewhere at all stops.
-  if (summary && !summary->lies_wrongly &&
+  if (summary && !summary->cut_off &&
       doubts_.size() <= static_cast<qsizetype>(summary->flagged.size()))
     retake = summary->flagged;
   if (retake.empty() && doubts_.isEmpty()) {

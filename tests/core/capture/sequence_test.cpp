@@ -246,6 +246,7 @@ TEST_F(Sequence, KeepsTheSettingsOfEachShotAndFlagsOthers) {
   const auto done = shoot();
   ASSERT_TRUE(done.has_value()) << done.error().what;
   EXPECT_EQ(done->flagged, (std::vector<ShotName>{{1, 1}, {2, 1}}));
+  EXPECT_FALSE(done->cut_off);
   const auto manifest = readManifest(folder_);
   ASSERT_TRUE(manifest.has_value());
   EXPECT_EQ(manifest->find(options_.side, 0, 1)->settings.at("exposure"), "1/8");
@@ -469,6 +470,10 @@ TEST_F(Sequence, FlagsWhatAnotherPhotographWouldNotMend) {
   ASSERT_TRUE(done.has_value()) << done.error().what;
   EXPECT_EQ(rig_.truth->exposures, kProofs + 6);
   EXPECT_FALSE(done->flagged.empty());
+  EXPECT_TRUE(done->cut_off);
+  const auto again = shoot();
+  ASSERT_TRUE(again.has_value()) << again.error().what;
+  EXPECT_TRUE(again->cut_off) << "the manifest knows it as well";
 }
 
 TEST(CompareSides, FindsALostSherdAndSherdsThatWereNotTurned) {

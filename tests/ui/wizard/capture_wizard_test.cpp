@@ -357,7 +357,7 @@ class CaptureWizardTest : public QObject {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);
     bench.rig.flagged = {{0, 1}};
-    bench.rig.lies_wrongly = true;
+    bench.rig.cut_off = true;
     bench.toFlip();
     bench.wizard.again();
     QTRY_VERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.rig()->isBusy());

@@ -17,7 +17,7 @@ struct FakeRig {
   std::optional<Error> refuse_open, refuse_shoot;
   int front = 9, back = 9;                  ///< sherds counted
   std::vector<capture::ShotName> flagged;   ///< of the next side
-  bool lies_wrongly = false;                ///< what is flagged
+  bool cut_off = false;                ///< what is flagged
   bool ask = false;                         ///< opening asks a person to do something
   std::atomic<bool> wait_for_stop = false;  ///< the next side runs until it is stopped
   int released = 0;                         ///< how often the desktop was asked to let go
@@ -110,7 +110,7 @@ inline RigSource sourceOf(FakeRig& rig) {
     capture::SideSummary summary;
     summary.kept = options.stops * 3;
     summary.flagged = std::exchange(rig.flagged, {});
-    summary.lies_wrongly = std::exchange(rig.lies_wrongly, false);
+    summary.cut_off = std::exchange(rig.cut_off, false);
     summary.check.counted = true;
     summary.check.sherds = options.side == batch::Side::Front ? rig.front : rig.back;
     return summary;

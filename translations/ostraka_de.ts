@@ -9226,6 +9226,21 @@
       <translation>Ein Gegenstand von %1 % der Länge der üblichen Scherbe wurde auf der Rückseite ausgelassen; ohne Maßstab kann es eine Scherbe sein.</translation>
     </message>
     <message>
+      <source>The photographs of the front side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Fotos der Vorderseite stimmen nur auf %1 % dessen überein, was ihre Masken zeigen; ihre Scans können daher falsch sein. Die Masken prüfen, und ob sich während der Aufnahmen nichts bewegt hat.</translation>
+    </message>
+    <message>
+      <source>The photographs of the back side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Fotos der Rückseite stimmen nur auf %1 % dessen überein, was ihre Masken zeigen; ihre Scans können daher falsch sein. Die Masken prüfen, und ob sich während der Aufnahmen nichts bewegt hat.</translation>
+    </message>
+    <message>
+      <source>All photographs look at the sheet from straight above, so heights and wall thicknesses are uncertain and broken edges are hardly seen. Add photographs from the side, tilted by 30 to 60 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alle Fotos blicken senkrecht von oben auf das Blatt; daher sind Höhen und Wandstärken ungewiss, und Bruchkanten sind kaum zu sehen. Fotos von der Seite hinzufügen, um 30 bis 60 Grad geneigt.</translation>
+    </message>
+    <message>
       <source>If it is one, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ist es eine, sie allein aufnehmen.</translation>

@@ -9221,6 +9221,21 @@
       <translation>Ένα αντικείμενο με %1 % του μήκους του συνηθισμένου οστράκου παραλείφθηκε από την πίσω όψη· χωρίς κλίμακα μπορεί να είναι όστρακο.</translation>
     </message>
     <message>
+      <source>The photographs of the front side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι φωτογραφίες της μπροστινής όψης συμφωνούν μόνο στο %1 % όσων δείχνουν οι μάσκες της, οπότε οι σαρώσεις της μπορεί να είναι λάθος. Ελέγξτε τις μάσκες, και ότι τίποτα δεν μετακινήθηκε κατά τη φωτογράφιση.</translation>
+    </message>
+    <message>
+      <source>The photographs of the back side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι φωτογραφίες της πίσω όψης συμφωνούν μόνο στο %1 % όσων δείχνουν οι μάσκες της, οπότε οι σαρώσεις της μπορεί να είναι λάθος. Ελέγξτε τις μάσκες, και ότι τίποτα δεν μετακινήθηκε κατά τη φωτογράφιση.</translation>
+    </message>
+    <message>
+      <source>All photographs look at the sheet from straight above, so heights and wall thicknesses are uncertain and broken edges are hardly seen. Add photographs from the side, tilted by 30 to 60 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλες οι φωτογραφίες κοιτούν το φύλλο κατακόρυφα από πάνω, οπότε τα ύψη και τα πάχη των τοιχωμάτων είναι αβέβαια και οι σπασμένες ακμές σχεδόν δεν φαίνονται. Προσθέστε φωτογραφίες από το πλάι, με κλίση 30 έως 60 μοιρών.</translation>
+    </message>
+    <message>
       <source>If it is one, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αν είναι, φωτογραφίστε το μόνο του.</translation>

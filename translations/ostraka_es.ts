@@ -9221,6 +9221,21 @@
       <translation>Se omitió en el reverso un objeto del %1 % de la longitud del fragmento habitual; sin escala puede ser un fragmento.</translation>
     </message>
     <message>
+      <source>The photographs of the front side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las fotos del anverso solo concuerdan en el %1 % de lo que muestran sus máscaras, por lo que sus escaneos pueden ser erróneos. Revise las máscaras, y que nada se moviera mientras se fotografiaba.</translation>
+    </message>
+    <message>
+      <source>The photographs of the back side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las fotos del reverso solo concuerdan en el %1 % de lo que muestran sus máscaras, por lo que sus escaneos pueden ser erróneos. Revise las máscaras, y que nada se moviera mientras se fotografiaba.</translation>
+    </message>
+    <message>
+      <source>All photographs look at the sheet from straight above, so heights and wall thicknesses are uncertain and broken edges are hardly seen. Add photographs from the side, tilted by 30 to 60 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Todas las fotos miran la hoja verticalmente desde arriba, por lo que las alturas y los grosores de pared son inciertos y los bordes de fractura apenas se ven. Añada fotos desde el lado, inclinadas de 30 a 60 grados.</translation>
+    </message>
+    <message>
       <source>If it is one, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Si lo es, fotografíelo solo.</translation>

@@ -9221,6 +9221,21 @@
       <translation>Un objet de %1 % de la longueur du tesson habituel a été laissé de côté sur la face arrière ; sans échelle, ce peut être un tesson.</translation>
     </message>
     <message>
+      <source>The photographs of the front side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photos de la face avant ne concordent que sur %1 % de ce que montrent ses masques, ses numérisations peuvent donc être fausses. Vérifiez les masques, et que rien n’a bougé pendant la prise de vue.</translation>
+    </message>
+    <message>
+      <source>The photographs of the back side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photos de la face arrière ne concordent que sur %1 % de ce que montrent ses masques, ses numérisations peuvent donc être fausses. Vérifiez les masques, et que rien n’a bougé pendant la prise de vue.</translation>
+    </message>
+    <message>
+      <source>All photographs look at the sheet from straight above, so heights and wall thicknesses are uncertain and broken edges are hardly seen. Add photographs from the side, tilted by 30 to 60 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Toutes les photos regardent la feuille à la verticale, d’en haut ; les hauteurs et les épaisseurs de paroi sont donc incertaines et les cassures se voient à peine. Ajoutez des photos de côté, inclinées de 30 à 60 degrés.</translation>
+    </message>
+    <message>
       <source>If it is one, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Si c&apos;en est un, photographiez-le seul.</translation>

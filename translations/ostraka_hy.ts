@@ -9221,6 +9221,21 @@
       <translation>Հետևի երեսում բաց է թողնվել մի առարկա՝ սովորական բեկորի երկարության %1 %-ը. առանց մասշտաբի այն կարող է բեկոր լինել։</translation>
     </message>
     <message>
+      <source>The photographs of the front side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսի լուսանկարները համընկնում են դրա դիմակների ցույց տվածի միայն %1 %-ում, ուստի դրա սկանները կարող են սխալ լինել։ Ստուգեք դիմակները, և որ լուսանկարելիս ոչինչ չի շարժվել։</translation>
+    </message>
+    <message>
+      <source>The photographs of the back side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսի լուսանկարները համընկնում են դրա դիմակների ցույց տվածի միայն %1 %-ում, ուստի դրա սկանները կարող են սխալ լինել։ Ստուգեք դիմակները, և որ լուսանկարելիս ոչինչ չի շարժվել։</translation>
+    </message>
+    <message>
+      <source>All photographs look at the sheet from straight above, so heights and wall thicknesses are uncertain and broken edges are hardly seen. Add photographs from the side, tilted by 30 to 60 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բոլոր լուսանկարները թերթին նայում են ուղիղ վերևից, ուստի բարձրություններն ու պատերի հաստությունները անորոշ են, իսկ կոտրվածքի եզրերը գրեթե չեն երևում։ Ավելացրեք կողքից արված լուսանկարներ՝ 30-ից 60 աստիճան թեքությամբ։</translation>
+    </message>
+    <message>
       <source>If it is one, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Եթե բեկոր է, լուսանկարեք այն առանձին։</translation>

@@ -9174,6 +9174,21 @@
       <translation>Arka yüzde, olağan parçanın uzunluğunun % %1 kadarı olan bir parça dışarıda bırakıldı; ölçek olmadan bir çömlek parçası olabilir.</translation>
     </message>
     <message>
+      <source>The photographs of the front side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzün fotoğrafları, maskelerinin gösterdiğinin yalnızca % %1 kadarında uyuşuyor, bu yüzden taramaları yanlış olabilir. Maskelere ve çekim sırasında hiçbir şeyin kıpırdamadığına bakın.</translation>
+    </message>
+    <message>
+      <source>The photographs of the back side agree on only %1 % of what its masks show, so its scans may be wrong. Check the masks, and that nothing moved while they were taken.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzün fotoğrafları, maskelerinin gösterdiğinin yalnızca % %1 kadarında uyuşuyor, bu yüzden taramaları yanlış olabilir. Maskelere ve çekim sırasında hiçbir şeyin kıpırdamadığına bakın.</translation>
+    </message>
+    <message>
+      <source>All photographs look at the sheet from straight above, so heights and wall thicknesses are uncertain and broken edges are hardly seen. Add photographs from the side, tilted by 30 to 60 degrees.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bütün fotoğraflar kâğıda dik olarak yukarıdan bakıyor, bu yüzden yükseklikler ve cidar kalınlıkları belirsiz, kırık kenarlar da neredeyse görünmüyor. Yandan, 30 ile 60 derece eğik fotoğraflar ekleyin.</translation>
+    </message>
+    <message>
       <source>If it is one, photograph it alone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Öyleyse, onu tek başına fotoğraflayın.</translation>

@@ -119,8 +119,13 @@ Result<PhotoFindings> checkPhotographs(std::span<const rig::PosedImage> images,
   for (const auto& look : looks)
     if (!*look) return look->error();
 
-  std::map<int, double> sharpest;  // by camera; its focus is the same on both sides
-  const auto cameraOf = [&](std::size_t i) { return options.one_camera ? 0 : images[i].camera; };
+  // By camera; its focus is the same on both sides. By hand, pictures of another size are another
+  // camera's, or another lens's, and as sharp as they can be at another width.
+  std::map<int, double> sharpest;
+  const auto cameraOf = [&](std::size_t i) {
+    const rig::Intrinsics& lens = images[i].intrinsics;
+    return options.one_camera ? lens.width * lens.height : images[i].camera;
+  };
   std::map<batch::Side, std::set<int>> seen;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const Look& look = **looks[i];

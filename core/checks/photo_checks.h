@@ -20,7 +20,8 @@ struct PhotoCheckOptions {
   double most_left_out = 0.25;  ///< of a side's photographs, for a blur; more of them stay in use
   double least_step = 30;       ///< grey values from a marker's black to its paper, of 255
   double most_covered = 0.1;    ///< share of the markers that no photograph of a side shows
-  bool one_camera = false;      ///< photographs by hand: PosedImage::camera counts them
+  /// Photographs by hand: PosedImage::camera counts them, those of one size are one camera's.
+  bool one_camera = false;
   int threads = 0;
 };
 

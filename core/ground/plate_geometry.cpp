@@ -40,6 +40,12 @@ cv::Mat2f interpolated(int width, int height, const Exact& exact) {
   return full;
 }
 
+// Of the circle that the grid's square surrounds. A sheet's markers may all lie in its middle.
+double radiusOf(const batch::Plate& plate) {
+  const double marked = 0.5 * plate.diameter_mm;
+  return plate.sheet ? std::max(marked, 0.5 * plate.sheet->sizes().maxCoeff()) : marked;
+}
+
 }  // namespace
 
 double millimetresPerPixel(const rig::PosedImage& image) {
@@ -47,21 +53,27 @@ double millimetresPerPixel(const rig::PosedImage& image) {
   return depth / image.intrinsics.fx;
 }
 
+double finestPitch_mm(const batch::Plate& plate) {
+  return 2 * radiusOf(plate) / 1600;
+}
+
 PlateGrid gridOver(const batch::Plate& plate, double mm_per_pixel) {
   PlateGrid grid;
-  grid.radius_mm = 0.5 * plate.diameter_mm;
+  grid.radius_mm = radiusOf(plate);
   grid.pitch_mm = 1.4 * mm_per_pixel;
-  // Finer than 1/1600 of the plate would cost memory and no outline gets better by it.
-  grid.pitch_mm = std::max(grid.pitch_mm, plate.diameter_mm / 1600);
+  grid.pitch_mm = std::max(grid.pitch_mm, finestPitch_mm(plate));
   grid.size = 2 * static_cast<int>(std::ceil(grid.radius_mm / grid.pitch_mm)) + 1;
   grid.ring_inner_mm = grid.radius_mm;
   if (plate.sheet) return grid;  // sherds may lie on its markers
   for (const batch::Marker& marker : plate.markers) {
     const double side = (marker.corners[1] - marker.corners[0]).norm();
+    double nearest = grid.radius_mm;
     for (int k = 0; k < 4; ++k) {
       const Eigen::Vector3d middle = 0.5 * (marker.corners[k] + marker.corners[(k + 1) % 4]);
-      grid.ring_inner_mm = std::min(grid.ring_inner_mm, middle.norm() - side / 6);
+      nearest = std::min(nearest, middle.norm() - side / 6);
     }
+    // One in the middle of the plate is none of the ring: sherds lie around it.
+    if (nearest > 0.5 * grid.radius_mm) grid.ring_inner_mm = std::min(grid.ring_inner_mm, nearest);
   }
   return grid;
 }

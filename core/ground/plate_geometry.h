@@ -17,6 +17,10 @@ struct PlateGrid {
   double middle() const { return 0.5 * (size - 1); }
 };
 
+/// The finest cells over a plate: finer than 1/1600 of it they would cost memory, and no outline
+/// gets better by it.
+double finestPitch_mm(const batch::Plate& plate);
+
 /// A grid whose cells are about 1.4 pixels wide, so that neighbours are hardly correlated and the
 /// mosaic of a camera fits into memory.
 PlateGrid gridOver(const batch::Plate& plate, double mm_per_pixel);

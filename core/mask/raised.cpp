@@ -11,7 +11,7 @@
 namespace ostraka::mask {
 namespace {
 
-constexpr int kWindow = 9;          // pixels of half size, as the cells of the sweep
+constexpr int kWindow = 9;          // cells of the sweep
 constexpr int kReach = 13;          // a window that lies a third on a sherd agrees already
 constexpr float kByChance = 0.45F;  // unrelated windows hardly ever agree more on their best plane
 constexpr float kSlope = 12;        // agreement 0.85 against none: 5 in the logarithm
@@ -54,7 +54,9 @@ double largestSlide(std::span<const rig::PosedImage* const> images) {
 }
 
 // What the agreement on the plate and above it says, spread as far as the windows' place is known.
-cv::Mat1f oddsOf(const rig::PosedImage& image, const cv::Mat1f& on_plate, const cv::Mat1f& above) {
+// cell_px: a cell of the sweep in pixels of half size.
+cv::Mat1f oddsOf(const rig::PosedImage& image, double cell_px, const cv::Mat1f& on_plate,
+                 const cv::Mat1f& above) {
   cv::Mat1f odds(above.size());
   for (int y = 0; y < odds.rows; ++y)
     for (int x = 0; x < odds.cols; ++x) {
@@ -63,11 +65,12 @@ cv::Mat1f oddsOf(const rig::PosedImage& image, const cv::Mat1f& on_plate, const 
       odds(y, x) = std::clamp(kSlope * (high - low), -kMostRaised, kMostRaised);
     }
   const double sine = std::abs(image.centre().normalized().z());
+  const int half = cvRound(cell_px * (kReach / 2)), even = cvRound(cell_px * kWindow);
   const cv::Mat window =
-      cv::getStructuringElement(cv::MORPH_ELLIPSE, {kReach, 2 * cvRound(sine * (kReach / 2)) + 1});
+      cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * half + 1, 2 * cvRound(sine * half) + 1});
   // Grain is uneven, so agreement is spotty.
   cv::medianBlur(odds, odds, 5);
-  cv::blur(odds, odds, {kWindow, kWindow});
+  cv::blur(odds, odds, {even, even});
   cv::Mat1f sure = cv::max(odds, 0), against = cv::max(-odds, 0);
   cv::erode(sure, sure, window);
   cv::erode(against, against, window);
@@ -75,6 +78,10 @@ cv::Mat1f oddsOf(const rig::PosedImage& image, const cv::Mat1f& on_plate, const 
 }
 
 }  // namespace
+
+double sweepPitch_mm(const rig::PosedImage& image, const batch::Plate& plate) {
+  return std::max(2 * ground::millimetresPerPixel(image), ground::finestPitch_mm(plate));
+}
 
 std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> images,
                                     std::span<const cv::Mat* const> photographs,
@@ -86,7 +93,7 @@ std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> imag
       odds.emplace_back(photograph->rows / 2, photograph->cols / 2, 0.F);
     return odds;
   }
-  const double pitch = 2 * ground::millimetresPerPixel(*images[0]);
+  const double pitch = sweepPitch_mm(*images[0], plate);
   const double step = kSlideCells * pitch / largestSlide(images);
   const int planes = static_cast<int>(std::min(max_height_mm, kHighest) / step);
   // No sherd stands on the ring of markers.
@@ -104,7 +111,8 @@ std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> imag
   millimetres.size = 1;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const cv::Mat2f plate_mm = ground::gridOfPixels(halfOf(*images[i]), millimetres);
-    odds.push_back(oddsOf(*images[i], sweep.seenFrom(i, on_plate[i], plate_mm),
+    const double usual = 2 * ground::millimetresPerPixel(*images[0]);
+    odds.push_back(oddsOf(*images[i], pitch / usual, sweep.seenFrom(i, on_plate[i], plate_mm),
                           sweep.seenFrom(i, above[i], plate_mm)));
   }
   return odds;

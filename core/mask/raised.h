@@ -23,6 +23,10 @@ std::vector<cv::Mat1f> weighHeights(std::span<const rig::PosedImage* const> imag
                                     const batch::Plate& plate, double max_height_mm,
                                     double bend_mm = 0);
 
+/// The sweep's cells: two pixels of this photograph at the plate's centre, but no finer than the
+/// plate's picture is kept. A photograph from near of a part of a large sheet would take gigabytes.
+double sweepPitch_mm(const rig::PosedImage& image, const batch::Plate& plate);
+
 /// Such odds in a photograph's own size, less where it is darker than a third of the bare plate and
 /// none below a sixth: what lies in so deep a shadow shows no grain, so its windows agree by the
 /// outlines beside it. residual: log photograph - log bare plate.

@@ -51,6 +51,7 @@ Result<double> commonScale(std::span<const scan::Scan> fronts, std::span<const s
                            std::stop_token stop) {
   constexpr double kLikely = 5;    // logarithm of odds of 150, for pairs that confirm each other
   constexpr double kCertain = 20;  // for a pair alone: with size free, non-matches can reach 10
+  if (fronts.empty() || backs.empty()) return 1.0;
   const double front_factor = toUsualSize(fronts), back_factor = toUsualSize(backs);
   CandidateOptions free = options;
   free.scale = Scale::Free;

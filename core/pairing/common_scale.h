@@ -12,8 +12,8 @@ namespace ostraka::pairing {
 
 /// Front size / back size of a batch whose two sides have no common unit (poses from photographs
 /// alone): one number for all its pairs. Shapes are compared with scale free; the median of the
-/// best assignment's scales, to about 0.3 %. Units may be anything. Errors: NotEnough when no pair
-/// is likely, Cancelled, those of findCandidates.
+/// best assignment's scales, to about 0.3 %. Units may be anything. 1 where only one side has
+/// scans. Errors: NotEnough when no pair is likely, Cancelled, those of findCandidates.
 Result<double> commonScale(std::span<const scan::Scan> fronts, std::span<const scan::Scan> backs,
                            const CandidateOptions& options, Progress& progress,
                            std::stop_token stop);

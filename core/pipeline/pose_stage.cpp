@@ -11,6 +11,7 @@
 #include "checks/no_scale.h"
 #include "checks/photo_checks.h"
 #include "checks/scale_check.h"
+#include "checks/straight_down.h"
 #include "colmap/colmap_program.h"
 #include "files/files.h"
 #include "files/json.h"
@@ -312,6 +313,10 @@ Result<Staged<Poses>> poseStage(const Run& run) {
     const checks::ScaleCheck scale = scaleOf(run, *poses, notes);
     if (const Result<void> left = leaveOutSpoilt(run, *poses, notes); !left) return left.error();
     leaveOutOutliers(run, *poses, notes);
+    if (const auto doubt = free ? checks::straightDown(poses->images) : std::nullopt) {
+      run.progress.note(NoteLevel::Warning, *doubt);
+      notes.warnings.push_back(*doubt);
+    }
     if (const Result<void> written = rig::writeCameras(folder / "cameras.json", poses->images);
         !written)
       return written.error();

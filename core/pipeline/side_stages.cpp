@@ -9,6 +9,7 @@
 #include "base/part_progress.h"
 #include "batch/mask_source.h"
 #include "batch/photograph.h"
+#include "checks/agreement.h"
 #include "cloud/ply.h"
 #include "files/files.h"
 #include "mask/given_mask.h"
@@ -221,15 +222,19 @@ bool names(const Message& message, const std::string& file) {
 }
 
 // Another program works in a folder beside the stage's, which stays for its log when it fails.
-Result<PointCloud> denseCloud(const Run& run, const std::string& name,
+Result<PointCloud> denseCloud(const Run& run, batch::Side side, const std::string& name,
                               const std::vector<stereo::View>& views,
-                              const stereo::DenseOptions& options, ordered_json& figures) {
+                              const stereo::DenseOptions& options, stages::StageNotes& notes) {
   if (run.options.dense == DenseMethod::Builtin) {
     Result<stereo::Reconstruction> found =
         stereo::reconstruct(views, options, run.progress, run.stop);
     if (!found) return found.error();
-    figures["confirmed_share"] = found->agreement.confirmedShare();
-    figures["covered_share"] = found->agreement.coveredShare();
+    notes.figures["confirmed_share"] = found->agreement.confirmedShare();
+    notes.figures["covered_share"] = found->agreement.coveredShare();
+    if (const auto doubt = checks::disagreement(side, found->agreement)) {
+      run.progress.note(NoteLevel::Warning, *doubt);
+      notes.warnings.push_back(*doubt);
+    }
     return std::move(found->cloud);
   }
   const bool colmap = run.options.dense == DenseMethod::Colmap;
@@ -288,7 +293,7 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
     stereo::DenseOptions options;
     options.threads = run.options.threads;
     if (run.batch.plate) options.floor_z_mm = -poses.value.bends[sideIndex(side)].most();
-    const Result<PointCloud> cloud = denseCloud(run, name, views, options, notes.figures);
+    const Result<PointCloud> cloud = denseCloud(run, side, name, views, options, notes);
     if (!cloud) return cloud.error();
     const Result<void> written =
         writePly(folder / "cloud.ply", *cloud, std::string("plate_") + batch::name(side));

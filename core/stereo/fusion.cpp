@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/median.h"
 #include "base/parallel.h"
 
 namespace ostraka::stereo {
@@ -118,6 +119,14 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
 }
 
 }  // namespace
+
+float neighbourhood_mm(const std::vector<SurfacePoint>& points, float wanted_mm) {
+  constexpr float kMost_px = 32;
+  std::vector<float> footprints;
+  footprints.reserve(points.size());
+  for (const SurfacePoint& point : points) footprints.push_back(point.footprint_mm);
+  return std::min(wanted_mm, kMost_px * medianOf(footprints));
+}
 
 std::vector<SurfacePoint> fusePlanes(std::span<const Frame* const> frames,
                                      std::span<const PlaneMap> maps, const FusionOptions& options,

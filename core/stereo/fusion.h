@@ -30,6 +30,10 @@ struct SurfacePoint {
   SlantSums slant = {};
 };
 
+/// The radius of neighbourhoods over which points tell something together: as wanted, but at most
+/// 32 pixels' widths. Their number grows with its square, and so many tell as much as more would.
+float neighbourhood_mm(const std::vector<SurfacePoint>& points, float wanted_mm);
+
 /// Points where at least so many views agree, each from the view that sees it most squarely, moved
 /// along the normal to the weighted mean of all that agree. In order of views and their pixels.
 /// agreement: how many pixels there were, and for how many so many views agree.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "base/message.h"
 #include "base/parallel.h"
@@ -12,17 +14,8 @@ namespace {
 constexpr double kMaxCubes = 6e6;        // 6 MB, about 0.6 mm on a plate of sherds
 constexpr double kMaxCoarseCubes = 2e5;  // to find the bounds
 
-/// The box around the point nearest to all optical axes that every view sees whole.
-Eigen::AlignedBox3f seenBox(std::span<const Frame* const> frames) {
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
-  for (const Frame* f : frames) {
-    const Eigen::Vector3d axis = f->rotation.row(2).transpose().cast<double>();
-    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - axis * axis.transpose();
-    a += across;
-    b += across * f->centre.cast<double>();
-  }
-  const Eigen::Vector3f middle = a.ldlt().solve(b).cast<float>();
+/// A cube around the middle that every view sees whole.
+Eigen::AlignedBox3f boxAround(const Eigen::Vector3f& middle, std::span<const Frame* const> frames) {
   float radius = 0;
   for (const Frame* f : frames) {
     const float distance = (middle - f->centre).norm();
@@ -31,6 +24,40 @@ Eigen::AlignedBox3f seenBox(std::span<const Frame* const> frames) {
   }
   const Eigen::Vector3f reach = Eigen::Vector3f::Constant(radius);
   return {middle - reach, middle + reach};
+}
+
+Eigen::Vector3f axisOf(const Frame& frame) {
+  return frame.rotation.row(2).transpose();
+}
+
+/// The point nearest to all optical axes.
+Eigen::Vector3f whereAxesMeet(std::span<const Frame* const> frames) {
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  for (const Frame* f : frames) {
+    const Eigen::Vector3d axis = axisOf(*f).cast<double>();
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - axis * axis.transpose();
+    a += across;
+    b += across * f->centre.cast<double>();
+  }
+  return a.ldlt().solve(b).cast<float>();
+}
+
+/// The middle of where the optical axes meet the floor: photographs from straight above have axes
+/// that meet nowhere, or above the cameras.
+std::optional<Eigen::Vector3f> whereAxesMeetTheFloor(std::span<const Frame* const> frames,
+                                                     float floor_z) {
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  float count = 0;
+  for (const Frame* f : frames) {
+    const Eigen::Vector3f axis = axisOf(*f);
+    const float along = (floor_z - f->centre.z()) / axis.z();
+    if (!(along > 0) || !std::isfinite(along)) continue;
+    sum += f->centre + along * axis;
+    count += 1;
+  }
+  if (count == 0) return std::nullopt;
+  return Eigen::Vector3f(sum / count);
 }
 
 /// Fewer views than this cannot give a depth that others confirm.
@@ -103,6 +130,31 @@ Eigen::AlignedBox3f boundsOf(const Hull& hull) {
   return box;
 }
 
+/// Six million cubes of the box; nothing where none of them may be the object.
+std::optional<Hull> carvedFinely(std::span<const Frame* const> frames,
+                                 const Eigen::AlignedBox3f& box, int threads) {
+  if (box.isEmpty()) return std::nullopt;
+  Hull hull = carve(frames, box, kMaxCubes, threads);
+  return boundsOf(hull).isEmpty() ? std::nullopt : std::optional(std::move(hull));
+}
+
+/// As many of what few cubes of the box bound.
+std::optional<Hull> carvedWithin(std::span<const Frame* const> frames,
+                                 const Eigen::AlignedBox3f& box, int threads) {
+  if (box.isEmpty()) return std::nullopt;
+  const Hull coarse = carve(frames, box, kMaxCoarseCubes, threads);
+  const Eigen::AlignedBox3f found = boundsOf(coarse);
+  if (found.isEmpty()) return std::nullopt;
+  const Eigen::Vector3f margin = Eigen::Vector3f::Constant(2 * coarse.edge_mm);
+  return carvedFinely(frames, box.intersection({found.min() - margin, found.max() + margin}),
+                      threads);
+}
+
+Eigen::AlignedBox3f above(const std::optional<double>& floor_z_mm, Eigen::AlignedBox3f box) {
+  if (floor_z_mm) box.min().z() = std::max(box.min().z(), static_cast<float>(*floor_z_mm));
+  return box;
+}
+
 }  // namespace
 
 int masksThatMayErr(std::size_t views) {
@@ -122,19 +174,16 @@ bool Hull::at(const Eigen::Vector3f& p_plate) const {
 
 Result<Hull> carveHull(std::span<const Frame* const> frames, const DenseOptions& options,
                        int threads) {
-  Eigen::AlignedBox3f box = options.bounds ? options.bounds->cast<float>() : seenBox(frames);
-  if (options.floor_z_mm)
-    box.min().z() = std::max(box.min().z(), static_cast<float>(*options.floor_z_mm));
-  if (!box.isEmpty() && !options.bounds) {
-    const Hull coarse = carve(frames, box, kMaxCoarseCubes, threads);
-    const Eigen::AlignedBox3f found = boundsOf(coarse);
-    const Eigen::Vector3f margin = Eigen::Vector3f::Constant(2 * coarse.edge_mm);
-    box = found.isEmpty() ? found : box.intersection({found.min() - margin, found.max() + margin});
-  }
-  if (!box.isEmpty()) {
-    Hull hull = carve(frames, box, kMaxCubes, threads);
-    if (!boundsOf(hull).isEmpty()) return hull;
-  }
+  const std::optional<double>& floor = options.floor_z_mm;
+  std::optional<Hull> hull;
+  if (options.bounds)
+    hull = carvedFinely(frames, above(floor, options.bounds->cast<float>()), threads);
+  else
+    hull = carvedWithin(frames, above(floor, boxAround(whereAxesMeet(frames), frames)), threads);
+  if (!hull && !options.bounds && floor)
+    if (const auto middle = whereAxesMeetTheFloor(frames, static_cast<float>(*floor)))
+      hull = carvedWithin(frames, above(floor, boxAround(*middle, frames)), threads);
+  if (hull) return std::move(*hull);
   return Error{
       ErrorCode::NotEnough,
       message("The masks of the views show no common object; check masks, cameras and bounds."),

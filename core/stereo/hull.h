@@ -32,7 +32,8 @@ struct DepthRange {
 };
 
 /// Carves six million cubes within the bounds, or within what the masks bound where there are
-/// none. Errors: NotEnough when nothing is left.
+/// none: around where the optical axes meet, or, where nothing is there, where they meet the floor.
+/// Errors: NotEnough when nothing is left.
 Result<Hull> carveHull(std::span<const Frame* const> frames, const DenseOptions& options,
                        int threads);
 

@@ -29,8 +29,6 @@ constexpr int kOutsideLevels =
     3;  // of the pyramid; the hull is carved at its coarsest, as elsewhere
 /// Points of the sparse model: neighbours and depths of a view are found from a few hundred.
 constexpr std::size_t kSparsePoints = 6000;
-/// As the built-in stereo cuts: one mask may be wrong about a point.
-constexpr int kMaxViewsOutside = 1;
 
 Result<void> writePicture(const fs::path& file, const cv::Mat& picture) {
   std::vector<unsigned char> bytes;
@@ -235,6 +233,7 @@ Result<PointCloud> readOutsideCloud(const fs::path& file, const std::string& pro
   parallelFor(views.size(), options.threads, [&](std::size_t i) {
     if (!views[i].mask.empty()) cv::dilate(views[i].mask, wide[i], cv::Mat());
   });
+  const int most_outside = masksThatMayErr(views.size());  // as the built-in stereo cuts
   std::vector<std::uint8_t> keep(cloud.size(), 0);
   parallelFor(cloud.size(), options.threads, [&](std::size_t i) {
     const Eigen::Vector3d p = cloud.points[i].cast<double>();
@@ -249,7 +248,7 @@ Result<PointCloud> readOutsideCloud(const fs::path& file, const std::string& pro
       outside += place == Place::Outside ? 1 : 0;
       inside += place == Place::Inside ? 1 : 0;
     }
-    keep[i] = outside <= kMaxViewsOutside && inside >= options.min_agreeing_views ? 1 : 0;
+    keep[i] = outside <= most_outside && inside >= options.min_agreeing_views ? 1 : 0;
   });
   std::vector<int> kept;
   for (std::size_t i = 0; i < keep.size(); ++i)

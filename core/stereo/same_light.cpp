@@ -134,17 +134,18 @@ std::vector<SurfacePoint> settledInSameLight(std::span<const Frame* const> frame
     normals.push_back(points[i * kEvery].normal);
   }
   const KdTree tree(places);
+  const float reach_mm = neighbourhood_mm(points, options.reach_mm);
   parallelForRanges(
       points.size(), kPointsATask, options.threads, [&](std::size_t begin, std::size_t end) {
         std::vector<Neighbour> near;
         for (std::size_t i = begin; i < end; ++i) {
-          tree.within(points[i].position, options.reach_mm, near);
+          tree.within(points[i].position, reach_mm, near);
           float sum = 0, weights = 0;
           for (const Neighbour& n : near) {
             const auto k = static_cast<std::size_t>(n.index);
             const float like = normals[k].dot(points[i].normal);
             if (like < 0.5F) continue;  // another face
-            const float d2 = n.squared_distance / (options.reach_mm * options.reach_mm);
+            const float d2 = n.squared_distance / (reach_mm * reach_mm);
             const float weight = known[k].weight * like * like * like * like * std::exp(-2 * d2);
             sum += weight * known[k].mm;
             weights += weight;

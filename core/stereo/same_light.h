@@ -7,7 +7,8 @@
 namespace ostraka::stereo {
 
 struct SameLightOptions {
-  float reach_mm = 3.0F;  ///< of the neighbourhoods over which the correction is averaged
+  /// Of the neighbourhoods over which the correction is averaged; see neighbourhood_mm.
+  float reach_mm = 3.0F;
   int threads = 1;
 };
 

@@ -26,13 +26,14 @@ std::vector<SurfacePoint> withoutSlant(std::vector<SurfacePoint> points,
     }
   if (places.empty()) return points;
   const KdTree tree(places);
+  const float reach_mm = neighbourhood_mm(points, options.reach_mm);
   std::vector<float> moves(points.size(), 0.0F);  // the points stay until all are known
   parallelForRanges(
       points.size(), kSlantTask, options.threads, [&](std::size_t begin, std::size_t end) {
         std::vector<Neighbour> near;
         for (std::size_t i = begin; i < end; ++i) {
           const SurfacePoint& point = points[i];
-          tree.within(point.position, options.reach_mm, near);
+          tree.within(point.position, reach_mm, near);
           float covariance = 0, variance = 0;
           for (const Neighbour& n : near) {
             const SurfacePoint& other = points[chosen[static_cast<std::size_t>(n.index)]];

@@ -6,7 +6,7 @@
 namespace ostraka::stereo {
 
 struct SlantOptions {
-  float reach_mm = 2.5F;  ///< of the neighbourhoods that share one factor
+  float reach_mm = 2.5F;  ///< of the neighbourhoods that share one factor; see neighbourhood_mm
   int threads = 1;
 };
 

@@ -111,6 +111,25 @@ TEST_F(PhotoChecks, SayOnceThatAllOfASideAreBlurred) {
   EXPECT_THAT(small->warnings, IsEmpty());
 }
 
+// Of two telephones, the one with four times the pixels shows an edge twice as wide.
+TEST_F(PhotoChecks, CompareByHandPhotographsOfOneSizeOnly) {
+  for (int shot = 0; shot < 4; ++shot) photograph(batch::Side::Front, shot, 0.8);
+  const cv::Mat picture = cv::imread(images_[3].file);
+  cv::Mat large;
+  cv::resize(picture, large, {1200, 1200}, 0, 0, cv::INTER_CUBIC);
+  cv::imwrite(images_[3].file, large);
+  images_[3].intrinsics = rig::reduced(images_[3].intrinsics, 1200, 1200);
+  const auto found = checkPhotographs(images_, plate_, {.one_camera = true, .threads = 2}, {});
+  ASSERT_TRUE(found.has_value()) << found.error().sentence();
+  EXPECT_THAT(found->warnings, IsEmpty());
+  EXPECT_THAT(found->spoilt, IsEmpty());
+  // One of the same size is compared.
+  photograph(batch::Side::Front, 4, 1.6);
+  const auto blurred = checkPhotographs(images_, plate_, {.one_camera = true, .threads = 2}, {});
+  ASSERT_TRUE(blurred.has_value());
+  EXPECT_THAT(blurred->spoilt, ElementsAre(4U));
+}
+
 TEST_F(PhotoChecks, LeaveAllInUseWhereManyAreBlurred) {
   for (const double blur_px : {0.4, 1.6, 1.6, 0.4})
     photograph(batch::Side::Front, static_cast<int>(images_.size()), blur_px);

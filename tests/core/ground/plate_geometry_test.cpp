@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ostraka::ground {
 namespace {
 
@@ -49,6 +51,24 @@ TEST(PlateGeometry, GridPixelsAndPixelCellsAreEachOthersInverse) {
 TEST(PlateGeometry, TheRingBeginsOneModuleInsideTheMarkers) {
   // Marker 12 mm, module 2 mm, inner side at 74 mm.
   EXPECT_NEAR(gridOver(ringPlate(), 0.25).ring_inner_mm, 72, 1e-9);
+}
+
+TEST(PlateGeometry, AMarkerInTheMiddleOfAPlateEndsNoRing) {
+  batch::Plate plate = ringPlate();
+  const double h = 6;
+  plate.markers.push_back({1, {{{-h, h, 0}, {h, h, 0}, {h, -h, 0}, {-h, -h, 0}}}});
+  EXPECT_NEAR(gridOver(plate, 0.25).ring_inner_mm, 72, 1e-9);
+}
+
+// The circle through its markers is all that such a plate.json says of a diameter.
+TEST(PlateGeometry, TheGridHoldsAllOfASheetWhoseMarkersLieInItsMiddle) {
+  batch::Plate plate;
+  const double h = 10;
+  plate.markers.push_back({1, {{{-h, h, 0}, {h, h, 0}, {h, -h, 0}, {-h, -h, 0}}}});
+  plate.diameter_mm = 2 * std::hypot(h, h);
+  plate.sheet = Eigen::AlignedBox2d(Eigen::Vector2d(-148, -105), Eigen::Vector2d(148, 105));
+  const PlateGrid grid = gridOver(plate, 0.2);
+  EXPECT_GE(grid.pitch_mm * grid.middle(), 148);
 }
 
 TEST(PlateGeometry, MarkerPaperReachesOneModuleBeyondTheMarker) {

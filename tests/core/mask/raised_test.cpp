@@ -126,6 +126,17 @@ TEST(WeighHeights, SayNothingOfOnePhotograph) {
   EXPECT_EQ(cv::countNonZero(odds[0]), 0);
 }
 
+TEST(WeighHeights, TakeCellsOfTwoPixelsButNoFinerOnesThanThePlatesPictureHas) {
+  const Plane scene(0);
+  EXPECT_DOUBLE_EQ(sweepPitch_mm(scene.images[0], scene.plate), 2 * 300.0 / 780);
+  // From 40 mm, on a sheet of half a metre: cells of 0.1 mm would be 24 million to a photograph.
+  rig::PosedImage near = scene.images[0];
+  near.camera_from_plate.translation().z() = 40;
+  batch::Plate sheet;
+  sheet.diameter_mm = 500;
+  EXPECT_DOUBLE_EQ(sweepPitch_mm(near, sheet), 500.0 / 1600);
+}
+
 TEST(HeightsInTheLight, SayNothingInADeepShadow) {
   // From left to right all of the plate's light, a half, a quarter, a tenth.
   cv::Mat3f residual(2, 8);

@@ -29,5 +29,13 @@ TEST(CommonScale, IsRefusedWhenNoTwoOutlinesAreAlike) {
   EXPECT_EQ(scale.error().code, ErrorCode::NotEnough);
 }
 
+TEST(CommonScale, OfOneSideAloneIsItsOwn) {
+  const std::vector<scan::Scan> front = {test::laid(test::SlabSherd(1), 1, 0, 0, 0).scan};
+  QuietProgress quiet;
+  const Result<double> scale = commonScale(front, {}, {}, quiet, {});
+  ASSERT_TRUE(scale.has_value()) << scale.error().what;
+  EXPECT_EQ(*scale, 1.0);
+}
+
 }  // namespace
 }  // namespace ostraka::pairing

@@ -51,6 +51,51 @@ TEST(Hull, GivesEachPixelARangeAroundItsDepth) {
   EXPECT_EQ(ranges.front().far, 0.0F);  // the corner shows the background
 }
 
+// The ball from straight above, the camera moved by hand: the axes turn outwards by 0.6 degrees and
+// meet half a metre above the cameras.
+std::vector<View> ballFromAbove(const TexturedBall& ball) {
+  std::vector<View> views;
+  for (const Eigen::Vector2d& aside :
+       {Eigen::Vector2d(0, 0), Eigen::Vector2d(5, 0), Eigen::Vector2d(-5, 0), Eigen::Vector2d(0, 5),
+        Eigen::Vector2d(0, -5)}) {
+    const Eigen::Vector3d eye = ball.centre + Eigen::Vector3d(aside.x(), aside.y(), 200);
+    const Eigen::Vector3d axis =
+        Eigen::Vector3d(0.002 * aside.x(), 0.002 * aside.y(), -1).normalized();
+    View view;
+    view.camera.intrinsics = {200, 160, 900, 900, 99.5, 79.5, {}};
+    Eigen::Matrix3d r;
+    r.row(2) = axis;
+    r.row(0) = (Eigen::Vector3d::UnitX() - axis.x() * axis).normalized();
+    r.row(1) = axis.cross(Eigen::Vector3d(r.row(0)));
+    view.camera.camera_from_plate.linear() = r;
+    view.camera.camera_from_plate.translation() = -r * eye;
+    view.photograph = cv::Mat(160, 200, CV_8UC3, cv::Scalar(12, 12, 12));
+    view.mask = cv::Mat1b(160, 200, std::uint8_t{0});
+    for (int y = 0; y < 160; ++y)
+      for (int x = 0; x < 200; ++x) {
+        const Eigen::Vector2d n =
+            view.camera.intrinsics.unproject({static_cast<double>(x), static_cast<double>(y)});
+        const Eigen::Vector3d ray = (r.transpose() * n.homogeneous()).normalized();
+        if ((ball.centre - eye).cross(ray).norm() < ball.radius_mm) view.mask(y, x) = 255;
+      }
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+TEST(Hull, IsFoundOnTheFloorWhereTheAxesMeetAboveTheCameras) {
+  const TexturedBall ball;
+  const Carved carved = framesOf(ballFromAbove(ball));
+  DenseOptions options;
+  EXPECT_FALSE(carveHull(carved.frames, options, 2).has_value());
+  options.floor_z_mm = ball.centre.z() - ball.radius_mm;
+  const Result<Hull> hull = carveHull(carved.frames, options, 2);
+  ASSERT_TRUE(hull.has_value()) << hull.error().sentence();
+  EXPECT_TRUE(hull->at((ball.centre + Eigen::Vector3d(0, 0, 9)).cast<float>()));
+  EXPECT_TRUE(hull->at((ball.centre + Eigen::Vector3d(9, 0, 0)).cast<float>()));
+  EXPECT_FALSE(hull->at((ball.centre + Eigen::Vector3d(15, 0, 0)).cast<float>()));
+}
+
 TEST(Hull, OneMaskThatMissesTheObjectDoesNotCostIt) {
   std::vector<View> views = ballViews({}, 4);
   views[3].mask.setTo(0);

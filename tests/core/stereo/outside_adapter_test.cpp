@@ -120,6 +120,24 @@ TEST_F(OutsideAdapter, DropsWhatLiesBelowTheFloorOutsideTheMasksOrWithoutDirecti
   EXPECT_EQ(read->colors[0], (Color{10, 20, 30}));
 }
 
+// As of the built-in stereo's hull: one mask in 24.
+TEST_F(OutsideAdapter, KeepsWhatTwoOf48MasksMiss) {
+  const TexturedBall ball;
+  std::vector<View> views = ballViews(ball, 24);
+  views[0].mask.setTo(0);
+  views[1].mask.setTo(0);
+  PointCloud cloud;
+  cloud.points = {ball.centre.cast<float>() + Eigen::Vector3f(0, 0, 10)};
+  cloud.normals = {{0, 0, 1}};
+  ASSERT_TRUE(writePly(folder_ / "fused.ply", cloud, "world").has_value());
+  const DenseOptions options;
+  const auto kept = readOutsideCloud(folder_ / "fused.ply", "X", "log.txt", views, options);
+  ASSERT_TRUE(kept.has_value()) << kept.error().sentence();
+  EXPECT_EQ(kept->size(), 1U);
+  views[2].mask.setTo(0);
+  EXPECT_FALSE(readOutsideCloud(folder_ / "fused.ply", "X", "log.txt", views, options).has_value());
+}
+
 TEST_F(OutsideAdapter, RefusesPointsWithoutNormals) {
   PointCloud cloud;
   cloud.points = {{3, -2, 20}};

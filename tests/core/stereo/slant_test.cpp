@@ -53,6 +53,17 @@ TEST(Slant, IsLeftAloneWhereTheViewsAgree) {
   EXPECT_NEAR(meanHeight(withoutSlant(seen(0), {})), 0, 0.001);
 }
 
+TEST(Neighbourhoods, HoldNoMorePixelsOfPhotographsFromNear) {
+  std::vector<SurfacePoint> points(3);
+  const auto with = [&](float pixel_mm) {
+    for (SurfacePoint& p : points) p.footprint_mm = pixel_mm;
+    return neighbourhood_mm(points, 2.5F);
+  };
+  EXPECT_FLOAT_EQ(with(0.24F), 2.5F);
+  EXPECT_FLOAT_EQ(with(0.8F), 2.5F);
+  EXPECT_FLOAT_EQ(with(0.05F), 1.6F);  // 2.5 mm would hold 8,000 pixels
+}
+
 TEST(Slant, OfASingleViewIsNotKnown) {
   std::vector<SurfacePoint> points = seen(0.03);
   for (SurfacePoint& p : points) p.slant = {1.1F, 0, 0};

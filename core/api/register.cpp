@@ -1,7 +1,6 @@
 #include "api/register.h"
 
 #include <filesystem>
-#include <utility>
 
 #include "api/checked.h"
 #include "base/message.h"

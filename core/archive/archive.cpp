@@ -1,9 +1,7 @@
 #include "archive/archive.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <map>
-#include <set>
 
 #include "archive/bag_reader.h"
 #include "archive/bagit.h"

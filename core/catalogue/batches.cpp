@@ -1,6 +1,5 @@
 #include "catalogue/batches.h"
 
-#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <set>
@@ -12,7 +11,6 @@
 #include "files/json_message.h"
 #include "records/words.h"
 #include "store/database.h"
-#include "store/names.h"
 #include "store/values.h"
 
 namespace ostraka::catalogue {
@@ -49,11 +47,8 @@ bool hasFolderOfBatch(const store::Database& database, const std::string& number
 std::set<std::int64_t> givenNumbers(store::Database& database) {
   std::set<std::int64_t> given;
   store::Statement rows = database.sql("SELECT number FROM batch WHERE number GLOB 'B[0-9]*'");
-  while (rows.next()) {
-    std::string number;
-    rows >> number;
+  for (std::string number; rows.read(number);)
     if (const auto value = countedBatch(number)) given.insert(*value);
-  }
   return given;
 }
 
@@ -72,24 +67,15 @@ std::string nextNumber(store::Database& database) {
 
 void setBags(store::Database& database, store::BatchRow batch,
              const std::vector<store::BagRow>& bags) {
-  database.sql("DELETE FROM batch_bag WHERE batch = ?").with(batch).run();
+  database.run("DELETE FROM batch_bag WHERE batch = ?", batch);
   for (std::size_t i = 0; i < bags.size(); ++i)
-    database.sql("INSERT OR IGNORE INTO batch_bag VALUES (?, ?, ?)")
-        .with(batch, static_cast<std::int64_t>(i), bags[i])
-        .run();
+    database.run("INSERT OR IGNORE INTO batch_bag VALUES (?, ?, ?)", batch,
+                 static_cast<std::int64_t>(i), bags[i]);
 }
 
 std::vector<store::BagRow> bagsOf(store::Database& database, store::BatchRow batch) {
-  std::vector<store::BagRow> bags;
-  store::Statement rows =
-      database.sql("SELECT bag FROM batch_bag WHERE batch = ? ORDER BY position");
-  rows.with(batch);
-  while (rows.next()) {
-    store::BagRow bag;
-    rows >> bag;
-    bags.push_back(bag);
-  }
-  return bags;
+  return database.sql("SELECT bag FROM batch_bag WHERE batch = ? ORDER BY position", batch)
+      .all<store::BagRow>();
 }
 
 std::string bagsText(const std::vector<store::BagRow>& bags) {
@@ -148,9 +134,8 @@ Result<store::BatchRow> Batches::add(const records::BatchRecord& wanted,
     store::valueOrThrow(store::checkedBatchNumber(b.number));
     if (!b.id.empty() && !isUuid(b.id))
       store::refuse(message("The uuid of a batch is not well formed."), b.id);
-    store::Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?");
-    if (same.with(b.number).next())
-      store::refuse(message("The batch %1 already exists.", b.number));
+    store::Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?", b.number);
+    if (same.next()) store::refuse(message("The batch %1 already exists.", b.number));
     const store::BatchRow row{addRow(catalogue_, provenance, "batch", b.id,
                                      std::string("number ") + kBatchColumns, b.number, b.operator_,
                                      b.counted, records::wordOf(b.state), b.started_ms, b.ended_ms,
@@ -214,25 +199,24 @@ Result<std::vector<records::BatchRecord>> Batches::all() const {
 
 Result<records::BatchRecord> Batches::get(store::BatchRow row) const {
   return database_->asResult([&] {
-    store::Statement rows = database_->sql(std::string(kBatches) + "WHERE row = ?");
-    if (!rows.with(row).next()) store::refuse(message("This batch is not in the catalogue."));
+    store::Statement rows = database_->sql(std::string(kBatches) + "WHERE row = ?", row);
+    if (!rows.next()) store::refuse(message("This batch is not in the catalogue."));
     return readBatchRow(*database_, rows);
   });
 }
 
 Result<records::BatchRecord> Batches::byNumber(const std::string& number) const {
   return database_->asResult([&] {
-    store::Statement rows = database_->sql(std::string(kBatches) + "WHERE number = ?");
-    if (!rows.with(number).next())
-      store::refuse(message("This batch is not in the catalogue."), number);
+    store::Statement rows = database_->sql(std::string(kBatches) + "WHERE number = ?", number);
+    if (!rows.next()) store::refuse(message("This batch is not in the catalogue."), number);
     return readBatchRow(*database_, rows);
   });
 }
 
 Result<std::optional<records::BatchRecord>> Batches::byId(const std::string& id) const {
   return database_->asResult([&]() -> std::optional<records::BatchRecord> {
-    store::Statement rows = database_->sql(std::string(kBatches) + "WHERE id = ?");
-    if (!rows.with(id).next()) return std::nullopt;
+    store::Statement rows = database_->sql(std::string(kBatches) + "WHERE id = ?", id);
+    if (!rows.next()) return std::nullopt;
     return readBatchRow(*database_, rows);
   });
 }
@@ -247,9 +231,9 @@ Result<store::PhotographRow> Batches::save(const records::PhotographRecord& p,
     if (row == 0) {
       store::Statement same = database_->sql(
           "SELECT row FROM photograph WHERE batch = ? AND side = ? AND camera = ? AND stop = ? AND "
-          "take = ?");
-      same.with(p.batch, records::wordOf(p.side), camera, p.stop, p.take);
-      if (same.next()) same >> row;
+          "take = ?",
+          p.batch, records::wordOf(p.side), camera, p.stop, p.take);
+      same.read(row);
     }
     if (row == 0) {
       return store::PhotographRow{
@@ -278,16 +262,15 @@ Result<std::vector<records::PhotographRecord>> Batches::photographs(store::Batch
     std::vector<records::PhotographRecord> all;
     store::Statement rows = database_->sql(
         "SELECT row, batch, side, camera, stop, take, path, serial, exif, angle_deg, sharpness, "
-        "used, reason FROM photograph WHERE batch = ? ORDER BY side DESC, camera, stop, take");
-    rows.with(batch);
-    while (rows.next()) {
-      records::PhotographRecord p;
-      std::string side, camera;
-      rows >> p.row >> p.batch >> side >> camera >> p.stop >> p.take >> p.path >> p.serial >>
-          p.exif_json >> p.angle_deg >> p.sharpness >> p.used >> p.reason;
+        "used, reason FROM photograph WHERE batch = ? ORDER BY side DESC, camera, stop, take",
+        batch);
+    records::PhotographRecord p;
+    std::string side, camera;
+    while (rows.read(p.row, p.batch, side, camera, p.stop, p.take, p.path, p.serial, p.exif_json,
+                     p.angle_deg, p.sharpness, p.used, p.reason)) {
       p.side = records::fromWord<batch::Side>(side);
       p.camera = camera.empty() ? 'A' : camera[0];
-      all.push_back(std::move(p));
+      all.push_back(p);
     }
     return all;
   });
@@ -301,9 +284,9 @@ Result<store::ScanRow> Batches::save(const records::ScanRecord& s,
     std::int64_t row = s.row.value;
     if (row == 0) {
       store::Statement same =
-          database_->sql("SELECT row FROM scan WHERE batch = ? AND side = ? AND position = ?");
-      same.with(s.batch, records::wordOf(s.side), s.index);
-      if (same.next()) same >> row;
+          database_->sql("SELECT row FROM scan WHERE batch = ? AND side = ? AND position = ?",
+                         s.batch, records::wordOf(s.side), s.index);
+      same.read(row);
     }
     if (row == 0) {
       return store::ScanRow{
@@ -331,16 +314,15 @@ Result<std::vector<records::ScanRecord>> Batches::scans(store::BatchRow batch) c
     std::vector<records::ScanRecord> all;
     store::Statement rows = database_->sql(
         "SELECT row, batch, side, position, name, path, points, coverage_pct, plate_x_mm, "
-        "plate_y_mm, state FROM scan WHERE batch = ? ORDER BY side DESC, position");
-    rows.with(batch);
-    while (rows.next()) {
-      records::ScanRecord s;
-      std::string side, state;
-      rows >> s.row >> s.batch >> side >> s.index >> s.name >> s.path >> s.points >>
-          s.coverage_pct >> s.plate_x_mm >> s.plate_y_mm >> state;
+        "plate_y_mm, state FROM scan WHERE batch = ? ORDER BY side DESC, position",
+        batch);
+    records::ScanRecord s;
+    std::string side, state;
+    while (rows.read(s.row, s.batch, side, s.index, s.name, s.path, s.points, s.coverage_pct,
+                     s.plate_x_mm, s.plate_y_mm, state)) {
       s.side = records::fromWord<batch::Side>(side);
       s.state = records::fromWord<records::ScanState>(state);
-      all.push_back(std::move(s));
+      all.push_back(s);
     }
     return all;
   });

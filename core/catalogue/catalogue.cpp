@@ -1,19 +1,12 @@
 #include "catalogue/catalogue.h"
 
-#include <nlohmann/json.hpp>
-#include <set>
-
 #include "base/message.h"
 #include "catalogue/history.h"
-#include "files/json_text.h"
 #include "records/numbering.h"
-#include "records/starting_words.h"
 #include "store/database.h"
 #include "store/file_header.h"
 #include "store/migrations.h"
-#include "store/names.h"
 #include "store/partial_file.h"
-#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {
@@ -21,10 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string firstText(store::Database& database, const char* sql) {
-  std::string text;
-  store::Statement rows = database.sql(sql);
-  if (rows.next()) rows >> text;
-  return text;
+  return database.sql(sql).one<std::string>();
 }
 
 int historyRows(store::Database& database) {
@@ -62,7 +52,7 @@ Result<void> Catalogue::checkIntegrity() const {
   // FTS5 compares its index with its texts in the form of an insertion.
   if (readOnly()) return {};
   return database_->asResult([&] {
-    database_->sql("INSERT INTO sherd_text(sherd_text, rank) VALUES('integrity-check', 0)").run();
+    database_->run("INSERT INTO sherd_text(sherd_text, rank) VALUES('integrity-check', 0)");
   });
 }
 

@@ -5,7 +5,6 @@
 #include "records/sherd.h"
 #include "records/words.h"
 #include "store/database.h"
-#include "store/names.h"
 #include "store/values.h"
 
 namespace ostraka::catalogue {
@@ -15,15 +14,14 @@ constexpr const char* kFiles =
     "SELECT row, id, path, sha256, media_type, role, bytes, state, sherd, batch FROM file ";
 constexpr const char* kColumns = "path sha256 bytes media_type role state sherd batch";
 
-std::vector<records::FileRecord> readFiles(store::Statement& rows) {
+std::vector<records::FileRecord> readFiles(store::Statement rows) {
   std::vector<records::FileRecord> all;
-  while (rows.next()) {
-    records::FileRecord f;
-    std::string state;
-    rows >> f.row >> f.id >> f.path >> f.sha256 >> f.media_type >> f.role >> f.bytes >> state >>
-        f.sherd >> f.batch;
+  records::FileRecord f;
+  std::string state;
+  while (rows.read(f.row, f.id, f.path, f.sha256, f.media_type, f.role, f.bytes, state, f.sherd,
+                   f.batch)) {
     f.state = records::fromWord<records::FileState>(state);
-    all.push_back(std::move(f));
+    all.push_back(f);
   }
   return all;
 }
@@ -37,8 +35,8 @@ Result<store::FileRow> Files::save(const records::FileRecord& f,
     if (!path) throw store::Refused(path.error());
     std::int64_t row = f.row.value;
     if (row == 0) {
-      store::Statement same = database_->sql("SELECT row FROM file WHERE path = ?");
-      if (same.with(*path).next()) same >> row;
+      store::Statement same = database_->sql("SELECT row FROM file WHERE path = ?", *path);
+      same.read(row);
     }
     if (row == 0) {
       return store::FileRow{addRow(catalogue_, provenance, "file", f.id, kColumns, *path, f.sha256,
@@ -62,25 +60,19 @@ Result<store::FileRow> Files::save(const records::FileRecord& f,
 
 Result<std::vector<records::FileRecord>> Files::of(store::SherdRow sherd) const {
   return database_->asResult([&] {
-    store::Statement rows = database_->sql(std::string(kFiles) + "WHERE sherd = ? ORDER BY path");
-    rows.with(sherd);
-    return readFiles(rows);
+    return readFiles(database_->sql(std::string(kFiles) + "WHERE sherd = ? ORDER BY path", sherd));
   });
 }
 
 Result<std::vector<records::FileRecord>> Files::of(store::BatchRow batch) const {
   return database_->asResult([&] {
-    store::Statement rows = database_->sql(std::string(kFiles) + "WHERE batch = ? ORDER BY path");
-    rows.with(batch);
-    return readFiles(rows);
+    return readFiles(database_->sql(std::string(kFiles) + "WHERE batch = ? ORDER BY path", batch));
   });
 }
 
 Result<std::vector<records::FileRecord>> Files::all() const {
-  return database_->asResult([&] {
-    store::Statement rows = database_->sql(std::string(kFiles) + "ORDER BY path");
-    return readFiles(rows);
-  });
+  return database_->asResult(
+      [&] { return readFiles(database_->sql(std::string(kFiles) + "ORDER BY path")); });
 }
 
 }  // namespace ostraka::catalogue

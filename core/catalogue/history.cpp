@@ -3,8 +3,6 @@
 #include "records/sherd.h"
 #include "records/words.h"
 #include "store/database.h"
-#include "store/names.h"
-#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {
@@ -12,14 +10,11 @@ namespace {
 constexpr const char* kHistory =
     "SELECT at, person, table_name, field, old, new, why, source, row FROM history ";
 
-std::vector<records::HistoryEntry> readHistory(store::Statement& rows) {
+std::vector<records::HistoryEntry> readHistory(store::Statement rows) {
   std::vector<records::HistoryEntry> all;
-  while (rows.next()) {
-    records::HistoryEntry h;
-    rows >> h.at_ms >> h.by >> h.table >> h.field >> h.old_value >> h.new_value >> h.why >>
-        h.source >> h.row;
-    all.push_back(std::move(h));
-  }
+  for (records::HistoryEntry h; rows.read(h.at_ms, h.by, h.table, h.field, h.old_value, h.new_value,
+                                          h.why, h.source, h.row);)
+    all.push_back(h);
   return all;
 }
 
@@ -28,11 +23,12 @@ std::vector<records::HistoryEntry> readHistory(store::Statement& rows) {
 std::string rowAsNamed(store::Database& database, const std::string& field, std::string value) {
   const bool batch = field == "batch";
   if (value.empty() || (!batch && field != "front" && field != "back")) return value;
-  store::Statement name = database.sql(
-      batch ? "SELECT number FROM batch WHERE row = CAST(? AS INTEGER)"
-            : "SELECT b.number || ' ' || s.name FROM scan s JOIN batch b ON b.row = s.batch WHERE "
-              "s.row = CAST(? AS INTEGER)");
-  if (name.with(value).next()) name >> value;
+  database
+      .sql(batch ? "SELECT number FROM batch WHERE row = CAST(? AS INTEGER)"
+                 : "SELECT b.number || ' ' || s.name FROM scan s JOIN batch b ON b.row = s.batch "
+                   "WHERE s.row = CAST(? AS INTEGER)",
+           value)
+      .read(value);
   return value;
 }
 
@@ -55,13 +51,11 @@ void remember(const Catalogue& catalogue, const records::Provenance& provenance,
               std::int64_t row, const std::string& field, const std::string& old_value,
               const std::string& new_value) {
   if (old_value == new_value) return;
-  catalogue.database()
-      .sql(
-          "INSERT INTO history (at, person, table_name, row, field, old, new, why, source) VALUES "
-          "(?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .with(catalogue.now(), provenance.person, table, row, field, old_value, new_value,
-            provenance.why, provenance.source)
-      .run();
+  catalogue.database().run(
+      "INSERT INTO history (at, person, table_name, row, field, old, new, why, source) VALUES "
+      "(?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      catalogue.now(), provenance.person, table, row, field, old_value, new_value, provenance.why,
+      provenance.source);
 }
 
 bool rememberDifferences(const Catalogue& catalogue, const records::Provenance& provenance,
@@ -76,8 +70,8 @@ bool rememberDifferences(const Catalogue& catalogue, const records::Provenance& 
   std::vector<std::string> old_values(fields.size());
   {
     store::Statement rows =
-        catalogue.database().sql("SELECT " + columns + " FROM " + table + " WHERE row = ?");
-    if (!rows.with(row).next()) store::refuse(gone(table));
+        catalogue.database().sql("SELECT " + columns + " FROM " + table + " WHERE row = ?", row);
+    if (!rows.next()) store::refuse(gone(table));
     for (std::string& value : old_values) rows.readText(value);
   }
   bool any = false;
@@ -91,10 +85,7 @@ bool rememberDifferences(const Catalogue& catalogue, const records::Provenance& 
 
 std::int64_t History::length() const {
   const Result<std::int64_t> length = database_->asResult([&] {
-    std::int64_t rows = 0;
-    store::Statement last = database_->sql("SELECT ifnull(max(number), 0) FROM history");
-    if (last.next()) last >> rows;
-    return rows;
+    return database_->sql("SELECT ifnull(max(number), 0) FROM history").one<std::int64_t>();
   });
   return length ? *length : 0;
 }
@@ -112,10 +103,9 @@ Result<std::vector<records::HistoryEntry>> History::of(store::SherdRow sherd) co
 Result<std::vector<records::HistoryEntry>> History::of(const std::string& table,
                                                        std::int64_t row) const {
   return database_->asResult([&] {
-    store::Statement rows = database_->sql(std::string(kHistory) +
-                                           "WHERE table_name = ? AND row = ? ORDER BY number DESC");
-    rows.with(table, row);
-    return readHistory(rows);
+    return readHistory(database_->sql(
+        std::string(kHistory) + "WHERE table_name = ? AND row = ? ORDER BY number DESC", table,
+        row));
   });
 }
 

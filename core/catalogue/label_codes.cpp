@@ -28,32 +28,16 @@ bool isPlace(std::string_view text) {
          digits(text.substr(1, dash - 1)) && digits(text.substr(dash + 1));
 }
 
-// Looks a row up by keys that are unique; none when there is none.
-template <class Row, class... Values>
-Row rowBy(const Catalogue& catalogue, const char* sql, const Values&... values) {
-  Row row;
-  store::Statement rows = catalogue.database().sql(sql);
-  if (rows.with(values...).next()) rows >> row;
-  return row;
-}
-
-template <class Row, class Record>
-Row made(const Catalogue& catalogue, const Record& record, const records::Provenance& provenance) {
-  const Result<Row> row = Places(catalogue).save(record, provenance);
-  if (!row) throw store::Refused(row.error());
-  return *row;
-}
-
 std::optional<BagPlace> placeBy(const Catalogue& catalogue, const std::string& condition,
                                 const auto& value) {
   store::Statement rows = catalogue.database().sql(
       "SELECT site.code, trench.code, context.number, bag.number FROM bag JOIN context ON "
       "context.row = bag.context JOIN site ON site.row = context.site LEFT JOIN trench ON "
       "trench.row = context.trench WHERE " +
-      condition);
-  if (!rows.with(value).next()) return {};
+          condition,
+      value);
   BagPlace place;
-  rows >> place.site >> place.trench >> place.context >> place.bag;
+  if (!rows.read(place.site, place.trench, place.context, place.bag)) return {};
   return place;
 }
 
@@ -90,18 +74,21 @@ std::optional<LabelCode> readLabelCode(std::string_view text) {
 }
 
 Result<store::SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode& label) {
-  return catalogue.database().asResult([&] {
+  store::Database& database = catalogue.database();
+  return database.asResult([&] {
     if (!label.id_end.empty())
-      return rowBy<store::SherdRow>(
-          catalogue, "SELECT row FROM sherd WHERE substr(replace(id, '-', ''), -8) = ?",
-          label.id_end);
+      return database
+          .sql("SELECT row FROM sherd WHERE substr(replace(id, '-', ''), -8) = ?", label.id_end)
+          .one<store::SherdRow>();
     const std::size_t dash = label.number.find('-');
     if (dash == std::string::npos || !label.isPlaceOnPlate()) return store::SherdRow();
-    return rowBy<store::SherdRow>(
-        catalogue,
-        "SELECT sherd.row FROM sherd JOIN scan ON scan.row = sherd.front JOIN batch ON batch.row = "
-        "scan.batch WHERE batch.number = ? COLLATE NOCASE AND scan.position = CAST(? AS INTEGER)",
-        label.number.substr(0, dash), label.number.substr(dash + 1));
+    return database
+        .sql(
+            "SELECT sherd.row FROM sherd JOIN scan ON scan.row = sherd.front JOIN batch ON "
+            "batch.row = scan.batch WHERE batch.number = ? COLLATE NOCASE AND scan.position = "
+            "CAST(? AS INTEGER)",
+            label.number.substr(0, dash), label.number.substr(dash + 1))
+        .one<store::SherdRow>();
   });
 }
 
@@ -119,38 +106,13 @@ Result<std::optional<BagPlace>> placeOf(const Catalogue& catalogue, store::BagRo
 Result<store::BagRow> bagAt(const Catalogue& catalogue, const BagPlace& place,
                             const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
-    records::ContextRecord context;
-    context.number = place.context;
-    context.site = rowBy<store::SiteRow>(catalogue, "SELECT row FROM site WHERE code_key = ?",
-                                         store::uniqueKey(store::trimmed(place.site)));
-    if (!context.site) {
-      records::SiteRecord site;
-      site.code = site.name = place.site;
-      context.site = made<store::SiteRow>(catalogue, site, provenance);
-    }
-    if (!place.trench.empty())
-      context.trench = rowBy<store::TrenchRow>(
-          catalogue, "SELECT row FROM trench WHERE site = ? AND code_key = ?", context.site,
-          store::uniqueKey(store::trimmed(place.trench)));
-    if (!place.trench.empty() && !context.trench) {
-      records::TrenchRecord trench;
-      trench.site = context.site;
-      trench.code = place.trench;
-      context.trench = made<store::TrenchRow>(catalogue, trench, provenance);
-    }
+    std::vector<std::string> made;
     records::BagRecord bag;
     bag.number = place.bag;
-    bag.context = rowBy<store::ContextRow>(
-        catalogue,
-        "SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) = "
-        "ifnull(?, 0) AND number_key "
-        "= ?",
-        context.site, context.trench, store::uniqueKey(store::trimmed(place.context)));
-    if (!bag.context) bag.context = made<store::ContextRow>(catalogue, context, provenance);
-    const store::BagRow known =
-        rowBy<store::BagRow>(catalogue, "SELECT row FROM bag WHERE context = ? AND number_key = ?",
-                             bag.context, store::uniqueKey(store::trimmed(place.bag)));
-    return known ? known : made<store::BagRow>(catalogue, bag, provenance);
+    bag.context = store::valueOrThrow(
+        Places(catalogue).contextAt(place.site, place.trench, place.context, provenance, made));
+    const auto known = store::valueOrThrow(Places(catalogue).bagByNumber(bag.context, bag.number));
+    return known ? known : store::valueOrThrow(Places(catalogue).save(bag, provenance));
   });
 }
 

@@ -66,13 +66,14 @@ std::string checked(const Result<std::string>& value, const char* where) {
   return *value;
 }
 
+std::string typedKey(const std::string& text) {
+  return store::uniqueKey(store::trimmed(text));
+}
+
 // The row that holds this key already, other than the one being saved.
 void refuseDouble(store::Statement rows, std::int64_t own, const Message& what) {
-  std::int64_t row = 0;
-  while (rows.next()) {
-    rows >> row;
+  for (std::int64_t row = 0; rows.read(row);)
     if (row != own) store::refuse(what);
-  }
 }
 
 // Adds an empty row with what every table has, or changes the stamp of the row that is there.
@@ -125,7 +126,7 @@ void searchAnew(store::Database& database, const char* which, std::int64_t row) 
       " FROM sherd_words WHERE sherd = sherd_text.rowid) WHERE rowid IN (SELECT sherd.row FROM "
       "sherd JOIN context ON context.row = sherd.context WHERE context." +
       which + " = ?)";
-  database.sql(update).with(row).run();
+  database.run(update, row);
 }
 
 }  // namespace
@@ -135,11 +136,8 @@ Result<std::vector<records::PersonRecord>> People::all() const {
     std::vector<records::PersonRecord> all;
     store::Statement rows =
         database_->sql("SELECT row, id, name, initials, orcid FROM person ORDER BY initials_key");
-    while (rows.next()) {
-      records::PersonRecord p;
-      rows >> p.row >> p.id >> p.name >> p.initials >> p.orcid;
-      all.push_back(std::move(p));
-    }
+    for (records::PersonRecord p; rows.read(p.row, p.id, p.name, p.initials, p.orcid);)
+      all.push_back(p);
     return all;
   });
 }
@@ -150,8 +148,7 @@ Result<store::PersonRow> People::save(const records::PersonRecord& p,
     const std::string name = needed(p.name, kPersonName);
     const std::string initials = needed(p.initials, kInitials);
     const std::string key = store::uniqueKey(initials);
-    store::Statement same = database_->sql("SELECT row FROM person WHERE initials_key = ?");
-    refuseDouble(std::move(same.with(key)), p.row.value,
+    refuseDouble(database_->sql("SELECT row FROM person WHERE initials_key = ?", key), p.row.value,
                  message("The initials %1 already belong to another person.", initials));
     return store::PersonRow{Saving(catalogue_, provenance, "person", p.row.value, p.id)
                                 .done("name initials initials_key orcid", initials,
@@ -163,10 +160,8 @@ Result<store::PersonRow> People::save(const records::PersonRecord& p,
 Result<store::PersonRow> People::byInitials(const std::string& initials,
                                             const records::Provenance& provenance) {
   const Result<store::PersonRow> known = database_->asResult([&] {
-    store::PersonRow row;
-    store::Statement rows = database_->sql("SELECT row FROM person WHERE initials_key = ?");
-    if (rows.with(store::uniqueKey(store::trimmed(initials))).next()) rows >> row;
-    return row;
+    return database_->sql("SELECT row FROM person WHERE initials_key = ?", typedKey(initials))
+        .one<store::PersonRow>();
   });
   if (!known || *known) return known;
   return save(records::PersonRecord{{}, {}, initials, initials, {}}, provenance);
@@ -178,12 +173,9 @@ Result<std::vector<records::SiteRecord>> Places::sites() const {
     store::Statement rows = database_->sql(
         "SELECT row, id, code, name, gazetteer, latitude_deg, longitude_deg, location_public FROM "
         "site ORDER BY code_key");
-    while (rows.next()) {
-      records::SiteRecord s;
-      rows >> s.row >> s.id >> s.code >> s.name >> s.gazetteer >> s.latitude_deg >>
-          s.longitude_deg >> s.location_public;
-      all.push_back(std::move(s));
-    }
+    for (records::SiteRecord s; rows.read(s.row, s.id, s.code, s.name, s.gazetteer, s.latitude_deg,
+                                          s.longitude_deg, s.location_public);)
+      all.push_back(s);
     return all;
   });
 }
@@ -196,8 +188,8 @@ Result<store::SiteRow> Places::save(const records::SiteRecord& s,
       store::refuse(message("The latitude must be between -90 and 90 degrees."), code);
     if (s.longitude_deg && !(*s.longitude_deg >= -180 && *s.longitude_deg <= 180))
       store::refuse(message("The longitude must be between -180 and 180 degrees."), code);
-    refuseDouble(std::move(database_->sql("SELECT row FROM site WHERE code_key = ?").with(key)),
-                 s.row.value, message("The site %1 already exists.", code));
+    refuseDouble(database_->sql("SELECT row FROM site WHERE code_key = ?", key), s.row.value,
+                 message("The site %1 already exists.", code));
     const store::SiteRow row{
         Saving(catalogue_, provenance, "site", s.row.value, s.id)
             .done("code code_key name latitude_deg longitude_deg location_public gazetteer", code,
@@ -219,11 +211,8 @@ Result<std::vector<records::TrenchRecord>> Places::trenches() const {
     std::vector<records::TrenchRecord> all;
     store::Statement rows = database_->sql(
         "SELECT row, site, id, code, name, parent FROM trench ORDER BY site, code_key");
-    while (rows.next()) {
-      records::TrenchRecord t;
-      rows >> t.row >> t.site >> t.id >> t.code >> t.name >> t.parent;
-      all.push_back(std::move(t));
-    }
+    for (records::TrenchRecord t; rows.read(t.row, t.site, t.id, t.code, t.name, t.parent);)
+      all.push_back(t);
     return all;
   });
 }
@@ -235,9 +224,9 @@ Result<store::TrenchRow> Places::save(const records::TrenchRecord& t,
     if (!t.site) store::refuse(message("A trench needs a site."), code);
     if (t.parent && t.parent == t.row)
       store::refuse(message("A trench cannot contain itself."), code);
-    refuseDouble(std::move(database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?")
-                               .with(t.site, key)),
-                 t.row.value, message("The trench %1 already exists in this site.", code));
+    refuseDouble(
+        database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?", t.site, key),
+        t.row.value, message("The trench %1 already exists in this site.", code));
     const store::TrenchRow row{Saving(catalogue_, provenance, "trench", t.row.value, t.id)
                                    .done("site code code_key name parent", code,
                                          {{"site", rowText(t.site.value)},
@@ -262,9 +251,8 @@ Result<std::vector<records::ContextRecord>> Places::contexts() const {
 
 Result<records::ContextRecord> Places::context(store::ContextRow row) const {
   return database_->asResult([&] {
-    store::Statement rows = database_->sql(std::string(kContexts) + " WHERE context.row = ?");
-    if (!rows.with(row).next())
-      store::refuse(message("This context is no longer in the catalogue."));
+    store::Statement rows = database_->sql(std::string(kContexts) + " WHERE context.row = ?", row);
+    if (!rows.next()) store::refuse(message("This context is no longer in the catalogue."));
     return readContext(rows);
   });
 }
@@ -272,15 +260,60 @@ Result<records::ContextRecord> Places::context(store::ContextRow row) const {
 Result<store::ContextRow> Places::contextByPlace(const std::string& site, const std::string& trench,
                                                  const std::string& number) const {
   return database_->asResult([&] {
-    store::ContextRow row;
-    store::Statement rows = database_->sql(
-        "SELECT context.row FROM context JOIN site ON site.row = context.site LEFT JOIN trench ON "
-        "trench.row = context.trench WHERE context.number_key = ? AND site.code_key = ? AND "
-        "ifnull(trench.code_key, '') = ?");
-    if (rows.with(store::uniqueKey(number), store::uniqueKey(site), store::uniqueKey(trench))
-            .next())
-      rows >> row;
-    return row;
+    return database_
+        ->sql(
+            "SELECT context.row FROM context JOIN site ON site.row = context.site LEFT JOIN trench "
+            "ON "
+            "trench.row = context.trench WHERE context.number_key = ? AND site.code_key = ? AND "
+            "ifnull(trench.code_key, '') = ?",
+            store::uniqueKey(number), store::uniqueKey(site), store::uniqueKey(trench))
+        .one<store::ContextRow>();
+  });
+}
+
+Result<store::ContextRow> Places::contextAt(const std::string& site, const std::string& trench,
+                                            const std::string& number,
+                                            const records::Provenance& provenance,
+                                            std::vector<std::string>& made) {
+  return database_->inTransaction([&] {
+    records::ContextRecord context;
+    context.number = number;
+    context.site = database_->sql("SELECT row FROM site WHERE code_key = ?", typedKey(site))
+                       .one<store::SiteRow>();
+    if (!context.site) {
+      records::SiteRecord record;
+      record.code = record.name = site;
+      context.site = store::valueOrThrow(save(record, provenance));
+      made.push_back(site);
+    }
+    if (!trench.empty())
+      context.trench = database_
+                           ->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?",
+                                 context.site, typedKey(trench))
+                           .one<store::TrenchRow>();
+    if (!trench.empty() && !context.trench) {
+      records::TrenchRecord record;
+      record.site = context.site;
+      record.code = trench;
+      context.trench = store::valueOrThrow(save(record, provenance));
+      made.push_back(site + " " + trench);
+    }
+    const auto known = database_
+                           ->sql(
+                               "SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) = "
+                               "ifnull(?, 0) AND number_key = ?",
+                               context.site, context.trench, typedKey(number))
+                           .one<store::ContextRow>();
+    return known ? known : store::valueOrThrow(save(context, provenance));
+  });
+}
+
+Result<store::BagRow> Places::bagByNumber(store::ContextRow context,
+                                          const std::string& number) const {
+  return database_->asResult([&] {
+    return database_
+        ->sql("SELECT row FROM bag WHERE context = ? AND number_key = ?", context, typedKey(number))
+        .one<store::BagRow>();
   });
 }
 
@@ -298,14 +331,14 @@ Result<store::ContextRow> Places::save(const records::ContextRecord& c,
     const std::string day = checked(store::checkedDay(c.excavated_on), "excavated_on");
     const std::string edtf = checked(store::checkedEdtf(c.date_edtf), "date_edtf");
     if (c.trench) {
-      store::Statement inside = database_->sql("SELECT 1 FROM trench WHERE row = ? AND site = ?");
-      if (!inside.with(c.trench, c.site).next())
+      store::Statement inside =
+          database_->sql("SELECT 1 FROM trench WHERE row = ? AND site = ?", c.trench, c.site);
+      if (!inside.next())
         store::refuse(message("The trench and the context belong to different sites."), number);
     }
-    refuseDouble(std::move(database_
-                               ->sql("SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) "
-                                     "= ifnull(?, 0) AND number_key = ?")
-                               .with(c.site, c.trench, key)),
+    refuseDouble(database_->sql("SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) "
+                                "= ifnull(?, 0) AND number_key = ?",
+                                c.site, c.trench, key),
                  c.row.value, message("The context %1 already exists in this place.", number));
     const store::ContextRow row{Saving(catalogue_, provenance, "context", c.row.value, c.id)
                                     .done("site trench number number_key kind excavated_on period "
@@ -339,14 +372,12 @@ Result<std::vector<records::BagRecord>> Places::bags(store::ContextRow context) 
         "SELECT row, context, id, number, collected_on, storage, count_written, weight_g, (SELECT "
         "count(*) FROM sherd WHERE sherd.bag = bag.row AND sherd.state <> 'void'), ifnull((SELECT "
         "initials FROM person WHERE person.row = bag.created_by), '') FROM bag WHERE ?1 IS NULL OR "
-        "context = ?1 ORDER BY context, number_key");
-    rows.with(context);
-    while (rows.next()) {
-      records::BagRecord b;
-      rows >> b.row >> b.context >> b.id >> b.number >> b.collected_on >> b.storage >>
-          b.count_written >> b.weight_g >> b.sherds >> b.entered_by;
-      all.push_back(std::move(b));
-    }
+        "context = ?1 ORDER BY context, number_key",
+        context);
+    for (records::BagRecord b;
+         rows.read(b.row, b.context, b.id, b.number, b.collected_on, b.storage, b.count_written,
+                   b.weight_g, b.sherds, b.entered_by);)
+      all.push_back(b);
     return all;
   });
 }
@@ -362,8 +393,7 @@ Result<store::BagRow> Places::save(const records::BagRecord& b,
     if (b.count_written && *b.count_written < 0)
       store::refuse(message("A count cannot be less than 0."), number);
     refuseDouble(
-        std::move(database_->sql("SELECT row FROM bag WHERE context = ? AND number_key = ?")
-                      .with(b.context, key)),
+        database_->sql("SELECT row FROM bag WHERE context = ? AND number_key = ?", b.context, key),
         b.row.value, message("The bag %1 already exists in this context.", number));
     return store::BagRow{
         Saving(catalogue_, provenance, "bag", b.row.value, b.id)

@@ -31,6 +31,13 @@ class Places : public Subject {
   /// None when there is no such place. Capitals make no difference; an empty trench is none.
   Result<store::ContextRow> contextByPlace(const std::string& site, const std::string& trench,
                                            const std::string& number) const;
+  /// The same, made with its trench and site where they are new; adds their codes ("ARM1",
+  /// "ARM1 T3") to `made`.
+  Result<store::ContextRow> contextAt(const std::string& site, const std::string& trench,
+                                      const std::string& number, const records::Provenance&,
+                                      std::vector<std::string>& made);
+  /// None when there is no such bag. Capitals make no difference.
+  Result<store::BagRow> bagByNumber(store::ContextRow, const std::string& number) const;
   Result<std::vector<records::BagRecord>> bags() const;
   Result<std::vector<records::BagRecord>> bags(store::ContextRow) const;
 

@@ -10,18 +10,14 @@ std::string searched(std::string word) {
 }
 
 void searchAnew(store::Database& database, store::SherdRow sherd) {
-  database.sql("DELETE FROM sherd_term WHERE sherd = ?").with(sherd).run();
-  database
-      .sql(
-          "INSERT INTO sherd_term SELECT DISTINCT term, field, sherd FROM sherd_terms WHERE sherd "
-          "= ?")
-      .with(sherd)
-      .run();
-  database
-      .sql(std::string("INSERT OR REPLACE INTO sherd_text (rowid, words) SELECT sherd, ") +
-           kSearchedWords + " FROM sherd_words WHERE sherd = ?")
-      .with(sherd)
-      .run();
+  database.run("DELETE FROM sherd_term WHERE sherd = ?", sherd);
+  database.run(
+      "INSERT INTO sherd_term SELECT DISTINCT term, field, sherd FROM sherd_terms WHERE sherd "
+      "= ?",
+      sherd);
+  database.run(std::string("INSERT OR REPLACE INTO sherd_text (rowid, words) SELECT sherd, ") +
+                   kSearchedWords + " FROM sherd_words WHERE sherd = ?",
+               sherd);
 }
 
 }  // namespace ostraka::catalogue

@@ -11,7 +11,6 @@
 #include "records/sherd.h"
 #include "records/starting_words.h"
 #include "store/database.h"
-#include "store/file_header.h"
 #include "store/migrations.h"
 #include "store/names.h"
 #include "store/partial_file.h"
@@ -35,9 +34,8 @@ Result<records::ProjectRecord> Settings::project() const {
     store::Statement row = database_->sql(
         "SELECT id, code, title, institution, licence, rights_holder, numbering, word_for_context "
         "FROM project");
-    if (row.next())
-      row >> p.id >> p.code >> p.title >> p.institution >> p.licence >> p.rights_holder >>
-          p.numbering >> p.word_for_context;
+    row.read(p.id, p.code, p.title, p.institution, p.licence, p.rights_holder, p.numbering,
+             p.word_for_context);
     return p;
   });
 }
@@ -53,20 +51,17 @@ Result<void> Settings::setProject(const records::ProjectRecord& p,
   return database_->inTransaction([&] {
     const bool first = !database_->sql("SELECT 1 FROM project").next();
     if (first) {
-      database_
-          ->sql(
-              "INSERT INTO project (row, id, created_at, created_by, updated_at, updated_by, "
-              "code, title, institution, licence, rights_holder, numbering, word_for_context) "
-              "VALUES (1, ?, ?, ?, ?, ?, ?, '', '', '', '', ?, '')")
-          .with(newId(now()), now(), provenance.person, now(), provenance.person, p.code,
-                p.numbering)
-          .run();
+      database_->run(
+          "INSERT INTO project (row, id, created_at, created_by, updated_at, updated_by, "
+          "code, title, institution, licence, rights_holder, numbering, word_for_context) "
+          "VALUES (1, ?, ?, ?, ?, ?, ?, '', '', '', '', ?, '')",
+          newId(now()), now(), provenance.person, now(), provenance.person, p.code, p.numbering);
       for (const records::StartingVocabulary& vocabulary : records::startingVocabularies())
         for (std::size_t i = 0; i < vocabulary.terms.size(); ++i)
-          database_->sql("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)")
-              .with(vocabulary.name, vocabulary.terms[i].term, static_cast<std::int64_t>(i),
-                    nlohmann::json(vocabulary.terms[i].labels).dump(), vocabulary.terms[i].uri)
-              .run();
+          database_->run("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)", vocabulary.name,
+                         vocabulary.terms[i].term, static_cast<std::int64_t>(i),
+                         nlohmann::json(vocabulary.terms[i].labels).dump(),
+                         vocabulary.terms[i].uri);
     }
     rememberDifferences(catalogue_, provenance, "project", 1,
                         {{"code", p.code},
@@ -76,47 +71,38 @@ Result<void> Settings::setProject(const records::ProjectRecord& p,
                          {"rights_holder", p.rights_holder},
                          {"numbering", p.numbering},
                          {"word_for_context", p.word_for_context}});
-    database_
-        ->sql(
-            "UPDATE project SET code = ?, title = ?, institution = ?, licence = ?, "
-            "rights_holder = ?, numbering = ?, word_for_context = ?, updated_at = ?, "
-            "updated_by = ?, revision = revision + 1")
-        .with(p.code, p.title, p.institution, p.licence, p.rights_holder, p.numbering,
-              p.word_for_context, now(), provenance.person)
-        .run();
+    database_->run(
+        "UPDATE project SET code = ?, title = ?, institution = ?, licence = ?, "
+        "rights_holder = ?, numbering = ?, word_for_context = ?, updated_at = ?, "
+        "updated_by = ?, revision = revision + 1",
+        p.code, p.title, p.institution, p.licence, p.rights_holder, p.numbering, p.word_for_context,
+        now(), provenance.person);
   });
 }
 
 Result<std::string> Settings::value(const std::string& key) const {
   return database_->asResult([&] {
-    std::string value;
-    store::Statement row = database_->sql("SELECT value FROM setting WHERE key = ?");
-    row.with(key);
-    if (row.next()) row >> value;
-    return value;
+    return database_->sql("SELECT value FROM setting WHERE key = ?", key).one<std::string>();
   });
 }
 
 Result<void> Settings::setValue(const std::string& key, const std::string& value) {
-  return database_->inTransaction([&] {
-    database_->sql("INSERT OR REPLACE INTO setting VALUES (?, ?)").with(key, value).run();
-  });
+  return database_->inTransaction(
+      [&] { database_->run("INSERT OR REPLACE INTO setting VALUES (?, ?)", key, value); });
 }
 
 Result<std::vector<records::Term>> Settings::vocabulary(const std::string& name) const {
   return database_->asResult([&] {
     std::vector<records::Term> terms;
-    store::Statement rows =
-        database_->sql("SELECT term, labels, uri FROM vocabulary WHERE name = ? ORDER BY position");
-    rows.with(name);
-    while (rows.next()) {
-      records::Term term;
-      std::string labels;
-      rows >> term.term >> labels >> term.uri;
+    store::Statement rows = database_->sql(
+        "SELECT term, labels, uri FROM vocabulary WHERE name = ? ORDER BY position", name);
+    std::string labels;
+    for (records::Term term; rows.read(term.term, labels, term.uri);) {
+      term.labels.clear();
       const nlohmann::json json = jsonOrDiscarded(labels);
       for (const auto& [language, label] : json.items())
         if (label.is_string()) term.labels[language] = label.get<std::string>();
-      terms.push_back(std::move(term));
+      terms.push_back(term);
     }
     return terms;
   });
@@ -126,16 +112,10 @@ Result<void> Settings::setVocabulary(const std::string& name,
                                      const std::vector<records::Term>& terms,
                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    std::vector<std::string> older, newer;
-    {
-      store::Statement rows =
-          database_->sql("SELECT term FROM vocabulary WHERE name = ? ORDER BY position");
-      rows.with(name);
-      for (std::string term; rows.next();) {
-        rows >> term;
-        older.push_back(term);
-      }
-    }
+    const auto older =
+        database_->sql("SELECT term FROM vocabulary WHERE name = ? ORDER BY position", name)
+            .all<std::string>();
+    std::vector<std::string> newer;
     std::set<std::string> seen;
     for (const records::Term& term : terms) {
       if (store::trimmed(term.term).empty() || term.term.find(';') != std::string::npos)
@@ -146,22 +126,22 @@ Result<void> Settings::setVocabulary(const std::string& name,
     }
     for (const std::string& term : older) {
       if (seen.contains(term)) continue;
-      store::Statement used = database_->sql(
-          "SELECT count(*) FROM sherd_term WHERE term = ?1 AND (field = ?2 OR (?2 = 'surface' AND "
-          "field IN ('surface_out', 'surface_in')))");
-      used.with(term, name);
-      std::int64_t count = 0;
-      if (used.next()) used >> count;
+      const int count =
+          database_
+              ->sql(
+                  "SELECT count(*) FROM sherd_term WHERE term = ?1 AND (field = ?2 OR (?2 = "
+                  "'surface' AND field IN ('surface_out', 'surface_in')))",
+                  term, name)
+              .one<int>();
       if (count > 0)
         store::refuse(message("Sherds with the term '%1': %2; change those first.", term, count),
                       name);
     }
-    database_->sql("DELETE FROM vocabulary WHERE name = ?").with(name).run();
+    database_->run("DELETE FROM vocabulary WHERE name = ?", name);
     for (std::size_t i = 0; i < terms.size(); ++i)
-      database_->sql("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)")
-          .with(name, terms[i].term, static_cast<std::int64_t>(i),
-                nlohmann::json(terms[i].labels).dump(), terms[i].uri)
-          .run();
+      database_->run("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)", name, terms[i].term,
+                     static_cast<std::int64_t>(i), nlohmann::json(terms[i].labels).dump(),
+                     terms[i].uri);
     remember(catalogue_, provenance, "vocabulary", 0, name, store::joinTerms(older),
              store::joinTerms(newer));
   });

@@ -20,20 +20,16 @@ std::int64_t addRow(const Catalogue& catalogue, const records::Provenance& prove
                     const char* table, const std::string& id, const std::string& columns,
                     const Values&... values) {
   const std::int64_t now = catalogue.now();
-  catalogue.database()
-      .sql(insertion(table, columns))
-      .with(values..., id.empty() ? newId(now) : id, now, provenance.person, now, provenance.person)
-      .run();
+  catalogue.database().run(insertion(table, columns), values..., id.empty() ? newId(now) : id, now,
+                           provenance.person, now, provenance.person);
   return catalogue.database().lastRow();
 }
 
 template <class... Values>
 void changeRow(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
                std::int64_t row, const std::string& columns, const Values&... values) {
-  catalogue.database()
-      .sql(change(table, columns))
-      .with(values..., catalogue.now(), provenance.person, row)
-      .run();
+  catalogue.database().run(change(table, columns), values..., catalogue.now(), provenance.person,
+                           row);
 }
 
 }  // namespace ostraka::catalogue

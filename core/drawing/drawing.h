@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/result.h"
-#include "cloud/point_cloud.h"
 #include "drawing/rim.h"
 #include "drawing/view.h"
 #include "drawing/wording.h"

@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
 
-#include "cloud/point_cloud.h"
 #include "paper/sheet.h"
 #include "texture/texture.h"
 

@@ -26,7 +26,7 @@
 #include "records/records.h"
 #include "records/sherd.h"
 #include "records/words.h"
-#include "store/names.h"
+#include "store/database.h"
 #include "store/values.h"
 
 namespace ostraka::exchange {
@@ -34,6 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace catalogue;
+using store::valueOrThrow;
 
 constexpr int kDrawingAsCopies = 20;  // for the progress: a drawing takes its time
 constexpr int kViewAsCopies = 5;      // likewise a photograph without its lens
@@ -54,34 +55,31 @@ class Exporting {
         progress_(progress),
         stop_(std::move(stop)) {}
 
-  Result<Exported> run(const std::vector<records::SherdRecord>& sherds, const ExportPlan& plan,
-                       std::span<const store::SherdRow> rows) {
-    const Result<records::ProjectRecord> project = Settings(catalogue_).project();
-    if (!project) return project.error();
+  /// Within a snapshot: throws Refused.
+  Exported run(const std::vector<records::SherdRecord>& sherds, const ExportPlan& plan,
+               std::span<const store::SherdRow> rows) {
+    const records::ProjectRecord project = valueOrThrow(Settings(catalogue_).project());
     total_ =
         static_cast<std::int64_t>(plan.files().size() + kDrawingAsCopies * plan.drawn().size() +
                                   kViewAsCopies * plan.viewedPhotographs().size());
-    if (Result<void> copied = copy(sherds, plan, project->licence); !copied) return copied.error();
-    if (Result<void> drawn = draw(plan, project->title); !drawn) return drawn.error();
-    if (Result<void> seen = views(plan); !seen) return seen.error();
-    if (Result<void> centred = centres(sherds, plan.project()); !centred) return centred.error();
-    if (Result<void> written = records(sherds, rows); !written) return written.error();
-    const auto beside =
-        metadata::metadataOf(catalogue_, sherds, *project, options_.program, bag_.files());
-    if (!beside) return beside.error();
-    for (const metadata::MetadataFile& file : *beside)
-      if (const auto added = bag_.add(file.path, file.text); !added) return added.error();
+    copy(sherds, plan, project.licence);
+    draw(plan, project.title);
+    views(plan);
+    centres(sherds, plan.project());
+    records(sherds, rows);
+    for (const metadata::MetadataFile& file : valueOrThrow(
+             metadata::metadataOf(catalogue_, sherds, project, options_.program, bag_.files())))
+      valueOrThrow(bag_.add(file.path, file.text));
     const auto read_again = [this](const fs::path& written) -> Result<void> {
       const auto whole = archive::checkBag(written, progress_, stop_);
       return whole ? Result<void>() : whole.error();
     };
-    const Result<void> finished = bag_.finish({{"Source-Organization", project->institution},
-                                               {"External-Description", project->title},
-                                               {"External-Identifier", project->code},
-                                               {"Bagging-Date", utcDay(catalogue_.now())},
-                                               {"Bag-Software-Agent", options_.program}},
-                                              read_again);
-    if (!finished) return finished.error();
+    valueOrThrow(bag_.finish({{"Source-Organization", project.institution},
+                              {"External-Description", project.title},
+                              {"External-Identifier", project.code},
+                              {"Bagging-Date", utcDay(catalogue_.now())},
+                              {"Bag-Software-Agent", options_.program}},
+                             read_again));
     exported_.sherds = static_cast<int>(sherds.size());
     exported_.files = static_cast<int>(bag_.files().size()) + kFilesOfTheBag;
     exported_.bytes = bag_.bytes();
@@ -92,19 +90,22 @@ class Exporting {
   }
 
  private:
-  Result<void> copy(const std::vector<records::SherdRecord>& sherds, const ExportPlan& plan,
-                    const std::string& licence) {
+  void stopIfAsked() const {
+    if (stop_.stop_requested()) throw store::Refused(Error::cancelled());
+  }
+
+  void copy(const std::vector<records::SherdRecord>& sherds, const ExportPlan& plan,
+            const std::string& licence) {
     std::map<store::SherdRow, const records::SherdRecord*> by_row;
     std::map<store::BatchRow, std::string> scale_doubts;
     for (const records::SherdRecord& sherd : sherds) {
       by_row[sherd.row] = &sherd;
       if (!sherd.batch || scale_doubts.contains(sherd.batch)) continue;
-      const Result<records::BatchRecord> batch = Batches(catalogue_).get(sherd.batch);
-      if (!batch) return batch.error();
-      scale_doubts[sherd.batch] = linesOf(batch->scale_doubts);
+      scale_doubts[sherd.batch] =
+          linesOf(valueOrThrow(Batches(catalogue_).get(sherd.batch)).scale_doubts);
     }
     for (const PlannedFile& file : plan.files()) {
-      if (stop_.stop_requested()) return Error::cancelled();
+      stopIfAsked();
       progress_.report(done_++, total_);
       Result<OpenFile> open = plan.open(file);
       if (!open) {
@@ -117,35 +118,31 @@ class Exporting {
         continue;
       }
       const bool whole = file.form == Form::Photographs || file.form == Form::Drawings;
-      const Result<archive::BagFile> added =
-          whole ? bag_.addFile(file.to, std::move(*open), stop_)
+      const archive::BagFile added =
+          whole ? valueOrThrow(bag_.addFile(file.to, std::move(*open), stop_))
                 : addModel(file, std::move(*open), *by_row[file.sherd], licence,
                            scale_doubts[by_row[file.sherd]->batch]);
-      if (!added) return added.error();
       written_.insert(file.form);
-      if (file.form == Form::Photographs && !file.sha256.empty() && added->sha256 != file.sha256)
+      if (file.form == Form::Photographs && !file.sha256.empty() && added.sha256 != file.sha256)
         exported_.warnings.push_back(
             message("%1 differs from the recorded photograph; check it.", file.from.string()));
-      if (file.sherd) name(file.sherd, file.role, file.to, *added);
+      if (file.sherd) name(file.sherd, file.role, file.to, added);
     }
-    return {};
   }
 
-  Result<archive::BagFile> addModel(const PlannedFile& file, OpenFile open,
-                                    const records::SherdRecord& sherd, const std::string& licence,
-                                    const std::string& scale_doubts) {
-    Result<std::string> bytes = open.readAll();
-    if (!bytes) return bytes.error();
-    if (!file.sha256.empty() && sha256(*bytes) != file.sha256)
-      return Error::unusable(differsFromEntered(sherd), file.from.string());
+  archive::BagFile addModel(const PlannedFile& file, OpenFile open,
+                            const records::SherdRecord& sherd, const std::string& licence,
+                            const std::string& scale_doubts) {
+    std::string bytes = valueOrThrow(open.readAll());
+    if (!file.sha256.empty() && sha256(bytes) != file.sha256)
+      store::refuse(differsFromEntered(sherd), file.from.string());
     ModelLabel label{sherd.id, sherd.number, licence, options_.program, scale_doubts};
     const TriangleMesh* light = nullptr;
     if (isMadeAnew(file, options_)) {
-      const Result<LighterModel>& lighter = lightened(sherd, *bytes, file.from.string());
-      if (!lighter) return lighter.error();
-      label.deviation_mm = saidOf(lighter->deviation_mm);
-      label.farthest_mm = saidOf(lighter->farthest_mm);
-      light = &lighter->mesh;
+      const LighterModel& lighter = lightened(sherd, bytes, file.from.string());
+      label.deviation_mm = saidOf(lighter.deviation_mm);
+      label.farthest_mm = saidOf(lighter.farthest_mm);
+      light = &lighter.mesh;
     }
     const texture::TexturedMesh* photographs =
         file.form == Form::Obj || (file.form == Form::Glb && light != nullptr)
@@ -154,18 +151,16 @@ class Exporting {
     if (file.form == Form::Obj && photographs != nullptr)
       return addTexturedObj(file, *photographs, label);
     if (file.form == Form::Glb && photographs != nullptr) {
-      bytes = glbOf(*photographs, sherd);
+      bytes = valueOrThrow(glbOf(*photographs, sherd));
     } else if (light != nullptr) {
-      bytes = file.form == Form::Glb ? glbOf(*light, sherd) : formatPly(*light, "plate_front");
+      bytes = file.form == Form::Glb ? valueOrThrow(glbOf(*light, sherd))
+                                     : formatPly(*light, "plate_front");
     } else if (file.form == Form::Glb && file.from.extension() == ".ply") {
-      const Result<PlyContents> model = parsePly(*bytes, file.from.string());
-      if (!model) return model.error();
-      bytes = glbOf(model->mesh, sherd);
+      const PlyContents model = valueOrThrow(parsePly(bytes, file.from.string()));
+      bytes = valueOrThrow(glbOf(model.mesh, sherd));
     }
-    if (!bytes) return bytes.error();
-    const Result<std::string> added = labelled(file.form, *bytes, label, file.from.string());
-    if (!added) return added.error();
-    return bag_.add(file.to, *added);
+    return valueOrThrow(
+        bag_.add(file.to, valueOrThrow(labelled(file.form, bytes, label, file.from.string()))));
   }
 
   // On the mesh that is exported, once for all of the sherd's files; null where there are none.
@@ -197,33 +192,29 @@ class Exporting {
   }
 
   // Its material and picture come back with it when the export is read again.
-  Result<archive::BagFile> addTexturedObj(const PlannedFile& file,
-                                          const texture::TexturedMesh& model,
-                                          const ModelLabel& label) {
+  archive::BagFile addTexturedObj(const PlannedFile& file, const texture::TexturedMesh& model,
+                                  const ModelLabel& label) {
     const fs::path to = file.to;
-    const Result<TexturedObj> made = labelledTexturedObj(model, label, to.stem().string());
-    if (!made) return made.error();
-    for (const auto& [ending, bytes] : {std::pair(".mtl", &made->mtl), {".png", &made->png}}) {
+    const TexturedObj made = valueOrThrow(labelledTexturedObj(model, label, to.stem().string()));
+    for (const auto& [ending, bytes] : {std::pair(".mtl", &made.mtl), {".png", &made.png}}) {
       const std::string beside = fs::path(to).replace_extension(ending).string();
-      const Result<archive::BagFile> added = bag_.add(beside, *bytes);
-      if (!added) return added;
-      files_[file.sherd].push_back({file.role, beside, added->sha256, added->bytes});
+      const archive::BagFile added = valueOrThrow(bag_.add(beside, *bytes));
+      files_[file.sherd].push_back({file.role, beside, added.sha256, added.bytes});
     }
-    return bag_.add(file.to, made->obj);
+    return valueOrThrow(bag_.add(file.to, made.obj));
   }
 
   // A sherd's files come one after the other: its lighter model is made once for all of them.
-  const Result<LighterModel>& lightened(const records::SherdRecord& sherd, const std::string& ply,
-                                        const std::string& where) {
+  const LighterModel& lightened(const records::SherdRecord& sherd, const std::string& ply,
+                                const std::string& where) {
     if (lighter_of_ == sherd.row) return lighter_;
     lighter_of_ = sherd.row;
-    Result<PlyContents> model = parsePly(ply, where);
-    if (!model) return lighter_ = model.error();
-    lighter_ = lighterModel(model->mesh, surfaceBytes(options_));
-    if (lighter_) return lighter_;
+    PlyContents model = valueOrThrow(parsePly(ply, where));
+    Result<LighterModel> made = lighterModel(model.mesh, surfaceBytes(options_));
+    if (made) return lighter_ = std::move(*made);
     exported_.warnings.push_back(
-        message("%1 is exported in full detail: %2", where, lighter_.error().sentence()));
-    return lighter_ = LighterModel{std::move(model->mesh)};
+        message("%1 is exported in full detail: %2", where, made.error().sentence()));
+    return lighter_ = LighterModel{std::move(model.mesh)};
   }
 
   void name(store::SherdRow sherd, const std::string& role, const std::string& to,
@@ -235,11 +226,11 @@ class Exporting {
     if (role == "drawing") named["drawing_file"] = to;
   }
 
-  Result<void> draw(const ExportPlan& plan, const std::string& title) {
+  void draw(const ExportPlan& plan, const std::string& title) {
     for (const Message& why : plan.notDrawn())
       exported_.warnings.push_back(message("Not drawn: %1", why));
     for (const records::SherdRecord* sherd : plan.drawn()) {
-      if (stop_.stop_requested()) return Error::cancelled();
+      stopIfAsked();
       progress_.report(done_, total_);
       done_ += kDrawingAsCopies;
       const Result<DrawnSheets> drawn =
@@ -256,16 +247,14 @@ class Exporting {
       for (const auto& [path, bytes] :
            {std::pair(to + ".svg", formatSvg(pages.front(), sherd->number)),
             std::pair(to + ".pdf", formatPdf(pages, sherd->number))}) {
-        const Result<archive::BagFile> added = bag_.add(path, bytes);
-        if (!added) return added.error();
+        const archive::BagFile added = valueOrThrow(bag_.add(path, bytes));
         written_.insert(Form::Drawings);
-        name(sherd->row, "drawing", path, *added);
+        name(sherd->row, "drawing", path, added);
       }
     }
-    return {};
   }
 
-  Result<void> views(const ExportPlan& plan) {
+  void views(const ExportPlan& plan) {
     const auto batches = plan.viewed();
     const fs::path scratch = archive::folderNamed(options_.target).string() + ".views";
     for (const auto& [row, number] : batches) {
@@ -279,20 +268,19 @@ class Exporting {
       }
       if (added.error().code != ErrorCode::UnusableInput &&
           added.error().code != ErrorCode::NotEnough)
-        return added;
+        throw store::Refused(added.error());
       exported_.warnings.push_back(
           message("No pictures with masks and poses of %1: %2", number, added.error().sentence()));
     }
-    return {};
   }
 
   // Of the models that go along; to read all others for a table would take hours.
-  Result<void> centres(const std::vector<records::SherdRecord>& sherds, const fs::path& project) {
-    if (!options_.forms.contains(Form::Csv) && !options_.forms.contains(Form::Ods)) return {};
+  void centres(const std::vector<records::SherdRecord>& sherds, const fs::path& project) {
+    if (!options_.forms.contains(Form::Csv) && !options_.forms.contains(Form::Ods)) return;
     for (const records::SherdRecord& sherd : sherds) {
       const auto named = named_.find(sherd.row);
       if (named == named_.end() || !named->second.contains("model_file")) continue;
-      if (stop_.stop_requested()) return Error::cancelled();
+      stopIfAsked();
       const Result<PlyContents> model = modelOf(sherd, project);
       if (!model) continue;  // a GLB alone
       const Eigen::Vector3d centre = model::volumeMoment(model->mesh).centre;
@@ -300,44 +288,37 @@ class Exporting {
         named->second[std::string("mass_centre_") + "xyz"[axis] + "_mm"] =
             store::numberText(std::round(100 * centre[axis]) / 100);
     }
-    return {};
   }
 
-  Result<void> tables(const std::vector<records::SherdRecord>& sherds,
-                      std::span<const store::SherdRow> rows) {
+  void tables(const std::vector<records::SherdRecord>& sherds,
+              std::span<const store::SherdRow> rows) {
     std::set<store::ContextRow> contexts;
     for (const records::SherdRecord& sherd : sherds)
       if (sherd.context) contexts.insert(sherd.context);
     const std::vector<store::ContextRow> list(contexts.begin(), contexts.end());
-    const auto put = [&](const char* name, const Result<std::string>& bytes) -> Result<void> {
-      if (!bytes) return bytes.error();
-      const auto added = bag_.add(name, *bytes);
-      return added ? Result<void>() : added.error();
+    const auto put = [&](const char* name, Result<std::string> bytes) {
+      valueOrThrow(bag_.add(name, valueOrThrow(std::move(bytes))));
     };
     if (options_.forms.contains(Form::Csv)) {
       constexpr ByteOrderMark with_mark = ByteOrderMark::With;
-      Result<void> done = put("sherds.csv", sherdsCsv(catalogue_, rows, with_mark, named_));
-      if (done) done = put("contexts.csv", contextsCsv(catalogue_, list, with_mark));
-      if (done) done = put("columns.csv", columnsCsv(with_mark));
-      if (!done) return done;
+      put("sherds.csv", sherdsCsv(catalogue_, rows, with_mark, named_));
+      put("contexts.csv", contextsCsv(catalogue_, list, with_mark));
+      put("columns.csv", columnsCsv(with_mark));
     }
-    if (!options_.forms.contains(Form::Ods)) return {};
-    return put("sherds.ods", tablesOds(catalogue_, rows, list, named_));
+    if (options_.forms.contains(Form::Ods))
+      put("sherds.ods", tablesOds(catalogue_, rows, list, named_));
   }
 
-  Result<void> records(const std::vector<records::SherdRecord>& sherds,
-                       std::span<const store::SherdRow> rows) {
-    if (Result<void> done = tables(sherds, rows); !done) return done;
-    if (!options_.forms.contains(Form::Json)) return {};
+  void records(const std::vector<records::SherdRecord>& sherds,
+               std::span<const store::SherdRow> rows) {
+    tables(sherds, rows);
+    if (!options_.forms.contains(Form::Json)) return;
     for (const records::SherdRecord& sherd : sherds) {
-      if (stop_.stop_requested()) return Error::cancelled();
-      const Result<std::string> text =
-          metadata::sherdJson(catalogue_, sherd, files_[sherd.row], options_.program);
-      if (!text) return text.error();
-      const auto added = bag_.add("sherds/" + slugOf(sherd) + ".json", *text);
-      if (!added) return added.error();
+      stopIfAsked();
+      const std::string text =
+          valueOrThrow(metadata::sherdJson(catalogue_, sherd, files_[sherd.row], options_.program));
+      valueOrThrow(bag_.add("sherds/" + slugOf(sherd) + ".json", text));
     }
-    return {};
   }
 
   const Catalogue& catalogue_;
@@ -351,7 +332,7 @@ class Exporting {
   std::int64_t done_ = 0, total_ = 0;
   store::SherdRow lighter_of_, photographs_of_;
   std::optional<texture::TexturedMesh> photographs_;
-  Result<LighterModel> lighter_ = LighterModel();
+  LighterModel lighter_;
   std::map<store::SherdRow, std::vector<metadata::SherdFile>> files_;
   FilesOfSherds named_;
 };
@@ -362,20 +343,13 @@ Result<Exported> exportFolder(const Catalogue& catalogue, const fs::path& projec
                               std::span<const store::SherdRow> rows, const ExportOptions& options,
                               Progress& progress, std::stop_token stop) {
   if (rows.empty()) return Error::unusable(message("No sherds to export; select some first."));
-  Exported exported;
   // Tables, records and names of files agree, whatever is edited meanwhile.
-  const Result<void> all = catalogue.inSnapshot([&]() -> Result<void> {
+  return catalogue.database().inSnapshot([&] {
     ExportPlan plan(catalogue, project, options);
-    const Result<std::vector<records::SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
-    if (!sherds) return sherds.error();
-    Result<archive::BagWriter> bag = archive::BagWriter::begin(options.target);
-    if (!bag) return bag.error();
-    Result<Exported> done =
-        Exporting(catalogue, project, options, *bag, progress, stop).run(*sherds, plan, rows);
-    if (done) exported = std::move(*done);
-    return done ? Result<void>() : done.error();
+    const auto sherds = readAll(catalogue, rows, plan, stop);
+    archive::BagWriter bag = valueOrThrow(archive::BagWriter::begin(options.target));
+    return Exporting(catalogue, project, options, bag, progress, stop).run(sherds, plan, rows);
   });
-  return all ? Result<Exported>(std::move(exported)) : all.error();
 }
 
 }  // namespace ostraka::exchange

@@ -7,6 +7,7 @@
 #include "exchange/model_files.h"
 #include "records/sherd.h"
 #include "sherds/sherds.h"
+#include "store/database.h"
 #include "store/names.h"
 
 namespace ostraka::exchange {
@@ -14,6 +15,7 @@ namespace ostraka::exchange {
 namespace fs = std::filesystem;
 
 using namespace catalogue;
+using store::valueOrThrow;
 
 std::string slugOf(const records::SherdRecord& sherd) {
   if (!sherd.number.empty()) return store::slug(sherd.number);
@@ -30,13 +32,11 @@ bool isModel(Form form) {
   return form == Form::Ply || form == Form::Glb || form == Form::Obj;
 }
 
-Result<void> ExportPlan::add(const records::SherdRecord& sherd) {
+void ExportPlan::add(const records::SherdRecord& sherd) {
   const std::string name = slugOf(sherd);
-  const Result<std::vector<records::FileRecord>> files = Files(catalogue_).of(sherd.row);
-  if (!files) return files.error();
   std::string glb;  // that goes out as it is
   const auto most = static_cast<std::int64_t>(unlabelledBytes(options_));
-  for (const records::FileRecord& file : *files) {
+  for (const records::FileRecord& file : valueOrThrow(Files(catalogue_).of(sherd.row))) {
     hashes_[file.path] = file.sha256;
     if (file.role == "model" && file.path.ends_with(".glb") && (most == 0 || file.bytes <= most))
       glb = file.path;
@@ -48,9 +48,9 @@ Result<void> ExportPlan::add(const records::SherdRecord& sherd) {
   want(Form::Pictures, sherd, "preview", "images/" + name + ".png", sherd.preview_path);
   if (options_.forms.contains(Form::Drawings)) addDrawing(sherd, name);
   if (sherd.batch && batches_.emplace(sherd.batch, sherd.batch_number).second)
-    return photographs(sherd.batch, sherd.batch_number);
-  return {};
+    photographs(sherd.batch, sherd.batch_number);
 }
+
 std::map<store::BatchRow, std::string> ExportPlan::viewed() const {
   return options_.forms.contains(Form::Views) ? batches_ : std::map<store::BatchRow, std::string>();
 }
@@ -85,13 +85,10 @@ void ExportPlan::addDrawing(const records::SherdRecord& sherd, const std::string
   }
 }
 
-Result<void> ExportPlan::photographs(store::BatchRow batch, const std::string& number) {
-  if (!options_.forms.contains(Form::Photographs) && !options_.forms.contains(Form::Views))
-    return {};
-  const Result<std::vector<records::FileRecord>> files = Files(catalogue_).of(batch);
-  if (!files) return files.error();
+void ExportPlan::photographs(store::BatchRow batch, const std::string& number) {
+  if (!options_.forms.contains(Form::Photographs) && !options_.forms.contains(Form::Views)) return;
   const std::string folder = "batches/" + number + "/";
-  for (const records::FileRecord& file : *files) {
+  for (const records::FileRecord& file : valueOrThrow(Files(catalogue_).of(batch))) {
     if (file.role != "photo") continue;
     if (options_.forms.contains(Form::Views)) viewed_photographs_.push_back(project_ / file.path);
     if (!options_.forms.contains(Form::Photographs)) continue;
@@ -106,17 +103,15 @@ Result<void> ExportPlan::photographs(store::BatchRow batch, const std::string& n
                       Form::Photographs,
                       file.path});
   }
-  return {};
 }
 
-Result<std::vector<records::SherdRecord>> readAll(const Catalogue& catalogue,
-                                                  std::span<const store::SherdRow> rows,
-                                                  ExportPlan& plan, const std::stop_token& stop) {
-  Result<std::vector<records::SherdRecord>> sherds = sherds::Sherds(catalogue).of(rows);
-  if (!sherds) return sherds;
-  for (const records::SherdRecord& sherd : *sherds) {
-    if (stop.stop_requested()) return Error::cancelled();
-    if (const Result<void> added = plan.add(sherd); !added) return added.error();
+std::vector<records::SherdRecord> readAll(const Catalogue& catalogue,
+                                          std::span<const store::SherdRow> rows, ExportPlan& plan,
+                                          const std::stop_token& stop) {
+  std::vector<records::SherdRecord> sherds = valueOrThrow(sherds::Sherds(catalogue).of(rows));
+  for (const records::SherdRecord& sherd : sherds) {
+    if (stop.stop_requested()) throw store::Refused(Error::cancelled());
+    plan.add(sherd);
   }
   return sherds;
 }

@@ -8,7 +8,6 @@
 
 #include "base/message.h"
 #include "catalogue/catalogue.h"
-#include "cloud/point_cloud.h"
 #include "exchange/export_folder.h"
 #include "exchange/model_files.h"
 #include "files/open_folder.h"
@@ -53,7 +52,7 @@ class ExportPlan {
              const ExportOptions& options)
       : catalogue_(catalogue), project_(project), options_(options) {}
 
-  Result<void> add(const records::SherdRecord& sherd);
+  void add(const records::SherdRecord& sherd);  ///< throws Refused
   /// Those whose pictures, masks and poses are wanted.
   std::map<store::BatchRow, std::string> viewed() const;
   const std::vector<std::filesystem::path>& viewedPhotographs() const {
@@ -68,15 +67,13 @@ class ExportPlan {
   const std::vector<const records::SherdRecord*>& drawn() const { return drawn_; }
   /// Not drawn, and why.
   const std::vector<Message>& notDrawn() const { return not_drawn_; }
-  /// Of the sherds that were added.
-  const std::map<store::BatchRow, std::string>& batches() const { return batches_; }
   int withoutModel() const { return without_model_; }
 
  private:
   void want(Form form, const records::SherdRecord& sherd, const char* role, const std::string& to,
             const std::string& from);
   void addDrawing(const records::SherdRecord& sherd, const std::string& name);
-  Result<void> photographs(store::BatchRow batch, const std::string& number);
+  void photographs(store::BatchRow batch, const std::string& number);
 
   const catalogue::Catalogue& catalogue_;
   const std::filesystem::path& project_;
@@ -90,10 +87,10 @@ class ExportPlan {
   int without_model_ = 0;
 };
 
-/// The records of these sherds; the plan refers to them.
-Result<std::vector<records::SherdRecord>> readAll(const catalogue::Catalogue& catalogue,
-                                                  std::span<const store::SherdRow> rows,
-                                                  ExportPlan& plan, const std::stop_token& stop);
+/// The records of these sherds; the plan refers to them. Throws Refused.
+std::vector<records::SherdRecord> readAll(const catalogue::Catalogue& catalogue,
+                                          std::span<const store::SherdRow> rows, ExportPlan& plan,
+                                          const std::stop_token& stop);
 
 /// A sherd's drawing on its sheets.
 struct DrawnSheets {

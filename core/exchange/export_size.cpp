@@ -11,12 +11,14 @@
 #include "metadata/sherd_json.h"
 #include "records/records.h"
 #include "records/sherd.h"
+#include "store/database.h"
 
 namespace ostraka::exchange {
 namespace {
 
 namespace fs = std::filesystem;
 using namespace catalogue;
+using store::valueOrThrow;
 
 constexpr std::size_t kRecordsRead = 16;
 constexpr std::size_t kChecksum = 64;  // letters of one
@@ -49,19 +51,24 @@ class Sizing {
         sherds_(sherds),
         stop_(std::move(stop)) {}
 
-  Result<ExportSize> run() {
+  /// Throws Refused.
+  ExportSize run() {
     size_.sherds = static_cast<int>(sherds_.size());
     size_.without_model = plan_.withoutModel();
     for (const auto step :
          {&Sizing::copies, &Sizing::drawings, &Sizing::records, &Sizing::metadata}) {
-      if (stop_.stop_requested()) return Error::cancelled();
-      if (Result<void> done = (this->*step)(); !done) return done.error();
+      stopIfAsked();
+      (this->*step)();
     }
     size_.files += static_cast<int>(files_.size()) + kFilesOfTheBag;
     return size_;
   }
 
  private:
+  void stopIfAsked() const {
+    if (stop_.stop_requested()) throw store::Refused(Error::cancelled());
+  }
+
   void add(const std::string& to, std::int64_t bytes, store::SherdRow sherd = {},
            const std::string& role = {}) {
     files_.push_back({"data/" + to, std::string(kChecksum, '0'), bytes});
@@ -70,7 +77,7 @@ class Sizing {
   }
 
   // Copies that stay as they are; models that are made anew are measured on one of them.
-  Result<void> copies() {
+  void copies() {
     const auto made = [&](const PlannedFile& file) {
       return isMadeAnew(file, options_) || file.form == Form::Obj ||
              (file.form == Form::Glb && file.from.extension() == ".ply");
@@ -78,7 +85,7 @@ class Sizing {
     std::vector<PlannedFile> models;
     std::set<store::SherdRow> lightened;
     for (const PlannedFile& file : plan_.files()) {
-      if (stop_.stop_requested()) return Error::cancelled();
+      stopIfAsked();
       if (!plan_.open(file)) continue;  // is left out
       if (made(file))
         models.push_back(file);
@@ -106,13 +113,12 @@ class Sizing {
         if (const auto of = shares.find(beside); of != shares.end()) addAs(beside, of->second);
     }
     for (const auto& [batch, number] : plan_.viewed()) {
-      if (stop_.stop_requested()) return Error::cancelled();
+      stopIfAsked();
       const Result<ViewsSize> views = sizeOfViews(plan_.project(), number);
       if (!views) continue;  // as the export will say
       size_.files += views->files;
       size_.bytes += views->bytes;
     }
-    return {};
   }
 
   // By a file's ending, of its PLY's bytes; nothing where it cannot be read, as the export will
@@ -173,11 +179,10 @@ class Sizing {
 
   // Shaded views take most of a drawing, and their pixels grow with the sherd, as its model does: a
   // small, a middle and a large one tell for those of about their size.
-  Result<void> drawings() {
+  void drawings() {
     const auto& drawn = plan_.drawn();
     size_.drawings = static_cast<int>(drawn.size());
-    const Result<records::ProjectRecord> project = Settings(catalogue_).project();
-    if (!project) return project.error();
+    const std::string title = valueOrThrow(Settings(catalogue_).project()).title;
     std::vector<std::pair<double, const records::SherdRecord*>> order;
     for (const records::SherdRecord* sherd : drawn)
       order.emplace_back(1 + static_cast<double>(bytesOf(plan_.project() / sherd->model_path)),
@@ -188,13 +193,12 @@ class Sizing {
     for (std::size_t k = 0; k < kDrawn; ++k) {
       const std::size_t from = order.size() * k / kDrawn, to = order.size() * (k + 1) / kDrawn;
       if (from == to) continue;
-      if (stop_.stop_requested()) return Error::cancelled();
+      stopIfAsked();
       std::size_t at = (from + to) / 2;
-      auto sheets =
-          sheetsOf(catalogue_, *order[at].second, plan_.project(), options_, project->title);
+      auto sheets = sheetsOf(catalogue_, *order[at].second, plan_.project(), options_, title);
       if (!sheets) {  // its model is at fault, as the export will say
         at = from;
-        sheets = sheetsOf(catalogue_, *order[at].second, plan_.project(), options_, project->title);
+        sheets = sheetsOf(catalogue_, *order[at].second, plan_.project(), options_, title);
       }
       if (!sheets) continue;
       const auto& [size, middle] = order[at];
@@ -208,12 +212,11 @@ class Sizing {
         add(name + ".pdf", static_cast<std::int64_t>(pdf * share), row, "drawing");
       }
     }
-    return {};
   }
 
   // A few sherds tell how long the lines of all are.
-  Result<void> records() {
-    if (sherds_.empty()) return {};
+  void records() {
+    if (sherds_.empty()) return;
     const std::size_t step = std::max<std::size_t>(1, sherds_.size() / kRecordsRead);
     std::vector<store::SherdRow> some;
     std::int64_t record_bytes = 0;
@@ -221,17 +224,15 @@ class Sizing {
       const records::SherdRecord& sherd = sherds_[i];
       some.push_back(sherd.row);
       if (!options_.forms.contains(Form::Json)) continue;
-      const Result<std::string> text =
-          metadata::sherdJson(catalogue_, sherd, of_sherds_[sherd.row], options_.program);
-      if (!text) return text.error();
-      record_bytes += static_cast<std::int64_t>(text->size());
+      const std::string text = valueOrThrow(
+          metadata::sherdJson(catalogue_, sherd, of_sherds_[sherd.row], options_.program));
+      record_bytes += static_cast<std::int64_t>(text.size());
     }
     if (options_.forms.contains(Form::Json))
       for (const records::SherdRecord& sherd : sherds_)
         add("sherds/" + slugOf(sherd) + ".json",
             record_bytes / static_cast<std::int64_t>(some.size()));
     tables(some);
-    return {};
   }
 
   void tables(const std::vector<store::SherdRow>& some) {
@@ -263,15 +264,11 @@ class Sizing {
           all(tablesOds(catalogue_, some, places, named), tablesOds(catalogue_, {}, places, {})));
   }
 
-  Result<void> metadata() {
-    const Result<records::ProjectRecord> project = Settings(catalogue_).project();
-    if (!project) return project.error();
-    const auto beside =
-        metadata::metadataOf(catalogue_, sherds_, *project, options_.program, files_);
-    if (!beside) return beside.error();
-    for (const metadata::MetadataFile& file : *beside)
+  void metadata() {
+    const auto project = valueOrThrow(Settings(catalogue_).project());
+    for (const metadata::MetadataFile& file :
+         valueOrThrow(metadata::metadataOf(catalogue_, sherds_, project, options_.program, files_)))
       add(file.path, static_cast<std::int64_t>(file.text.size()));
-    return {};
   }
 
   const Catalogue& catalogue_;
@@ -289,10 +286,11 @@ class Sizing {
 Result<ExportSize> sizeOfExport(const Catalogue& catalogue, const fs::path& project,
                                 std::span<const store::SherdRow> rows, const ExportOptions& options,
                                 std::stop_token stop) {
-  ExportPlan plan(catalogue, project, options);
-  const Result<std::vector<records::SherdRecord>> sherds = readAll(catalogue, rows, plan, stop);
-  if (!sherds) return sherds.error();
-  return Sizing(catalogue, plan, options, *sherds, stop).run();
+  return catalogue.database().asResult([&] {
+    ExportPlan plan(catalogue, project, options);
+    const auto sherds = readAll(catalogue, rows, plan, stop);
+    return Sizing(catalogue, plan, options, sherds, stop).run();
+  });
 }
 
 }  // namespace ostraka::exchange

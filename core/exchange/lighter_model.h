@@ -1,6 +1,5 @@
 #pragma once
 #include "base/result.h"
-#include "cloud/point_cloud.h"
 #include "texture/texture.h"
 
 namespace ostraka::exchange {

@@ -19,7 +19,6 @@
 #include "sherds/measurements.h"
 #include "sherds/restore.h"
 #include "sherds/sherd_changes.h"
-#include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
 #include "store/database.h"
 #include "store/names.h"
@@ -32,6 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace catalogue;
+using store::valueOrThrow;
 
 constexpr std::size_t kMostRecordBytes = limits::kJsonBytes.most;
 
@@ -77,13 +77,14 @@ class ReadingBack {
     return {};
   }
 
-  Result<tables::ImportReport> enter(const tables::ImportOptions& options, Progress& progress,
-                                     std::stop_token stop) {
+  /// Within a transaction: throws Refused.
+  tables::ImportReport enter(const tables::ImportOptions& options, Progress& progress,
+                             std::stop_token stop) {
     Catalogue& catalogue = project_.catalogue();
-    Result<metadata::ReadBatches> beside = metadata::readMetadata(catalogue, bag_, provenance_);
-    if (!beside) return beside.error();
-    copies_ = std::move(beside->copies);
-    fresh_batches_ = std::move(beside->fresh);
+    metadata::ReadBatches beside =
+        valueOrThrow(metadata::readMetadata(catalogue, bag_, provenance_));
+    copies_ = std::move(beside.copies);
+    fresh_batches_ = std::move(beside.fresh);
     lost_joins_.clear();
     tables::ImportReport kept;
     std::vector<tables::ImportRow> fresh;
@@ -91,52 +92,44 @@ class ReadingBack {
     for (const metadata::ReadSherdJson& record : records_) {
       const std::string uuid =
           record.row.values.contains("uuid") ? record.row.values.at("uuid") : "";
-      const Result<store::SherdRow> there = sherds::Sherds(catalogue).byId(uuid);
-      if (!there) return there.error();
-      if (!*there) {
+      const store::SherdRow there = valueOrThrow(sherds::Sherds(catalogue).byId(uuid));
+      if (!there) {
         fresh_records.push_back(&record);
         fresh.push_back(record.row);
         fresh.back().values.erase("joins");  // when all sherds are there
         if (const auto batch = record.row.values.find("batch"); batch != record.row.values.end())
-          if (const auto number = beside->numbers.find(batch->second);
-              number != beside->numbers.end()) {
-            const Result<records::BatchRecord> known = Batches(catalogue).byNumber(number->second);
-            if (!known) return known.error();
-            fresh.back().batch = known->row;
-          }
+          if (const auto number = beside.numbers.find(batch->second);
+              number != beside.numbers.end())
+            fresh.back().batch = valueOrThrow(Batches(catalogue).byNumber(number->second)).row;
         continue;
       }
-      const Result<records::SherdRecord> sherd = sherds::Sherds(catalogue).get(*there);
-      if (!sherd) return sherd.error();
-      if (sameAs(*sherd, record.row, name_, catalogue)) {
+      const records::SherdRecord sherd = valueOrThrow(sherds::Sherds(catalogue).get(there));
+      if (sameAs(sherd, record.row, name_, catalogue)) {
         ++kept.same;
         continue;
       }
       ++kept.refused;
-      const std::vector<records::FieldChange> other = otherVersion(*sherd, record.row, name_);
-      const auto undo = sherds::SherdChanges(catalogue).apply(other, provenance_);
-      if (!undo) return undo.error();
-      if (!undo->empty()) kept.changes.insert(kept.changes.end(), other.begin(), other.end());
-      kept.undo.insert(kept.undo.end(), undo->rbegin(), undo->rend());  // turned at the end
-      kept.refusals.push_back({record.row.line, "number", sherd->number, keepsItsOwn(name_)});
+      const std::vector<records::FieldChange> other = otherVersion(sherd, record.row, name_);
+      const auto undo = valueOrThrow(sherds::SherdChanges(catalogue).apply(other, provenance_));
+      if (!undo.empty()) kept.changes.insert(kept.changes.end(), other.begin(), other.end());
+      kept.undo.insert(kept.undo.end(), undo.rbegin(), undo.rend());  // turned at the end
+      kept.refusals.push_back({record.row.line, "number", sherd.number, keepsItsOwn(name_)});
     }
-    Result<tables::ImportReport> report =
-        tables::importSherds(catalogue, fresh, options, provenance_, progress, stop);
-    if (!report) return report;
-    if (report->not_reached > 0) return Error::cancelled();
-    for (const metadata::ReadSherdJson* record : fresh_records)
-      if (Result<void> done = afterwards(*record); !done) return done.error();
-    if (Result<void> all = copiesAreThere(); !all) return all.error();
+    tables::ImportReport report =
+        valueOrThrow(tables::importSherds(catalogue, fresh, options, provenance_, progress, stop));
+    if (report.not_reached > 0) throw store::Refused(Error::cancelled());
+    for (const metadata::ReadSherdJson* record : fresh_records) afterwards(*record);
+    copiesAreThere();
     if (!lost_joins_.empty())
-      report->warnings.push_back(
+      report.warnings.push_back(
           message("Joins with sherds that are not in the export or were not imported are left out: "
                   "%1; enter them by hand.",
                   joined(lost_joins_, ", ")));
-    report->same += kept.same;
-    report->changes.insert(report->changes.end(), kept.changes.begin(), kept.changes.end());
-    report->undo.insert(report->undo.begin(), kept.undo.rbegin(), kept.undo.rend());
-    report->refused += kept.refused;
-    report->refusals.insert(report->refusals.end(), kept.refusals.begin(), kept.refusals.end());
+    report.same += kept.same;
+    report.changes.insert(report.changes.end(), kept.changes.begin(), kept.changes.end());
+    report.undo.insert(report.undo.begin(), kept.undo.rbegin(), kept.undo.rend());
+    report.refused += kept.refused;
+    report.refusals.insert(report.refusals.end(), kept.refusals.begin(), kept.refusals.end());
     return report;
   }
 
@@ -228,16 +221,14 @@ class ReadingBack {
 
  private:
   // Before anything is written: each file is in the export, and no two get one place.
-  Result<void> copiesAreThere() const {
+  void copiesAreThere() const {
     std::map<std::string, std::string> hashes;
     for (const metadata::FileCopy& copy : copies_) {
       const archive::BagFile* file = bag_.find("data/" + copy.from);
-      if (!file) return Error::unusable(message("This file is not part of the export."), copy.from);
+      if (!file) store::refuse(message("This file is not part of the export."), copy.from);
       if (hashes.try_emplace(copy.to, file->sha256).first->second != file->sha256)
-        return Error::unusable(message("Two files of the export would have the same name."),
-                               copy.to);
+        store::refuse(message("Two files of the export would have the same name."), copy.to);
     }
-    return {};
   }
 
   static Result<void> sameAsThere(const OpenFolder& project, const ContainedPath& to,
@@ -261,53 +252,44 @@ class ReadingBack {
   }
 
   // Joins, scans and files of a sherd that was not there before, once all sherds are there.
-  Result<void> afterwards(const metadata::ReadSherdJson& record) {
+  void afterwards(const metadata::ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
-    if (!record.row.values.contains("uuid")) return {};
-    const Result<store::SherdRow> sherd =
-        sherds::Sherds(catalogue).byId(record.row.values.at("uuid"));
-    if (!sherd) return sherd.error();
-    if (!*sherd) return {};  // refused
-    if (Result<void> done = join(*sherd, record); !done) return done;
-    if (Result<void> done = scansOf(*sherd, record); !done) return done;
-    const Result<std::vector<records::FileRecord>> had = Files(catalogue).of(*sherd);
-    if (!had) return had.error();
-    if (!had->empty()) return {};
+    if (!record.row.values.contains("uuid")) return;
+    const store::SherdRow sherd =
+        valueOrThrow(sherds::Sherds(catalogue).byId(record.row.values.at("uuid")));
+    if (!sherd) return;  // refused
+    join(sherd, record);
+    scansOf(sherd, record);
+    if (!valueOrThrow(Files(catalogue).of(sherd)).empty()) return;
     std::string model, preview;
     for (const metadata::SherdFile& file : record.files) {
-      const Result<ContainedPath> place =
-          tables::importPlace("imported/" + name_ + "/" + file.path, {});
-      if (!place) return place.error();
       records::FileRecord f;
-      f.path = place->text();
-      const auto verified = metadata::verifiedFile(bag_, file.path, file.sha256, file.bytes);
-      if (!verified) return verified.error();
-      f.sha256 = verified->sha256;
-      f.bytes = verified->bytes;
+      f.path = valueOrThrow(tables::importPlace("imported/" + name_ + "/" + file.path, {})).text();
+      const archive::BagFile verified =
+          valueOrThrow(metadata::verifiedFile(bag_, file.path, file.sha256, file.bytes));
+      f.sha256 = verified.sha256;
+      f.bytes = verified.bytes;
       f.role = file.role;
       f.media_type = mediaTypeOf(file.path);
-      f.sherd = *sherd;
-      const auto saved = Files(catalogue).save(f, provenance_);
-      if (!saved) return saved.error();
+      f.sherd = sherd;
+      valueOrThrow(Files(catalogue).save(f, provenance_));
       copies_.push_back({file.path, f.path});
       if (file.role == "model" && file.path.ends_with(".ply")) model = f.path;
       if (file.role == "preview") preview = f.path;
     }
-    return sherds::Sherds(catalogue).setModel(*sherd, model, preview);
+    valueOrThrow(sherds::Sherds(catalogue).setModel(sherd, model, preview));
   }
 
   // With whom the export means: a number may be another sherd's here, or nobody knows whose.
-  Result<void> join(store::SherdRow sherd, const metadata::ReadSherdJson& record) {
+  void join(store::SherdRow sherd, const metadata::ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
     const auto joins = record.row.values.find("joins");
-    if (joins == record.row.values.end()) return {};
+    if (joins == record.row.values.end()) return;
     std::vector<std::string> there;
     for (const std::string& named : store::splitTerms(joins->second)) {
       const auto known = uuids_.find(store::uniqueKey(named));
       const std::string uuid = known == uuids_.end() ? named : known->second;
-      const Result<store::SherdRow> partner = sherds::Sherds(catalogue).byId(uuid);
-      if (!partner) return partner.error();
-      if (*partner) {
+      if (valueOrThrow(sherds::Sherds(catalogue).byId(uuid))) {
         there.push_back(uuid);
       } else {
         const auto number = record.row.values.find("number");
@@ -316,27 +298,23 @@ class ReadingBack {
                               named);
       }
     }
-    if (there.empty()) return {};
+    if (there.empty()) return;
     const records::FieldChange change{sherd, "joins", store::joinTerms(there)};
-    const auto done = sherds::SherdChanges(catalogue).apply(std::span(&change, 1), provenance_);
-    return done ? Result<void>() : done.error();
+    valueOrThrow(sherds::SherdChanges(catalogue).apply(std::span(&change, 1), provenance_));
   }
 
   // From which scans of its batch it was made, unless that is known already. A batch that was here
   // before has its own scans and decisions: one of the same name may be of another piece.
-  Result<void> scansOf(store::SherdRow row, const metadata::ReadSherdJson& record) {
+  void scansOf(store::SherdRow row, const metadata::ReadSherdJson& record) {
     Catalogue& catalogue = project_.catalogue();
-    const Result<records::SherdRecord> sherd = sherds::Sherds(catalogue).get(row);
-    if (!sherd) return sherd.error();
-    if (record.front.empty() || sherd->front || !fresh_batches_.contains(sherd->batch)) return {};
-    const Result<std::vector<records::ScanRecord>> scans = Batches(catalogue).scans(sherd->batch);
-    if (!scans) return scans.error();
+    const records::SherdRecord sherd = valueOrThrow(sherds::Sherds(catalogue).get(row));
+    if (record.front.empty() || sherd.front || !fresh_batches_.contains(sherd.batch)) return;
     store::ScanRow front, back;
-    for (const records::ScanRecord& scan : *scans) {
+    for (const records::ScanRecord& scan : valueOrThrow(Batches(catalogue).scans(sherd.batch))) {
       if (scan.side == batch::Side::Front && scan.name == record.front) front = scan.row;
       if (scan.side == batch::Side::Back && scan.name == record.back) back = scan.row;
     }
-    return front ? sherds::restoreScans(catalogue, row, front, back) : Result<void>();
+    if (front) valueOrThrow(sherds::restoreScans(catalogue, row, front, back));
   }
 
   upkeep::Project& project_;
@@ -369,10 +347,8 @@ Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& 
   const auto records = [&](tables::ImportMode how) {
     // The records of one export belong together: within the transaction around them.
     return tables::previewOrEnter(project.catalogue(), how, [&]() -> Result<void> {
-      Result<tables::ImportReport> entered =
+      report =
           reading.enter({tables::ImportMode::Enter, tables::UnknownPlaces::Refuse}, progress, stop);
-      if (!entered) return entered.error();
-      report = std::move(*entered);
       moved = how == tables::ImportMode::Enter && !reading.liesWhereItIsEntered();
       return moved ? Result<void>(Error::cancelled()) : Result<void>();
     });

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/message.h"
+#include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
 #include "exchange/export_folder.h"
@@ -14,6 +15,7 @@
 #include "sherds/measurements.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
+#include "store/database.h"
 #include "store/names.h"
 #include "store/values.h"
 #include "tables/column_meanings.h"
@@ -24,6 +26,7 @@ namespace ostraka::exchange {
 namespace {
 
 using namespace catalogue;
+using store::valueOrThrow;
 
 constexpr const char* kMark = "\xEF\xBB\xBF";
 constexpr const char* kCentreColumns[] = {"mass_centre_x_mm", "mass_centre_y_mm",
@@ -40,44 +43,23 @@ std::string columnOf(const std::string& kind) {
   return kind.ends_with(unit) ? kind : kind + unit;
 }
 
-using HandColumns = std::map<store::SherdRow, std::set<std::string>>;
-Result<HandColumns> measuredByHand(const Catalogue& catalogue,
-                                   std::span<const store::SherdRow> rows) {
-  const Result<std::vector<records::Measurement>> measured =
-      sherds::Measurements(catalogue).byHand(rows);
-  if (!measured) return measured.error();
-  HandColumns columns;
-  for (const records::Measurement& m : *measured) columns[m.sherd].insert(columnOf(m.kind));
-  return columns;
-}
-
-Result<std::string> shownValue(const records::SherdRecord& sherd,
-                               const records::SherdField& field) {
-  std::string text = sherds::textOf(sherd, field.name);
-  if (!isNumber(field) || text.empty()) return text;
-  const Result<double> number = store::parsedNumber(text);
-  if (!number) return number.error();
-  return tables::tableNumber(*number);
-}
-
 // Says which value of which sherd or context it is that no table can hold.
-Error refusedCell(const Error& error, const std::string& of, const std::string& column) {
-  return {error.code, error.what, of + ", " + column};
+[[noreturn]] void refuseCell(const Error& error, const std::string& of, const std::string& column) {
+  throw store::Refused({error.code, error.what, of + ", " + column});
 }
 
 // Sherds are read a page at a time, so that 100,000 need no more memory than the text itself.
+// use: takes a sherd, and the columns of what was measured by hand.
 template <class Use>
-Result<void> eachSherd(const Catalogue& catalogue, std::span<const store::SherdRow> rows, Use use) {
+void eachSherd(const Catalogue& catalogue, std::span<const store::SherdRow> rows, Use use) {
   for (std::size_t i = 0; i < rows.size(); i += kPage) {
     const std::span<const store::SherdRow> some = rows.subspan(i, std::min(kPage, rows.size() - i));
-    const Result<std::vector<records::SherdRecord>> page = sherds::Sherds(catalogue).of(some);
-    if (!page) return page.error();
-    Result<HandColumns> by_hand = measuredByHand(catalogue, some);
-    if (!by_hand) return by_hand.error();
-    for (const records::SherdRecord& sherd : *page)
-      if (Result<void> used = use(sherd, (*by_hand)[sherd.row]); !used) return used;
+    const auto page = valueOrThrow(sherds::Sherds(catalogue).of(some));
+    std::map<store::SherdRow, std::set<std::string>> by_hand;
+    for (const auto& m : valueOrThrow(sherds::Measurements(catalogue).byHand(some)))
+      by_hand[m.sherd].insert(columnOf(m.kind));
+    for (const records::SherdRecord& sherd : page) use(sherd, by_hand[sherd.row]);
   }
-  return {};
 }
 
 // Takes a table row by row.
@@ -89,15 +71,13 @@ class TableWriter {
 };
 
 // A row as it may stand in a table of any form; `of`: whose it is.
-Result<void> writeRow(TableWriter& table, const std::vector<tables::OdsSheet::Column>& columns,
-                      const std::vector<std::string>& values, const std::string& of) {
+void writeRow(TableWriter& table, const std::vector<tables::OdsSheet::Column>& columns,
+              const std::vector<std::string>& values, const std::string& of) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!store::isUtf8(values[i]))
-      return refusedCell(
-          Error::unusable(message("The text is not valid UTF-8 or contains a zero byte.")), of,
-          columns[i].name);
+      refuseCell(Error::unusable(message("The text is not valid UTF-8 or contains a zero byte.")),
+                 of, columns[i].name);
   table.row(values);
-  return {};
 }
 
 void writeMeanings(TableWriter& table) {
@@ -106,21 +86,16 @@ void writeMeanings(TableWriter& table) {
     table.row({one.column, one.unit, one.meaning});
 }
 
-Result<void> writeSherds(const Catalogue& catalogue, std::span<const store::SherdRow> rows,
-                         const FilesOfSherds& files, TableWriter& table) {
-  const Result<records::ProjectRecord> project = Settings(catalogue).project();
-  if (!project) return project.error();
+void writeSherds(const Catalogue& catalogue, std::span<const store::SherdRow> rows,
+                 const FilesOfSherds& files, TableWriter& table) {
+  const std::string licence = valueOrThrow(Settings(catalogue).project()).licence;
   std::set<std::string> own;  // fields of the user's own, of any of the sherds
-  Result<void> read = eachSherd(
-      catalogue, rows,
-      [&](const records::SherdRecord& sherd, const std::set<std::string>&) -> Result<void> {
-        if (sherd.extra_json == "{}") return {};
-        const nlohmann::json extra = jsonOrDiscarded(sherd.extra_json);
-        if (extra.is_object())
-          for (const auto& [key, value] : extra.items()) own.insert(key);
-        return {};
-      });
-  if (!read) return read;
+  eachSherd(catalogue, rows, [&](const records::SherdRecord& sherd, const auto&) {
+    if (sherd.extra_json == "{}") return;
+    const nlohmann::json extra = jsonOrDiscarded(sherd.extra_json);
+    if (extra.is_object())
+      for (const auto& [key, value] : extra.items()) own.insert(key);
+  });
   std::vector<tables::OdsSheet::Column> columns;
   for (const records::SherdField& field : sherds::sherdFields())
     columns.push_back({field.name, isNumber(field)});
@@ -130,34 +105,38 @@ Result<void> writeSherds(const Catalogue& catalogue, std::span<const store::Sher
   columns.push_back({"licence"});
   for (const std::string& key : own) columns.push_back({"extra." + key});
   table.begin(columns);
-  return eachSherd(
-      catalogue, rows,
-      [&](const records::SherdRecord& sherd, const std::set<std::string>& by_hand) -> Result<void> {
-        static const std::map<std::string, std::string> kNoFiles;
-        const auto named = files.find(sherd.row);
-        const auto& beside = named == files.end() ? kNoFiles : named->second;
-        const std::string& name = sherd.number.empty() ? sherd.id : sherd.number;
-        std::vector<std::string> values;
-        for (const records::SherdField& field : sherds::sherdFields()) {
-          const Result<std::string> shown = shownValue(sherd, field);
-          if (!shown) return refusedCell(shown.error(), name, field.name);
-          values.push_back(*shown);
-        }
-        values.push_back(store::joinTerms({by_hand.begin(), by_hand.end()}));
-        const auto add = [&](const char* column) {
-          const auto found = beside.find(column);
-          values.push_back(found == beside.end() ? std::string() : found->second);
-        };
-        for (const char* column : kCentreColumns) add(column);
-        for (const char* column : kFileColumns) add(column);
-        values.push_back(project->licence);
-        for (const std::string& key : own) values.push_back(sherds::textOf(sherd, "extra." + key));
-        return writeRow(table, columns, values, name);
-      });
+  eachSherd(catalogue, rows,
+            [&](const records::SherdRecord& sherd, const std::set<std::string>& by_hand) {
+              static const std::map<std::string, std::string> kNoFiles;
+              const auto named = files.find(sherd.row);
+              const auto& beside = named == files.end() ? kNoFiles : named->second;
+              const std::string& name = sherd.number.empty() ? sherd.id : sherd.number;
+              std::vector<std::string> values;
+              for (const records::SherdField& field : sherds::sherdFields()) {
+                std::string text = sherds::textOf(sherd, field.name);
+                if (isNumber(field) && !text.empty()) {
+                  const Result<double> number = store::parsedNumber(text);
+                  if (!number) refuseCell(number.error(), name, field.name);
+                  text = tables::tableNumber(*number);
+                }
+                values.push_back(std::move(text));
+              }
+              values.push_back(store::joinTerms({by_hand.begin(), by_hand.end()}));
+              const auto add = [&](const char* column) {
+                const auto found = beside.find(column);
+                values.push_back(found == beside.end() ? std::string() : found->second);
+              };
+              for (const char* column : kCentreColumns) add(column);
+              for (const char* column : kFileColumns) add(column);
+              values.push_back(licence);
+              for (const std::string& key : own)
+                values.push_back(sherds::textOf(sherd, "extra." + key));
+              writeRow(table, columns, values, name);
+            });
 }
 
-Result<void> writeContexts(const Catalogue& catalogue, std::span<const store::ContextRow> rows,
-                           TableWriter& table) {
+void writeContexts(const Catalogue& catalogue, std::span<const store::ContextRow> rows,
+                   TableWriter& table) {
   const std::vector<tables::OdsSheet::Column> columns = {
       {"site"},           {"trench"}, {"context"},      {"kind"},
       {"excavated_on"},   {"period"}, {"date_edtf"},    {"closed"},
@@ -165,26 +144,20 @@ Result<void> writeContexts(const Catalogue& catalogue, std::span<const store::Co
       {"weight_g", true}, {"storage"}};
   table.begin(columns);
   for (const store::ContextRow& row : rows) {
-    const Result<records::ContextRecord> c = Places(catalogue).context(row);
-    if (!c) return c.error();
-    Result<std::vector<records::BagRecord>> bags = Places(catalogue).bags(row);
-    if (!bags) return bags.error();
-    if (bags->empty()) bags->emplace_back();
-    for (const records::BagRecord& bag : *bags) {
+    const records::ContextRecord c = valueOrThrow(Places(catalogue).context(row));
+    std::vector<records::BagRecord> bags = valueOrThrow(Places(catalogue).bags(row));
+    if (bags.empty()) bags.emplace_back();
+    for (const records::BagRecord& bag : bags) {
       if (bag.weight_g && !std::isfinite(*bag.weight_g))
-        return refusedCell(store::parsedNumber(store::numberText(*bag.weight_g)).error(), c->number,
-                           "weight_g");
-      Result<void> written =
-          writeRow(table, columns,
-                   {c->site_code, c->trench_code, c->number, c->kind, c->excavated_on, c->period,
-                    c->date_edtf, c->closed ? "yes" : "no", c->note, bag.number, bag.collected_on,
-                    bag.count_written ? std::to_string(*bag.count_written) : "",
-                    bag.weight_g ? store::numberText(*bag.weight_g) : "", bag.storage},
-                   c->number);
-      if (!written) return written;
+        refuseCell(store::parsedNumber(store::numberText(*bag.weight_g)).error(), c.number,
+                   "weight_g");
+      writeRow(table, columns,
+               {c.site_code, c.trench_code, c.number, c.kind, c.excavated_on, c.period, c.date_edtf,
+                c.closed ? "yes" : "no", c.note, bag.number, bag.collected_on,
+                optionalText(bag.count_written), optionalText(bag.weight_g), bag.storage},
+               c.number);
     }
   }
-  return {};
 }
 
 // Numbers stand as they are, texts with the guard against formulas.
@@ -226,16 +199,20 @@ class OdsWriter final : public TableWriter {
 
 Result<std::string> sherdsCsv(const Catalogue& catalogue, std::span<const store::SherdRow> rows,
                               ByteOrderMark mark, const FilesOfSherds& files) {
-  CsvWriter table(mark);
-  if (Result<void> done = writeSherds(catalogue, rows, files, table); !done) return done.error();
-  return std::move(table.text);
+  return catalogue.database().asResult([&] {
+    CsvWriter table(mark);
+    writeSherds(catalogue, rows, files, table);
+    return std::move(table.text);
+  });
 }
 
 Result<std::string> contextsCsv(const Catalogue& catalogue, std::span<const store::ContextRow> rows,
                                 ByteOrderMark mark) {
-  CsvWriter table(mark);
-  if (Result<void> done = writeContexts(catalogue, rows, table); !done) return done.error();
-  return std::move(table.text);
+  return catalogue.database().asResult([&] {
+    CsvWriter table(mark);
+    writeContexts(catalogue, rows, table);
+    return std::move(table.text);
+  });
 }
 
 std::string columnsCsv(ByteOrderMark mark) {
@@ -247,12 +224,14 @@ std::string columnsCsv(ByteOrderMark mark) {
 Result<std::string> tablesOds(const Catalogue& catalogue, std::span<const store::SherdRow> sherds,
                               std::span<const store::ContextRow> contexts,
                               const FilesOfSherds& files) {
-  OdsWriter first("sherds"), second("contexts"), third("columns");
-  if (Result<void> done = writeSherds(catalogue, sherds, files, first); !done) return done.error();
-  if (Result<void> done = writeContexts(catalogue, contexts, second); !done) return done.error();
-  writeMeanings(third);
-  return tables::formatOds(
-      {std::move(*first.sheet), std::move(*second.sheet), std::move(*third.sheet)});
+  return catalogue.database().asResult([&] {
+    OdsWriter first("sherds"), second("contexts"), third("columns");
+    writeSherds(catalogue, sherds, files, first);
+    writeContexts(catalogue, contexts, second);
+    writeMeanings(third);
+    return valueOrThrow(tables::formatOds(
+        {std::move(*first.sheet), std::move(*second.sheet), std::move(*third.sheet)}));
+  });
 }
 
 }  // namespace ostraka::exchange

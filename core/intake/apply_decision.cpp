@@ -39,10 +39,9 @@ Result<AppliedDecision> applyDecision(catalogue::Catalogue& catalogue,
                                       const std::string& batch_number,
                                       const std::filesystem::path& output,
                                       decisions::PairDecision decision) {
-  Result<decisions::PairDecision> written = decisions::appendDecision(output, std::move(decision));
-  if (!written) return written.error();
-  AppliedDecision applied;
-  applied.decision = std::move(*written);
+  Result<AppliedDecision> written = applyToFileAlone(output, std::move(decision));
+  if (!written) return written;
+  AppliedDecision& applied = *written;
   readNumbers(catalogue, batch_number, applied);
   const Result<void> entered = catalogue.together([&]() -> Result<void> {
     const Result<void> rows = enterDecision(catalogue, batch_number, applied.decision, output);
@@ -55,7 +54,7 @@ Result<AppliedDecision> applyDecision(catalogue::Catalogue& catalogue,
   if (!wants_computing) applied.errors.push_back(wants_computing.error());
   applied.wants_computing = !wants_computing || *wants_computing;
   findTwice(catalogue, batch_number, applied);
-  return applied;
+  return written;
 }
 
 Result<AppliedDecision> applyToFileAlone(const std::filesystem::path& output,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/message.h"
+#include "base/text.h"
 #include "capture/manifest.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
@@ -20,6 +21,7 @@
 #include "review/more_candidates.h"
 #include "review/review.h"
 #include "sherds/sherds.h"
+#include "store/database.h"
 #include "upkeep/project.h"
 
 namespace ostraka::intake {
@@ -27,6 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using records::BatchState;
+using store::valueOrThrow;
 
 // Before a batch of this project was computed: 54 photographs of 8 MB and as much again for masks,
 // depth and models.
@@ -110,9 +113,8 @@ Result<std::vector<std::string>> missingPhotographs(const upkeep::Project& proje
 }
 
 Message missingSentence(const std::vector<std::string>& missing, const fs::path& folder) {
-  std::string names;
-  for (std::size_t i = 0; i < std::min(missing.size(), kNamedMissing); ++i)
-    names += (i == 0 ? "" : ", ") + missing[i];
+  const std::string names =
+      joined(std::span(missing).first(std::min(missing.size(), kNamedMissing)), ", ");
   return about(
       folder,
       missing.size() > kNamedMissing
@@ -185,10 +187,9 @@ Result<BatchFigures> figuresIn(const fs::path& output, const fs::path& batch) {
   return figures;
 }
 
-// From results to rows, after the chain has ended here or elsewhere.
-Result<BatchFigures> enteredFigures(upkeep::Project& project, const records::BatchRecord& begun,
-                                    BatchFigures figures, Progress& progress,
-                                    const std::stop_token& stop) {
+// From results to rows, after the chain has ended here or elsewhere. Throws Refused.
+BatchFigures enteredFigures(upkeep::Project& project, const records::BatchRecord& begun,
+                            BatchFigures figures, Progress& progress, const std::stop_token& stop) {
   catalogue::Catalogue& rows = project.catalogue();
   const fs::path output = project.resultsFolder(begun.number);
   // Who opens the review finds the candidates registered. Without them it compares them then.
@@ -196,34 +197,26 @@ Result<BatchFigures> enteredFigures(upkeep::Project& project, const records::Bat
     progress.begin("candidates", 0.02);
     const Result<void> prepared =
         review::prepareCandidates(output, kWantedCandidates, progress, stop);
-    if (!prepared && prepared.error().code == ErrorCode::Cancelled) return prepared.error();
+    if (!prepared && prepared.error().code == ErrorCode::Cancelled)
+      throw store::Refused(prepared.error());
     if (!prepared) progress.note(NoteLevel::Warning, prepared.error().sentence());
   }
   // Since it began a side may be photographed again.
-  const Result<records::BatchRecord> now = catalogue::Batches(rows).get(begun.row);
-  if (!now) return now.error();
-  if (now->state <= records::BatchState::Back && now->state != begun.state)
-    return Error::cancelled();
+  const BatchState now = valueOrThrow(catalogue::Batches(rows).get(begun.row)).state;
+  if (now <= BatchState::Back && now != begun.state) throw store::Refused(Error::cancelled());
   const records::Provenance provenance{{}, "process", {}};
   progress.begin("catalogue", 0.01);
-  if (const auto set =
-          catalogue::Batches(rows).setState(begun.row, BatchState::Computed, provenance);
-      !set)
-    return set.error();
+  valueOrThrow(catalogue::Batches(rows).setState(begun.row, BatchState::Computed, provenance));
   if (!decisions::holdsScans(project.batchFolder(begun.number)))
-    if (const auto entered =
-            enterPhotographs(rows, project.folder(), begun.row, provenance, progress, stop);
-        !entered)
-      return entered.error();
-  const Result<EnteredResults> entered =
-      enterResults(rows, project.folder(), begun.row, output, provenance, progress, stop);
-  if (!entered) return entered.error();
+    valueOrThrow(enterPhotographs(rows, project.folder(), begun.row, provenance, progress, stop));
+  const EnteredResults entered = valueOrThrow(
+      enterResults(rows, project.folder(), begun.row, output, provenance, progress, stop));
   const Result<bool> again = queueIfAsked(rows, begun.number, provenance);
   if (!again) progress.note(NoteLevel::Warning, again.error().sentence());
-  for (const std::string& number : entered->numbers_left)
+  for (const std::string& number : entered.numbers_left)
     progress.note(NoteLevel::Warning, leftSentence(rows, number));
-  figures.numbers_left = entered->numbers_left;
-  if (entered->decided_meanwhile && !(again && *again))
+  figures.numbers_left = entered.numbers_left;
+  if (entered.decided_meanwhile && !(again && *again))
     progress.note(NoteLevel::Warning, message("Pairs were decided or masks edited while the batch "
                                               "was being processed; reprocess it to apply them."));
   if (auto unlike = sherds::unlikeBefore(rows, begun.row)) figures.unlike = *unlike;
@@ -248,32 +241,30 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
   Result<upkeep::Project> project = upkeep::Project::open(options.project, {}, {stop, &progress});
   if (!project) return project.error();
   catalogue::Catalogue& rows = project->catalogue();
-  const Result<records::BatchRecord> record = catalogue::Batches(rows).byNumber(options.number);
-  if (!record) return record.error();
-  const fs::path batch = project->batchFolder(options.number);
-  const fs::path output = project->resultsFolder(options.number);
-
-  const Result<std::vector<std::string>> missing = missingPhotographs(*project, *record);
-  if (!missing) return missing.error();
-  std::vector<Message> warnings;
-  if (!missing->empty()) warnings.push_back(missingSentence(*missing, batch));
-  if (const Result<void> begun = beginComputing(rows, options.number); !begun) return begun.error();
-  Result<BatchFigures> figures =
-      computed(options, batch, output, std::move(warnings), progress, stop);
-  if (!figures) return figures.error();
-  return enteredFigures(*project, *record, std::move(*figures), progress, stop);
+  return rows.database().asResult([&] {
+    const auto record = valueOrThrow(catalogue::Batches(rows).byNumber(options.number));
+    const fs::path batch = project->batchFolder(options.number);
+    const fs::path output = project->resultsFolder(options.number);
+    const auto missing = valueOrThrow(missingPhotographs(*project, record));
+    std::vector<Message> warnings;
+    if (!missing.empty()) warnings.push_back(missingSentence(missing, batch));
+    valueOrThrow(beginComputing(rows, options.number));
+    BatchFigures figures =
+        valueOrThrow(computed(options, batch, output, std::move(warnings), progress, stop));
+    return enteredFigures(*project, record, std::move(figures), progress, stop);
+  });
 }
 
 Result<BatchFigures> enterComputed(upkeep::Project& project, const records::BatchRecord& begun,
                                    Progress& progress, std::stop_token stop) {
-  const fs::path output = project.resultsFolder(begun.number);
-  if (const Result<void> whole = review::computedToItsEnd(output); !whole) return whole.error();
-  Result<BatchFigures> figures = figuresIn(output, project.batchFolder(begun.number));
-  if (!figures) return figures.error();
-  figures = enteredFigures(project, begun, std::move(*figures), progress, stop);
-  if (!figures) return figures;
-  const Result<void> kept = keepFigures(project.catalogue(), begun.number, *figures);
-  return kept ? figures : kept.error();
+  return project.catalogue().database().asResult([&] {
+    const fs::path output = project.resultsFolder(begun.number);
+    valueOrThrow(review::computedToItsEnd(output));
+    BatchFigures figures = valueOrThrow(figuresIn(output, project.batchFolder(begun.number)));
+    figures = enteredFigures(project, begun, std::move(figures), progress, stop);
+    valueOrThrow(keepFigures(project.catalogue(), begun.number, figures));
+    return figures;
+  });
 }
 
 double bytesPerBatch(const fs::path& project) {

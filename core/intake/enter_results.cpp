@@ -2,7 +2,6 @@
 #include "intake/enter_results.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -14,7 +13,6 @@
 #include "capture/manifest.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
-#include "cloud/ply.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "files/open_folder.h"
@@ -30,13 +28,13 @@
 #include "sherds/sherd_columns.h"
 #include "sherds/sherds.h"
 #include "sherds/typed_numbers.h"
-#include "store/values.h"
 #include "upkeep/project.h"
 
 namespace ostraka::intake {
 namespace {
 
 namespace fs = std::filesystem;
+using store::valueOrThrow;
 
 bool samePose(const std::optional<Eigen::Isometry3d>& a,
               const std::optional<Eigen::Isometry3d>& b) {
@@ -63,19 +61,18 @@ class Entering {
   EnteredResults enter(const ReadResults& read, const fs::path& out, BatchItself then) {
     const int before = sherdRows();
     scans(read.scans, read.edits);
-    store::valueOrThrow(followDecisions(
-        catalogue_, store::valueOrThrow(catalogue::Batches(catalogue_).get(batch_)).number, out));
+    valueOrThrow(followDecisions(
+        catalogue_, valueOrThrow(catalogue::Batches(catalogue_).get(batch_)).number, out));
     decide(read);
     // Before the models: what lies under a number that waited is another record's from here on.
-    entered_.numbers_left =
-        store::valueOrThrow(sherds::giveTypedNumbers(catalogue_, batch_, provenance_));
-    taken_back_ = store::valueOrThrow(piecesTakenBack(catalogue_, batch_, out));
-    store::valueOrThrow(forgetModelsOf(catalogue_, batch_, taken_back_, provenance_));
+    entered_.numbers_left = valueOrThrow(sherds::giveTypedNumbers(catalogue_, batch_, provenance_));
+    taken_back_ = valueOrThrow(piecesTakenBack(catalogue_, batch_, out));
+    valueOrThrow(forgetModelsOf(catalogue_, batch_, taken_back_, provenance_));
     for (const ReadSherd& sherd : read.sherds) model(sherd);
     for (const ReadFile& file : read.files) {
       records::FileRecord record = file.record;
       if (!file.sherd_front.empty()) record.sherd = sherdOf(file.sherd_front, file.sherd_back);
-      store::valueOrThrow(catalogue::Files(catalogue_).save(record, provenance_));
+      valueOrThrow(catalogue::Files(catalogue_).save(record, provenance_));
       ++entered_.files;
     }
     entered_.new_sherds = sherdRows() - before;
@@ -88,29 +85,27 @@ class Entering {
  private:
   // Void ones, too: a pair that is computed anew is taken back first, and finds its sherd again.
   int sherdRows() const {
-    int rows = 0;
-    store::Statement count =
-        catalogue_.database().sql("SELECT count(*) FROM sherd WHERE batch = ?");
-    if (count.with(batch_).next()) count >> rows;
-    return rows;
+    return catalogue_.database()
+        .sql("SELECT count(*) FROM sherd WHERE batch = ?", batch_)
+        .one<int>();
   }
 
   void settle(const ReadResults& read) {
-    records::BatchRecord batch = store::valueOrThrow(catalogue::Batches(catalogue_).get(batch_));
+    records::BatchRecord batch = valueOrThrow(catalogue::Batches(catalogue_).get(batch_));
     const bool open = entered_.open > 0 || entered_.decided_meanwhile;
     batch.state = open || !read.scale_doubts.empty() ? records::BatchState::Review
                                                      : records::BatchState::Done;
     batch.reprojection_px = read.reprojection_px;
     batch.scale_error_pct = read.scale_error_pct;
     batch.scale_doubts = read.scale_doubts;
-    store::valueOrThrow(catalogue::Batches(catalogue_).save(batch, provenance_));
+    valueOrThrow(catalogue::Batches(catalogue_).save(batch, provenance_));
   }
 
   // Pieces are numbered anew by each computation, in the order of their places; what a person said
   // about one must stay with it, so it is known by its place.
   void scans(std::vector<records::ScanRecord> found, const decisions::Decisions& edits) {
     const std::vector<records::ScanRecord> known =
-        store::valueOrThrow(catalogue::Batches(catalogue_).scans(batch_));
+        valueOrThrow(catalogue::Batches(catalogue_).scans(batch_));
     const std::vector<int> same =
         samePieces(known, found, edits, sherds::typedOn(catalogue_, batch_));
     for (std::size_t i = 0; i < known.size(); ++i) {
@@ -120,20 +115,17 @@ class Entering {
       scan.index = -static_cast<int>(scan.row.value);  // out of the way of the others
       if (gone) {
         scan.name += "-earlier" + std::to_string(scan.row.value);
-        store::valueOrThrow(catalogue::Batches(catalogue_).save(scan, provenance_));
+        valueOrThrow(catalogue::Batches(catalogue_).save(scan, provenance_));
         continue;
       }
       records::ScanRecord& now = found[static_cast<std::size_t>(same[i])];
       now.row = scan.row;
       if (now.index != known[i].index)
-        catalogue_.database()
-            .sql("UPDATE scan SET position = ? WHERE row = ?")
-            .with(scan.index, scan.row)
-            .run();
+        catalogue_.database().run("UPDATE scan SET position = ? WHERE row = ?", scan.index,
+                                  scan.row);
     }
     for (const records::ScanRecord& scan : found) {
-      rows_[scan.name] =
-          store::valueOrThrow(catalogue::Batches(catalogue_).save(scan, provenance_));
+      rows_[scan.name] = valueOrThrow(catalogue::Batches(catalogue_).save(scan, provenance_));
       ++entered_.scans;
     }
   }
@@ -151,7 +143,7 @@ class Entering {
     std::vector<records::PairDecision> standing;  // the program's words that were not taken back
     std::map<store::DecisionRow, bool> withdrawn;
     const std::vector<records::PairDecision> all =
-        store::valueOrThrow(sherds::PairDecisions(catalogue_).all(batch_));
+        valueOrThrow(sherds::PairDecisions(catalogue_).all(batch_));
     for (const records::PairDecision& d : all)
       if (!d.by && d.verdict == records::Verdict::Withdraw) withdrawn[d.replaces] = true;
     for (const records::PairDecision& d : all)
@@ -173,14 +165,14 @@ class Entering {
         back.batch = batch_;
         back.verdict = records::Verdict::Withdraw;
         back.replaces = old.row;
-        store::valueOrThrow(sherds::PairDecisions(catalogue_).add(back, provenance_));
+        valueOrThrow(sherds::PairDecisions(catalogue_).add(back, provenance_));
       }
     for (const records::PairDecision& d : said)
       if (!isIn(standing, d)) {
-        store::valueOrThrow(sherds::PairDecisions(catalogue_).add(d, provenance_));
+        valueOrThrow(sherds::PairDecisions(catalogue_).add(d, provenance_));
         ++entered_.decisions;
       }
-    current_ = store::valueOrThrow(sherds::PairDecisions(catalogue_).current(batch_));
+    current_ = valueOrThrow(sherds::PairDecisions(catalogue_).current(batch_));
     for (const records::PairDecision& d : current_) entered_.kept_decisions += d.by ? 1 : 0;
   }
 
@@ -188,24 +180,19 @@ class Entering {
   store::SherdRow sherdOf(const std::string& front, const std::string& back) {
     const store::ScanRow f = scan(front), b = scan(back);
     if (taken_back_.contains(f) || taken_back_.contains(b)) return {};
-    store::Statement row =
-        catalogue_.database().sql("SELECT row FROM sherd WHERE front = ? AND back = ?");
-    store::SherdRow sherd;
-    if (row.with(f, b).next()) row >> sherd;
-    return sherd;
+    return catalogue_.database()
+        .sql("SELECT row FROM sherd WHERE front = ? AND back = ?", f, b)
+        .one<store::SherdRow>();
   }
 
   void model(const ReadSherd& read) {
     const store::SherdRow sherd = sherdOf(read.front, read.back);
     if (!sherd || read.model_path.empty()) return;
-    store::valueOrThrow(
-        sherds::Sherds(catalogue_).setModel(sherd, read.model_path, read.preview_path));
-    catalogue_.database()
-        .sql(
-            "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview') AND "
-            "substr(path, 1, length(?)) <> ?")
-        .with(sherd, read.folder, read.folder)
-        .run();
+    valueOrThrow(sherds::Sherds(catalogue_).setModel(sherd, read.model_path, read.preview_path));
+    catalogue_.database().run(
+        "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview') AND "
+        "substr(path, 1, length(?)) <> ?",
+        sherd, read.folder, read.folder);
     ++entered_.models;
     for (const auto& [kind, value] : read.measures) {
       sherds::setMeasure(catalogue_,
@@ -219,7 +206,7 @@ class Entering {
   // others and are no pieces any more.
   void countOpen() {
     for (const records::ScanRecord& scan :
-         store::valueOrThrow(catalogue::Batches(catalogue_).scans(batch_)))
+         valueOrThrow(catalogue::Batches(catalogue_).scans(batch_)))
       entered_.open += scan.state == records::ScanState::Open && rows_.contains(scan.name) ? 1 : 0;
     for (const records::PairDecision& d :
          current_)  // a doubtful pair is two open scans, and one question
@@ -243,25 +230,20 @@ Result<EnteredResults> entered(catalogue::Catalogue& catalogue, const fs::path& 
   // holdModels keeps out other programs, and this other threads where the disk knows no locks.
   static std::mutex one_by_one;
   const std::scoped_lock alone(one_by_one);
-  const Result<records::BatchRecord> record = catalogue::Batches(catalogue).get(batch);
-  if (!record) return record.error();
-  if (const Result<void> own = checkResultsAreOf(catalogue, project, *record, out, stop); !own)
-    return own.error();
-  const Result<FolderLock> models = sherds::holdModels(project, record->number, progress, stop);
-  if (!models) return models.error();
-  const Result<ReadResults> read = catalogue.database().asResult(
-      [&] { return readResults(project, *record, out, progress, stop); });
-  if (!read) return read.error();
-  // Not before: nothing goes where there is nothing to come in its place.
-  std::set<std::string> kept;
-  for (const ReadSherd& sherd : read->sherds)
-    if (!sherd.folder.empty()) kept.insert(sherd.folder.substr(0, sherd.folder.size() - 1));
-  if (const Result<void> dropped =
-          sherds::dropUnusedModels(catalogue, project, record->number, kept);
-      !dropped)
-    return dropped.error();
-  return catalogue.database().inTransaction(
-      [&] { return Entering(catalogue, batch, provenance).enter(*read, out, then); });
+  return catalogue.database().asResult([&] {
+    const auto record = valueOrThrow(catalogue::Batches(catalogue).get(batch));
+    valueOrThrow(checkResultsAreOf(catalogue, project, record, out, stop));
+    const FolderLock models =
+        valueOrThrow(sherds::holdModels(project, record.number, progress, stop));
+    const ReadResults read = readResults(project, record, out, progress, stop);
+    // Not before: nothing goes where there is nothing to come in its place.
+    std::set<std::string> kept;
+    for (const ReadSherd& sherd : read.sherds)
+      if (!sherd.folder.empty()) kept.insert(sherd.folder.substr(0, sherd.folder.size() - 1));
+    valueOrThrow(sherds::dropUnusedModels(catalogue, project, record.number, kept));
+    return valueOrThrow(catalogue.database().inTransaction(
+        [&] { return Entering(catalogue, batch, provenance).enter(read, out, then); }));
+  });
 }
 
 }  // namespace
@@ -281,22 +263,19 @@ Result<bool> enterLostModels(const fs::path& project, const std::string& batch, 
   if (!fs::exists(out / "report.json", failed)) return false;
   Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(project);
   if (!catalogue) return catalogue.error();
-  const Result<records::BatchRecord> record = catalogue::Batches(*catalogue).byNumber(batch);
-  if (!record) return record.error();
-  const Result<std::vector<store::SherdRow>> rows = sherds::Sherds(*catalogue).rows(record->row);
-  if (!rows) return rows.error();
-  const Result<std::vector<records::SherdRecord>> sherds = sherds::Sherds(*catalogue).of(*rows);
-  if (!sherds) return sherds.error();
-  if (std::none_of(sherds->begin(), sherds->end(), [](const records::SherdRecord& sherd) {
-        return sherd.front && sherd.back && sherd.model_path.empty();
-      }))
-    return false;
-  // The batch may wait to be computed again, or lie under the cameras: that is not theirs to say.
-  const Result<EnteredResults> again =
-      entered(*catalogue, project, record->row, out, {{}, "process", {}}, BatchItself::LeftAsItIs,
-              progress, std::move(stop));
-  if (!again) return again.error();
-  return again->models > 0;
+  return catalogue->database().asResult([&] {
+    const auto record = valueOrThrow(catalogue::Batches(*catalogue).byNumber(batch)).row;
+    const sherds::Sherds sherds(*catalogue);
+    const auto all = valueOrThrow(sherds.of(valueOrThrow(sherds.rows(record))));
+    if (std::none_of(all.begin(), all.end(), [](const records::SherdRecord& sherd) {
+          return sherd.front && sherd.back && sherd.model_path.empty();
+        }))
+      return false;
+    // The batch may wait to be computed again, or lie under the cameras: that is not theirs to say.
+    return valueOrThrow(entered(*catalogue, project, record, out, {{}, "process", {}},
+                                BatchItself::LeftAsItIs, progress, std::move(stop)))
+               .models > 0;
+  });
 }
 
 Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& project,
@@ -322,8 +301,8 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
       // Without following links: what they lead to is not the project's.
       Photograph p;
       p.shot.path = relativeTo(project, shot.file);
-      OpenFile open = store::valueOrThrow(OpenFile::within(project, p.shot.path));
-      const std::string bytes = store::valueOrThrow(open.readAll());
+      OpenFile open = valueOrThrow(OpenFile::within(project, p.shot.path));
+      const std::string bytes = valueOrThrow(open.readAll());
       p.shot.batch = batch;
       p.shot.side = shot.side;
       // Of free cameras it is one camera's, photograph after photograph.
@@ -355,8 +334,8 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
   if (!read) return read.error();
   return catalogue.database().inTransaction([&] {
     for (const Photograph& p : *read) {
-      store::valueOrThrow(catalogue::Batches(catalogue).save(p.shot, provenance));
-      store::valueOrThrow(catalogue::Files(catalogue).save(p.file, provenance));
+      valueOrThrow(catalogue::Batches(catalogue).save(p.shot, provenance));
+      valueOrThrow(catalogue::Files(catalogue).save(p.file, provenance));
     }
     return static_cast<int>(read->size());
   });

@@ -9,7 +9,6 @@
 #include "records/records.h"
 #include "records/words.h"
 #include "store/database.h"
-#include "store/names.h"
 #include "store/statement.h"
 
 namespace ostraka::records {
@@ -51,6 +50,8 @@ std::string cutText(const PieceDecision& d) {
 
 // What this file wrote; a text that was changed from outside leaves the fields empty.
 void readTexts(PieceDecision& d, const std::string& pieces, const std::string& cut) {
+  d.pieces.clear();
+  d.cut_mm = PieceDecision().cut_mm;
   try {
     for (const json& piece : jsonOrDiscarded(pieces))
       d.pieces.push_back({piece.at("name").get<std::string>(), pointFrom(piece.at("place_mm"))});
@@ -70,9 +71,9 @@ void check(store::Database& database, const PieceDecision& d,
   if (d.verdict == PieceVerdict::Cut && d.pieces.size() != 1)
     store::refuse(message("A split needs exactly one fragment."));
   if (d.verdict != PieceVerdict::Withdraw) return;
-  store::Statement row = database.sql("SELECT 1 FROM piece_decision WHERE row = ? AND batch = ?");
-  if (!row.with(d.replaces, d.batch).next())
-    store::refuse(message("The decision to undo is not in this batch."));
+  store::Statement row =
+      database.sql("SELECT 1 FROM piece_decision WHERE row = ? AND batch = ?", d.replaces, d.batch);
+  if (!row.next()) store::refuse(message("The decision to undo is not in this batch."));
 }
 
 }  // namespace
@@ -82,15 +83,13 @@ Result<PieceDecisionRow> decidePieces(catalogue::Catalogue& catalogue, const Pie
   store::Database& database = catalogue.database();
   return database.inTransaction([&] {
     check(database, d, provenance);
-    database
-        .sql(
-            "INSERT INTO piece_decision (id, decision, at, person, batch, side, verdict, pieces, "
-            "cut_mm, "
-            "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .with(newId(catalogue.now()), d.decision, catalogue.now(), provenance.person, d.batch,
-              records::wordOf(d.side), records::wordOf(d.verdict), piecesText(d), cutText(d),
-              d.replaces, d.note)
-        .run();
+    database.run(
+        "INSERT INTO piece_decision (id, decision, at, person, batch, side, verdict, pieces, "
+        "cut_mm, "
+        "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        newId(catalogue.now()), d.decision, catalogue.now(), provenance.person, d.batch,
+        records::wordOf(d.side), records::wordOf(d.verdict), piecesText(d), cutText(d), d.replaces,
+        d.note);
     return PieceDecisionRow{database.lastRow()};
   });
 }
@@ -102,17 +101,15 @@ Result<std::vector<PieceDecision>> pieceDecisions(const catalogue::Catalogue& ca
     store::Statement rows = catalogue.database().sql(
         "SELECT row, decision, batch, side, verdict, pieces, cut_mm, person, replaces, note, at "
         "FROM "
-        "piece_decision WHERE batch = ? ORDER BY row");
-    rows.with(batch);
-    while (rows.next()) {
-      PieceDecision d;
-      std::string side, verdict, pieces, cut;
-      rows >> d.row >> d.decision >> d.batch >> side >> verdict >> pieces >> cut >> d.by >>
-          d.replaces >> d.note >> d.at_ms;
+        "piece_decision WHERE batch = ? ORDER BY row",
+        batch);
+    std::string side, verdict, pieces, cut;
+    for (PieceDecision d; rows.read(d.row, d.decision, d.batch, side, verdict, pieces, cut, d.by,
+                                    d.replaces, d.note, d.at_ms);) {
       d.side = records::fromWord<batch::Side>(side);
       d.verdict = records::fromWord<PieceVerdict>(verdict);
       readTexts(d, pieces, cut);
-      all.push_back(std::move(d));
+      all.push_back(d);
     }
     return all;
   });

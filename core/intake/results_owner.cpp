@@ -11,12 +11,14 @@
 #include "catalogue/files.h"
 #include "files/files.h"
 #include "files/json.h"
+#include "store/database.h"
 #include "store/values.h"
 
 namespace ostraka::intake {
 namespace {
 
 namespace fs = std::filesystem;
+using store::valueOrThrow;
 
 using Hashes = std::map<std::string, std::string>;  // SHA-256 by name, relative to the batch
 
@@ -97,40 +99,29 @@ bool hasFiles(const fs::path& folder) {
 Result<void> checkResultsAreOf(const catalogue::Catalogue& catalogue, const fs::path& project,
                                const records::BatchRecord& batch, const fs::path& out,
                                const std::stop_token& stop) {
-  const Result<Hashes> made_from = readFrom(out);
-  if (!made_from) return made_from.error();
-  if (made_from->empty()) return {};
-  const catalogue::Files files(catalogue);
-  const Owners owners(project, *made_from, stop);
-  const Result<std::vector<records::FileRecord>> of_batch = files.of(batch.row);
-  if (!of_batch) return of_batch.error();
-  std::map<store::BatchRow, std::set<std::string>> recorded = photographsAmong(*of_batch);
-  if (owners.own(recorded[batch.row])) return {};
-  const Result<bool> own = owners.own(batch.number);
-  if (!own) return own.error();
-  if (*own) return {};
-  const Result<std::vector<records::FileRecord>> all = files.all();
-  if (!all) return all.error();
-  recorded = photographsAmong(*all);
-  const Result<std::vector<records::BatchRecord>> batches = catalogue::Batches(catalogue).all();
-  if (!batches) return batches.error();
-  for (const records::BatchRecord& other : *batches) {
-    if (other.row == batch.row) continue;
-    const Result<bool> theirs =
-        owners.own(recorded[other.row]) ? Result<bool>(true) : owners.own(other.number);
-    if (!theirs) return theirs.error();
-    if (*theirs)
-      return Error::unusable(
-          message(
-              "These results were made from the photographs of %1, not of %2; process %3 itself.",
-              other.number, batch.number, batch.number),
+  return catalogue.database().asResult([&] {
+    const Hashes made_from = valueOrThrow(readFrom(out));
+    if (made_from.empty()) return;
+    const catalogue::Files files(catalogue);
+    const Owners owners(project, made_from, stop);
+    auto recorded = photographsAmong(valueOrThrow(files.of(batch.row)));
+    if (owners.own(recorded[batch.row]) || valueOrThrow(owners.own(batch.number))) return;
+    recorded = photographsAmong(valueOrThrow(files.all()));
+    for (const records::BatchRecord& other : valueOrThrow(catalogue::Batches(catalogue).all())) {
+      if (other.row == batch.row) continue;
+      if (owners.own(recorded[other.row]) || valueOrThrow(owners.own(other.number)))
+        store::refuse(
+            message("These results were made from the photographs of %1, not of %2; process %3 "
+                    "itself.",
+                    other.number, batch.number, batch.number),
+            out);
+    }
+    if (!recorded[batch.row].empty() || hasFiles(project / "batches" / batch.number))
+      store::refuse(
+          message("These results were not made from the photographs of %1; process it again.",
+                  batch.number),
           out);
-  }
-  if (recorded[batch.row].empty() && !hasFiles(project / "batches" / batch.number)) return {};
-  return Error::unusable(
-      message("These results were not made from the photographs of %1; process it again.",
-              batch.number),
-      out);
+  });
 }
 
 }  // namespace ostraka::intake

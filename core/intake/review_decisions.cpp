@@ -26,6 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using decisions::DecisionKind;
+using store::valueOrThrow;
 
 // The rows of this decision, of pairs or of pieces, that were not taken back.
 template <class Row>
@@ -53,26 +54,17 @@ Row takenBack(const Row& earlier, const std::string& by_decision, const std::str
   return back;
 }
 
-Result<void> withdraw(catalogue::Catalogue& catalogue, store::BatchRow batch,
-                      const decisions::PairDecision& decision,
-                      const records::Provenance& provenance) {
-  const auto all = sherds::PairDecisions(catalogue).all(batch);
-  if (!all) return all.error();
-  const auto pieces = pieceDecisions(catalogue, batch);
-  if (!pieces) return pieces.error();
+void withdraw(catalogue::Catalogue& catalogue, store::BatchRow batch,
+              const decisions::PairDecision& decision, const records::Provenance& provenance) {
+  const auto all = valueOrThrow(sherds::PairDecisions(catalogue).all(batch));
+  const auto pieces = valueOrThrow(pieceDecisions(catalogue, batch));
   for (const std::string& id : decision.replaces) {
-    for (const records::PairDecision& row : rowsOf(*all, id))
-      if (const auto done = sherds::PairDecisions(catalogue).add(
-              takenBack(row, decision.id, decision.note), provenance);
-          !done)
-        return done.error();
-    for (const PieceDecision& row : rowsOf(*pieces, id))
-      if (const auto done =
-              decidePieces(catalogue, takenBack(row, decision.id, decision.note), provenance);
-          !done)
-        return done.error();
+    for (const records::PairDecision& row : rowsOf(all, id))
+      valueOrThrow(sherds::PairDecisions(catalogue).add(takenBack(row, decision.id, decision.note),
+                                                        provenance));
+    for (const PieceDecision& row : rowsOf(pieces, id))
+      valueOrThrow(decidePieces(catalogue, takenBack(row, decision.id, decision.note), provenance));
   }
-  return {};
 }
 
 // By its place, as the results are; by its name where no place is known.
@@ -138,9 +130,9 @@ std::vector<records::PairDecision> rowsFor(store::BatchRow batch,
 }
 
 // Pieces are kept by name and place: their scans come and go with each computation.
-Result<void> enterPieces(catalogue::Catalogue& catalogue, store::BatchRow batch,
-                         const decisions::PairDecision& decision,
-                         const records::Provenance& provenance) {
+Result<PieceDecisionRow> enterPieces(catalogue::Catalogue& catalogue, store::BatchRow batch,
+                                     const decisions::PairDecision& decision,
+                                     const records::Provenance& provenance) {
   PieceDecision row;
   row.batch = batch;
   row.side = decision.scans.empty() ? batch::Side::Front : decision.scans.front().side;
@@ -149,8 +141,7 @@ Result<void> enterPieces(catalogue::Catalogue& catalogue, store::BatchRow batch,
   row.cut_mm = decision.cut_mm;
   row.decision = decision.id;
   row.note = decision.note;
-  const auto entered = decidePieces(catalogue, row, provenance);
-  return entered ? Result<void>() : Result<void>(entered.error());
+  return decidePieces(catalogue, row, provenance);
 }
 
 bool isOfPieces(const decisions::PairDecision& d) {
@@ -174,14 +165,14 @@ class Following {
   Following(catalogue::Catalogue& catalogue, store::BatchRow batch, const decisions::Decisions& all,
             const Table& table)
       : catalogue_(catalogue), batch_(batch), all_(all), standing_(decisions::standing(all)) {
-    want(table, store::valueOrThrow(catalogue::Batches(catalogue).scans(batch)));
+    want(table, valueOrThrow(catalogue::Batches(catalogue).scans(batch)));
   }
 
   /// How many were added.
   int rows() {
     pieces();
     const std::vector<records::PairDecision> held =
-        store::valueOrThrow(sherds::PairDecisions(catalogue_).all(batch_));
+        valueOrThrow(sherds::PairDecisions(catalogue_).all(batch_));
     for (const Wanted& wanted : wanted_)
       if (!isAmong(rowsOf(held, wanted.of->id), wanted.row))
         count(sherds::PairDecisions(catalogue_).add(wanted.row, actOf(*wanted.of)));
@@ -235,7 +226,7 @@ class Following {
   bool takeBack(std::map<store::DecisionRow, const decisions::PairDecision*>& stale) {
     bool any = false;
     for (const records::PairDecision& counts :
-         store::valueOrThrow(sherds::PairDecisions(catalogue_).current(batch_))) {
+         valueOrThrow(sherds::PairDecisions(catalogue_).current(batch_))) {
       const auto found = stale.find(counts.row);
       if (found == stale.end()) continue;
       const End end = endOf(*found->second, counts.by);
@@ -249,7 +240,7 @@ class Following {
 
   // Where the pieces of a join are now is asked by the chain alone.
   void pieces() {
-    const std::vector<PieceDecision> held = store::valueOrThrow(pieceDecisions(catalogue_, batch_));
+    const std::vector<PieceDecision> held = valueOrThrow(pieceDecisions(catalogue_, batch_));
     for (const decisions::PairDecision& d : all_) {
       if (!isOfPieces(d)) continue;
       const std::vector<PieceDecision> rows = rowsOf(held, d.id);
@@ -266,8 +257,7 @@ class Following {
   }
 
   records::Provenance actOf(const decisions::PairDecision& d) {
-    return {store::valueOrThrow(catalogue::People(catalogue_).byInitials(d.by, {})), "window",
-            d.note};
+    return {valueOrThrow(catalogue::People(catalogue_).byInitials(d.by, {})), "window", d.note};
   }
   // Who took it back, and by which decision; nobody did where its scans are gone.
   struct End {
@@ -302,31 +292,33 @@ Result<void> enterDecision(catalogue::Catalogue& catalogue, const std::string& b
   const bool finds_scans = decision.kind != DecisionKind::Withdraw && !isOfPieces(decision);
   const Result<Table> table = finds_scans ? tableOf(output) : Table();
   if (!table) return table.error();
-  return catalogue.together([&]() -> Result<void> {
-    const auto batch = catalogue::Batches(catalogue).byNumber(batch_number);
-    if (!batch) return batch.error();
-    const auto person = catalogue::People(catalogue).byInitials(decision.by, {});
-    if (!person) return person.error();
-    const records::Provenance provenance{*person, "window", decision.note};
+  return catalogue.database().inTransaction([&] {
+    const store::BatchRow batch =
+        valueOrThrow(catalogue::Batches(catalogue).byNumber(batch_number)).row;
+    const records::Provenance provenance{
+        valueOrThrow(catalogue::People(catalogue).byInitials(decision.by, {})), "window",
+        decision.note};
     if (decision.kind == DecisionKind::Withdraw)
-      return withdraw(catalogue, batch->row, decision, provenance);
-    if (isOfPieces(decision)) return enterPieces(catalogue, batch->row, decision, provenance);
+      return withdraw(catalogue, batch, decision, provenance);
+    if (isOfPieces(decision)) {
+      valueOrThrow(enterPieces(catalogue, batch, decision, provenance));
+      return;
+    }
+    const auto missing = [&](Message what) {
+      throw store::Refused({ErrorCode::Missing, std::move(what), batch_number});
+    };
     if (*table)  // of earlier photographs, or about a piece that is gone
       if (const auto meant = decisions::settledBy({decision}, **table); !meant.warnings.empty())
-        return Error{ErrorCode::Missing, meant.warnings.front(), batch_number};
-    const auto scans = catalogue::Batches(catalogue).scans(batch->row);
-    if (!scans) return scans.error();
+        missing(meant.warnings.front());
+    const auto scans = valueOrThrow(catalogue::Batches(catalogue).scans(batch));
     for (const decisions::ScanRef& ref : decision.scans)
-      if (scanIn(*table, *scans, ref) == nullptr)
-        return Error{ErrorCode::Missing,
-                     message("The decision is saved with the batch, but %1 is not in the catalogue "
-                             "yet; it is added with the next results.",
-                             ref.id),
-                     batch_number};
-    for (const records::PairDecision& row : rowsFor(batch->row, decision, *table, *scans))
-      if (const auto entered = sherds::PairDecisions(catalogue).add(row, provenance); !entered)
-        return entered.error();
-    return {};
+      if (scanIn(*table, scans, ref) == nullptr)
+        missing(
+            message("The decision is saved with the batch, but %1 is not in the catalogue "
+                    "yet; it is added with the next results.",
+                    ref.id));
+    for (const records::PairDecision& row : rowsFor(batch, decision, *table, scans))
+      valueOrThrow(sherds::PairDecisions(catalogue).add(row, provenance));
   });
 }
 
@@ -376,27 +368,22 @@ Result<void> forgetModelsOf(catalogue::Catalogue& catalogue, store::BatchRow bat
                             const std::set<store::ScanRow>& pieces,
                             const records::Provenance& provenance) {
   if (pieces.empty()) return {};
-  return catalogue.together([&]() -> Result<void> {
-    const auto rows = sherds::Sherds(catalogue).rows(batch);
-    if (!rows) return rows.error();
-    const auto sherds = sherds::Sherds(catalogue).of(*rows);
-    if (!sherds) return sherds.error();
-    for (const records::SherdRecord& sherd : *sherds)
+  return catalogue.database().inTransaction([&] {
+    const sherds::Sherds all(catalogue);
+    for (const records::SherdRecord& sherd : valueOrThrow(all.of(valueOrThrow(all.rows(batch)))))
       if (pieces.contains(sherd.front) || pieces.contains(sherd.back))
         sherds::forgetModel(catalogue, sherd.row, provenance);
-    return {};
   });
 }
 
 Result<void> forgetPiecesOf(catalogue::Catalogue& catalogue, const std::string& batch_number,
                             const decisions::PairDecision& withdrawal, const fs::path& output) {
-  const auto batch = catalogue::Batches(catalogue).byNumber(batch_number);
-  if (!batch) return batch.error();
-  const auto pieces = piecesTakenBack(catalogue, batch->row, output);
-  if (!pieces) return pieces.error();
-  const auto person = catalogue::People(catalogue).byInitials(withdrawal.by, {});
-  if (!person) return person.error();
-  return forgetModelsOf(catalogue, batch->row, *pieces, {*person, "window", withdrawal.note});
+  return catalogue.database().asResult([&] {
+    const auto batch = valueOrThrow(catalogue::Batches(catalogue).byNumber(batch_number)).row;
+    const auto pieces = valueOrThrow(piecesTakenBack(catalogue, batch, output));
+    const auto person = valueOrThrow(catalogue::People(catalogue).byInitials(withdrawal.by, {}));
+    valueOrThrow(forgetModelsOf(catalogue, batch, pieces, {person, "window", withdrawal.note}));
+  });
 }
 
 }  // namespace ostraka::intake

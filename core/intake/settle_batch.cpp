@@ -37,12 +37,12 @@ Result<bool> settleByResults(catalogue::Catalogue& catalogue, const std::string&
   const bool wants_computing = review::wantsComputing(output);
   BatchFigures figures = keptFigures(catalogue, batch_number).value_or(BatchFigures{});
   figures.take(review::countsOf(*review));
-  const Result<void> settled = catalogue.together([&]() -> Result<void> {
-    if (const Result<void> kept = keepFigures(catalogue, batch_number, figures); !kept) return kept;
-    return settleBatch(catalogue, batch_number, person, figures.ask == 0 && !wants_computing);
+  return catalogue.database().inTransaction([&] {
+    store::valueOrThrow(keepFigures(catalogue, batch_number, figures));
+    store::valueOrThrow(
+        settleBatch(catalogue, batch_number, person, figures.ask == 0 && !wants_computing));
+    return wants_computing;
   });
-  if (!settled) return settled.error();
-  return wants_computing;
 }
 
 Result<bool> settleByResults(const fs::path& project, const std::string& batch_number,

@@ -14,6 +14,7 @@
 #include "records/words.h"
 #include "sherds/pair_decisions.h"
 #include "sherds/restore.h"
+#include "store/database.h"
 #include "tables/import_places.h"
 
 namespace ostraka::metadata {
@@ -22,6 +23,7 @@ namespace {
 using namespace catalogue;
 using nlohmann::json;
 using nlohmann::ordered_json;
+using store::valueOrThrow;
 
 template <class T>
 void take(const json& object, const char* key, std::optional<T>& value) {
@@ -50,47 +52,42 @@ class Writing {
     for (const archive::BagFile& file : exported) exported_[file.path] = &file;
   }
 
-  Result<ordered_json> batch(store::BatchRow row) {
-    const Result<records::BatchRecord> b = Batches(catalogue_).get(row);
-    if (!b) return b.error();
+  ordered_json batch(store::BatchRow row) {
+    const records::BatchRecord b = valueOrThrow(Batches(catalogue_).get(row));
     if (persons_.empty()) {
-      const auto persons = People(catalogue_).all();
-      if (!persons) return persons.error();
-      for (const records::PersonRecord& p : *persons) persons_[p.row] = p.id;
-      const auto bags = Places(catalogue_).bags();
-      if (!bags) return bags.error();
-      for (const records::BagRecord& bag : *bags) bag_ids_[bag.row] = bag.id;
+      for (const auto& p : valueOrThrow(People(catalogue_).all())) persons_[p.row] = p.id;
+      for (const auto& bag : valueOrThrow(Places(catalogue_).bags())) bag_ids_[bag.row] = bag.id;
     }
-    ordered_json one = {{"id", b->id}, {"number", b->number}};
-    one["state"] = records::wordOf(b->state);
-    one["counted"] = b->counted;
-    put(one, "operator", persons_[b->operator_]);
-    for (const store::BagRow& bag : b->bags) one["bags"].push_back(bag_ids_[bag]);
-    put(one, "started_ms", b->started_ms);
-    put(one, "ended_ms", b->ended_ms);
-    put(one, "reprojection_px", b->reprojection_px);
-    put(one, "scale_error_pct", b->scale_error_pct);
-    put(one, "scale_doubts", linesOf(b->scale_doubts));
-    put(one, "rig_sha256", b->rig_sha256);
-    put(one, "program", b->program);
-    put(one, "settings_sha256", b->settings_sha256);
-    put(one, "note", b->note);
-    const Result<sherds::BatchIds> ids = sherds::idsOf(catalogue_, row);
-    if (!ids) return ids.error();
-    ids_ = *ids;
-    for (const auto& part : {&Writing::photographs, &Writing::scans, &Writing::decisions,
-                             &Writing::pieces, &Writing::files})
-      if (const Result<void> done = (this->*part)(*b, one); !done) return done.error();
+    ordered_json one = {{"id", b.id},
+                        {"number", b.number},
+                        {"state", records::wordOf(b.state)},
+                        {"counted", b.counted}};
+    put(one, "operator", persons_[b.operator_]);
+    for (const store::BagRow& bag : b.bags) one["bags"].push_back(bag_ids_[bag]);
+    put(one, "started_ms", b.started_ms);
+    put(one, "ended_ms", b.ended_ms);
+    put(one, "reprojection_px", b.reprojection_px);
+    put(one, "scale_error_pct", b.scale_error_pct);
+    put(one, "scale_doubts", linesOf(b.scale_doubts));
+    put(one, "rig_sha256", b.rig_sha256);
+    put(one, "program", b.program);
+    put(one, "settings_sha256", b.settings_sha256);
+    put(one, "note", b.note);
+    ids_ = valueOrThrow(sherds::idsOf(catalogue_, row));
+    photographs(b, one);
+    scans(b, one);
+    decisions(b, one);
+    pieces(b, one);
+    files(b, one);
     return one;
   }
 
  private:
   std::string scanId(store::ScanRow row) const { return row ? ids_.scans.at(row) : std::string(); }
 
-  Result<void> photographs(const records::BatchRecord& b, ordered_json& one) {
-    const auto all = Batches(catalogue_).photographs(b.row);
-    if (!all) return all.error();
-    for (const records::PhotographRecord& p : *all) {
+  void photographs(const records::BatchRecord& b, ordered_json& one) {
+    for (const records::PhotographRecord& p :
+         valueOrThrow(Batches(catalogue_).photographs(b.row))) {
       ordered_json out = {{"id", ids_.photographs[p.row]},
                           {"side", records::wordOf(p.side)},
                           {"camera", std::string(1, p.camera)},
@@ -105,13 +102,10 @@ class Writing {
       put(out, "reason", p.reason);
       one["photographs"].push_back(std::move(out));
     }
-    return {};
   }
 
-  Result<void> scans(const records::BatchRecord& b, ordered_json& one) {
-    const auto all = Batches(catalogue_).scans(b.row);
-    if (!all) return all.error();
-    for (const records::ScanRecord& s : *all) {
+  void scans(const records::BatchRecord& b, ordered_json& one) {
+    for (const records::ScanRecord& s : valueOrThrow(Batches(catalogue_).scans(b.row))) {
       ordered_json out = {{"id", ids_.scans[s.row]}, {"side", records::wordOf(s.side)},
                           {"index", s.index},        {"name", s.name},
                           {"path", s.path},          {"state", records::wordOf(s.state)}};
@@ -121,13 +115,11 @@ class Writing {
       put(out, "plate_y_mm", s.plate_y_mm);
       one["scans"].push_back(std::move(out));
     }
-    return {};
   }
 
-  Result<void> decisions(const records::BatchRecord& b, ordered_json& one) {
-    const auto all = sherds::PairDecisions(catalogue_).all(b.row);
-    if (!all) return all.error();
-    for (const records::PairDecision& d : *all) {
+  void decisions(const records::BatchRecord& b, ordered_json& one) {
+    for (const records::PairDecision& d :
+         valueOrThrow(sherds::PairDecisions(catalogue_).all(b.row))) {
       ordered_json out = {{"id", ids_.decisions[d.row]},
                           {"at_ms", d.at_ms},
                           {"verdict", records::wordOf(d.verdict)}};
@@ -145,13 +137,10 @@ class Writing {
       put(out, "note", d.note);
       one["decisions"].push_back(std::move(out));
     }
-    return {};
   }
 
-  Result<void> pieces(const records::BatchRecord& b, ordered_json& one) {
-    const auto all = sherds::pieceRows(catalogue_, b.row);
-    if (!all) return all.error();
-    for (const sherds::PieceRow& d : *all) {
+  void pieces(const records::BatchRecord& b, ordered_json& one) {
+    for (const sherds::PieceRow& d : valueOrThrow(sherds::pieceRows(catalogue_, b.row))) {
       ordered_json out = {
           {"id", d.id}, {"at_ms", d.at_ms}, {"side", d.side}, {"verdict", d.verdict}};
       put(out, "decision", d.decision);
@@ -162,13 +151,10 @@ class Writing {
       put(out, "note", d.note);
       one["piece_decisions"].push_back(std::move(out));
     }
-    return {};
   }
 
-  Result<void> files(const records::BatchRecord& b, ordered_json& one) {
-    const auto all = Files(catalogue_).of(b.row);
-    if (!all) return all.error();
-    for (const records::FileRecord& f : *all) {
+  void files(const records::BatchRecord& b, ordered_json& one) {
+    for (const records::FileRecord& f : valueOrThrow(Files(catalogue_).of(b.row))) {
       const std::string at = exportedAs(f.path, b.number);
       const auto exported = exported_.find("data/" + at);
       if (f.role != "photo" || exported == exported_.end()) continue;
@@ -180,7 +166,6 @@ class Writing {
                               {"media_type", f.media_type},
                               {"at", at}});
     }
-    return {};
   }
 
   const Catalogue& catalogue_;
@@ -196,22 +181,18 @@ class Entering {
            const std::map<std::string, std::int64_t>& rows, const records::Provenance& provenance)
       : catalogue_(catalogue), bag_(bag), rows_(rows), provenance_(provenance) {}
 
-  Result<void> batch(const json& b) {
+  void batch(const json& b) {
     records::BatchRecord batch;
     batch.id = text(b, "id");
     batch.note = text(b, "note");
     batch.number = number_ = text(b, "number");
-    const Result<std::optional<records::BatchRecord>> there = Batches(catalogue_).byId(batch.id);
-    if (!there) return there.error();
-    if (*there) {
-      read.numbers[number_] = (*there)->number;
-      return {};
+    if (const auto there = valueOrThrow(Batches(catalogue_).byId(batch.id))) {
+      read.numbers[number_] = there->number;
+      return;
     }
     if (Batches(catalogue_).byNumber(number_)) {
       // This import's own copies lie there already when the batch enters.
-      const Result<std::string> free = Batches(catalogue_).lowestFreeNumber();
-      if (!free) return free.error();
-      batch.number = *free;
+      batch.number = valueOrThrow(Batches(catalogue_).lowestFreeNumber());
       batch.note += (batch.note.empty() ? "" : "\n") + ("Was " + number_ + " where it was made.");
     }
     read.numbers[number_] = batch.number;
@@ -233,15 +214,11 @@ class Entering {
     batch.rig_sha256 = text(b, "rig_sha256");
     batch.program = text(b, "program");
     batch.settings_sha256 = text(b, "settings_sha256");
-    const Result<store::BatchRow> added = Batches(catalogue_).add(batch, provenance_);
-    if (!added) return added.error();
-    read.fresh.insert(*added);
-    for (const json& p : listOf(b, "photographs"))
-      if (const Result<void> done = photograph(p, *added); !done) return done;
-    for (const json& s : listOf(b, "scans"))
-      if (const Result<void> done = scan(s, *added); !done) return done;
-    for (const json& d : listOf(b, "decisions"))
-      if (const Result<void> done = decision(d, *added); !done) return done;
+    const store::BatchRow added = valueOrThrow(Batches(catalogue_).add(batch, provenance_));
+    read.fresh.insert(added);
+    for (const json& p : listOf(b, "photographs")) photograph(p, added);
+    for (const json& s : listOf(b, "scans")) scan(s, added);
+    for (const json& d : listOf(b, "decisions")) decision(d, added);
     for (const json& d : listOf(b, "piece_decisions")) {
       const sherds::PieceRow piece{
           text(d, "id"),      text(d, "decision"),
@@ -249,12 +226,9 @@ class Entering {
           text(d, "verdict"), text(d, "pieces"),
           text(d, "cut_mm"),  text(d, "replaces"),
           text(d, "note"),    wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX)};
-      const auto done = sherds::restorePieceRow(catalogue_, *added, {row(d, "by")}, piece);
-      if (!done) return done;
+      valueOrThrow(sherds::restorePieceRow(catalogue_, added, {row(d, "by")}, piece));
     }
-    for (const json& f : listOf(b, "files"))
-      if (const Result<void> done = file(f, *added); !done) return done;
-    return {};
+    for (const json& f : listOf(b, "files")) file(f, added);
   }
 
   ReadBatches read;
@@ -276,7 +250,7 @@ class Entering {
     return found == own_.end() ? 0 : found->second;
   }
 
-  Result<void> photograph(const json& p, store::BatchRow batch) {
+  void photograph(const json& p, store::BatchRow batch) {
     records::PhotographRecord photograph;
     photograph.batch = batch;
     photograph.side = records::fromWord<batch::Side>(text(p, "side"));
@@ -291,12 +265,10 @@ class Entering {
     take(p, "sharpness", photograph.sharpness);
     photograph.used = p.value("used", true);
     photograph.reason = text(p, "reason");
-    const auto saved =
-        sherds::restorePhotograph(catalogue_, photograph, text(p, "id"), provenance_);
-    return saved ? Result<void>() : saved.error();
+    valueOrThrow(sherds::restorePhotograph(catalogue_, photograph, text(p, "id"), provenance_));
   }
 
-  Result<void> scan(const json& s, store::BatchRow batch) {
+  void scan(const json& s, store::BatchRow batch) {
     records::ScanRecord scan;
     scan.batch = batch;
     scan.side = records::fromWord<batch::Side>(text(s, "side"));
@@ -308,14 +280,11 @@ class Entering {
     take(s, "plate_x_mm", scan.plate_x_mm);
     take(s, "plate_y_mm", scan.plate_y_mm);
     scan.state = records::fromWord<records::ScanState>(text(s, "state"));
-    const Result<store::ScanRow> saved =
-        sherds::restoreScan(catalogue_, scan, text(s, "id"), provenance_);
-    if (!saved) return saved.error();
-    own_[text(s, "id")] = saved->value;
-    return {};
+    own_[text(s, "id")] =
+        valueOrThrow(sherds::restoreScan(catalogue_, scan, text(s, "id"), provenance_)).value;
   }
 
-  Result<void> decision(const json& d, store::BatchRow batch) {
+  void decision(const json& d, store::BatchRow batch) {
     records::PairDecision decision;
     decision.at_ms = wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX);
     decision.batch = batch;
@@ -325,43 +294,34 @@ class Entering {
     decision.back = {own(d, "back")};
     decision.replaces = {own(d, "replaces")};
     decision.verdict = records::fromWord<records::Verdict>(text(d, "verdict"));
-    if (d.contains("T_front_from_back")) {
-      const auto pose = isometryFromJson(d.at("T_front_from_back"), "metadata/batches.json");
-      if (!pose) return pose.error();
-      decision.front_from_back = *pose;
-    }
+    if (d.contains("T_front_from_back"))
+      decision.front_from_back =
+          valueOrThrow(isometryFromJson(d.at("T_front_from_back"), "metadata/batches.json"));
     take(d, "score", decision.score);
     take(d, "margin", decision.margin);
     take(d, "fracture_rms_mm", decision.fracture_rms_mm);
     take(d, "fracture_overlap", decision.fracture_overlap);
     decision.ambiguous = d.value("ambiguous", false);
     decision.note = text(d, "note");
-    const Result<store::DecisionRow> saved =
-        sherds::restoreDecision(catalogue_, decision, text(d, "id"));
-    if (!saved) return saved.error();
-    own_[text(d, "id")] = saved->value;
-    return {};
+    own_[text(d, "id")] =
+        valueOrThrow(sherds::restoreDecision(catalogue_, decision, text(d, "id"))).value;
   }
 
-  Result<void> file(const json& f, store::BatchRow batch) {
-    const Result<ContainedPath> place =
-        tables::importPlace(here(text(f, "path")), read.numbers.at(number_));
-    if (!place) return place.error();
+  void file(const json& f, store::BatchRow batch) {
     records::FileRecord file;
     file.id = text(f, "id");
-    file.path = place->text();
+    file.path =
+        valueOrThrow(tables::importPlace(here(text(f, "path")), read.numbers.at(number_))).text();
     const std::int64_t bytes = wholeIn(f.at("bytes"), "bytes", 0, INT64_MAX);
-    const auto verified = verifiedFile(bag_, text(f, "at"), text(f, "sha256"), bytes);
-    if (!verified) return verified.error();
-    file.sha256 = verified->sha256;
-    file.bytes = verified->bytes;
+    const archive::BagFile verified =
+        valueOrThrow(verifiedFile(bag_, text(f, "at"), text(f, "sha256"), bytes));
+    file.sha256 = verified.sha256;
+    file.bytes = verified.bytes;
     file.media_type = text(f, "media_type");
     file.role = "photo";
     file.batch = batch;
-    const auto saved = Files(catalogue_).save(file, provenance_);
-    if (!saved) return saved.error();
+    valueOrThrow(Files(catalogue_).save(file, provenance_));
     read.copies.push_back({text(f, "at"), file.path});
-    return {};
   }
 
   Catalogue& catalogue_;
@@ -377,14 +337,12 @@ class Entering {
 Result<ordered_json> batchesJson(const Catalogue& catalogue,
                                  const std::set<store::BatchRow>& batches,
                                  const std::vector<archive::BagFile>& exported) {
-  ordered_json list = ordered_json::array();
-  Writing writing(catalogue, exported);
-  for (const store::BatchRow row : batches) {
-    Result<ordered_json> one = writing.batch(row);
-    if (!one) return one.error();
-    list.push_back(std::move(*one));
-  }
-  return ordered_json{{"batches", list}};
+  return catalogue.database().asResult([&] {
+    ordered_json list = ordered_json::array();
+    Writing writing(catalogue, exported);
+    for (const store::BatchRow row : batches) list.push_back(writing.batch(row));
+    return ordered_json{{"batches", list}};
+  });
 }
 
 Result<archive::BagFile> verifiedFile(const archive::BagReader& bag, const std::string& at,
@@ -401,10 +359,11 @@ Result<ReadBatches> readBatches(Catalogue& catalogue, const archive::BagReader& 
                                 const json& batches,
                                 const std::map<std::string, std::int64_t>& rows,
                                 const records::Provenance& provenance) {
-  Entering entering(catalogue, bag, rows, provenance);
-  for (const json& b : batches.at("batches"))
-    if (const Result<void> done = entering.batch(b); !done) return done.error();
-  return std::move(entering.read);
+  return catalogue.database().asResult([&] {
+    Entering entering(catalogue, bag, rows, provenance);
+    for (const json& b : batches.at("batches")) entering.batch(b);
+    return std::move(entering.read);
+  });
 }
 
 }  // namespace ostraka::metadata

@@ -1,6 +1,5 @@
 #include "metadata/json_fields.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/message.h"

@@ -15,6 +15,7 @@
 #include "metadata/vocabularies.h"
 #include "records/records.h"
 #include "records/sherd.h"
+#include "store/database.h"
 #include "store/names.h"
 
 namespace ostraka::metadata {
@@ -23,6 +24,7 @@ namespace {
 using namespace catalogue;
 using nlohmann::json;
 using nlohmann::ordered_json;
+using store::valueOrThrow;
 
 // The words of the records and what they mean for other programs.
 constexpr const char* kContext = R"({
@@ -102,14 +104,13 @@ std::string listOf(const std::vector<archive::BagFile>& exported) {
 }
 
 // What nobody who measures on these models may overlook.
-Result<std::string> readMe(const Catalogue& catalogue, const std::set<store::BatchRow>& batches,
-                           const std::vector<archive::BagFile>& exported) {
+std::string readMe(const Catalogue& catalogue, const std::set<store::BatchRow>& batches,
+                   const std::vector<archive::BagFile>& exported) {
   std::string doubts;
   for (const store::BatchRow row : batches) {
-    const Result<records::BatchRecord> batch = Batches(catalogue).get(row);
-    if (!batch) return batch.error();
-    if (!batch->scale_doubts.empty())
-      doubts += batch->number + ": " + linesOf(batch->scale_doubts) + "\n";
+    const records::BatchRecord batch = valueOrThrow(Batches(catalogue).get(row));
+    if (!batch.scale_doubts.empty())
+      doubts += batch.number + ": " + linesOf(batch.scale_doubts) + "\n";
   }
   if (doubts.empty()) return listOf(exported);
   return listOf(exported) +
@@ -120,10 +121,6 @@ Result<std::string> readMe(const Catalogue& catalogue, const std::set<store::Bat
          doubts;
 }
 
-ordered_json stamp(const std::string& id) {
-  return {{"id", id}};
-}
-
 template <class Record, class Row>
 std::string idOf(const std::vector<Record>& records, Row row) {
   for (const Record& record : records)
@@ -132,40 +129,32 @@ std::string idOf(const std::vector<Record>& records, Row row) {
 }
 
 ordered_json personJson(const records::PersonRecord& p) {
-  ordered_json one = stamp(p.id);
-  one["name"] = p.name;
-  one["initials"] = p.initials;
+  ordered_json one = {{"id", p.id}, {"name", p.name}, {"initials", p.initials}};
   put(one, "orcid", p.orcid);
   return one;
 }
 
 ordered_json siteJson(const records::SiteRecord& s) {
-  ordered_json one = stamp(s.id);
-  one["code"] = s.code;
-  one["name"] = s.name;
+  ordered_json one = {{"id", s.id}, {"code", s.code}, {"name", s.name}};
   put(one, "gazetteer", s.gazetteer);
   if (s.location_public) {  // else the place stays with the people of the project
     one["location_public"] = true;
-    if (s.latitude_deg) one["latitude_deg"] = *s.latitude_deg;
-    if (s.longitude_deg) one["longitude_deg"] = *s.longitude_deg;
+    put(one, "latitude_deg", s.latitude_deg);
+    put(one, "longitude_deg", s.longitude_deg);
   }
   return one;
 }
 
 ordered_json trenchJson(const records::TrenchRecord& t, const std::string& site,
                         const std::string& parent) {
-  ordered_json one = stamp(t.id);
-  one["site"] = site;
-  one["code"] = t.code;
-  one["name"] = t.name;
+  ordered_json one = {{"id", t.id}, {"site", site}, {"code", t.code}, {"name", t.name}};
   put(one, "parent", parent);
   return one;
 }
 
 ordered_json contextJson(const records::ContextRecord& c, const std::string& site,
                          const std::string& trench) {
-  ordered_json one = stamp(c.id);
-  one["site"] = site;
+  ordered_json one = {{"id", c.id}, {"site", site}};
   put(one, "trench", trench);
   one["number"] = c.number;
   put(one, "kind", c.kind);
@@ -180,47 +169,38 @@ ordered_json contextJson(const records::ContextRecord& c, const std::string& sit
 }
 
 ordered_json bagJson(const records::BagRecord& b, const std::string& context) {
-  ordered_json one = stamp(b.id);
-  one["context"] = context;
-  one["number"] = b.number;
+  ordered_json one = {{"id", b.id}, {"context", context}, {"number", b.number}};
   put(one, "collected_on", b.collected_on);
   put(one, "storage", b.storage);
-  if (b.count_written) one["count_written"] = *b.count_written;
-  if (b.weight_g) one["weight_g"] = *b.weight_g;
+  put(one, "count_written", b.count_written);
+  put(one, "weight_g", b.weight_g);
   return one;
 }
 
-Result<ordered_json> placesJson(const Catalogue& catalogue,
-                                const std::set<store::ContextRow>& wanted) {
-  const auto sites = Places(catalogue).sites();
-  const auto trenches = Places(catalogue).trenches();
-  const auto contexts = Places(catalogue).contexts();
-  const auto bags = Places(catalogue).bags();
-  const auto persons = People(catalogue).all();
-  for (const Error* error :
-       {sites ? nullptr : &sites.error(), trenches ? nullptr : &trenches.error(),
-        contexts ? nullptr : &contexts.error(), bags ? nullptr : &bags.error(),
-        persons ? nullptr : &persons.error()})
-    if (error) return *error;
+ordered_json placesJson(const Catalogue& catalogue, const std::set<store::ContextRow>& wanted) {
+  const auto sites = valueOrThrow(Places(catalogue).sites());
+  const auto trenches = valueOrThrow(Places(catalogue).trenches());
+  const auto contexts = valueOrThrow(Places(catalogue).contexts());
   ordered_json out = {{"persons", ordered_json::array()},
                       {"sites", ordered_json::array()},
                       {"trenches", ordered_json::array()},
                       {"contexts", ordered_json::array()},
                       {"bags", ordered_json::array()}};
   std::set<store::SiteRow> used_sites;
-  for (const records::ContextRecord& c : *contexts)
+  for (const records::ContextRecord& c : contexts)
     if (wanted.contains(c.row)) used_sites.insert(c.site);
-  for (const records::PersonRecord& p : *persons) out["persons"].push_back(personJson(p));
-  for (const records::SiteRecord& s : *sites)
+  for (const records::PersonRecord& p : valueOrThrow(People(catalogue).all()))
+    out["persons"].push_back(personJson(p));
+  for (const records::SiteRecord& s : sites)
     if (used_sites.contains(s.row)) out["sites"].push_back(siteJson(s));
-  for (const records::TrenchRecord& t : *trenches)
+  for (const records::TrenchRecord& t : trenches)
     if (used_sites.contains(t.site))
-      out["trenches"].push_back(trenchJson(t, idOf(*sites, t.site), idOf(*trenches, t.parent)));
-  for (const records::ContextRecord& c : *contexts)
+      out["trenches"].push_back(trenchJson(t, idOf(sites, t.site), idOf(trenches, t.parent)));
+  for (const records::ContextRecord& c : contexts)
     if (wanted.contains(c.row))
-      out["contexts"].push_back(contextJson(c, idOf(*sites, c.site), idOf(*trenches, c.trench)));
-  for (const records::BagRecord& b : *bags)
-    if (wanted.contains(b.context)) out["bags"].push_back(bagJson(b, idOf(*contexts, b.context)));
+      out["contexts"].push_back(contextJson(c, idOf(sites, c.site), idOf(trenches, c.trench)));
+  for (const records::BagRecord& b : valueOrThrow(Places(catalogue).bags()))
+    if (wanted.contains(b.context)) out["bags"].push_back(bagJson(b, idOf(contexts, b.context)));
   return out;
 }
 
@@ -237,12 +217,10 @@ class Reading {
     for (const auto& b : orEmpty(Places(catalogue).bags())) know(b, keyOf(b));
   }
 
-  Result<void> places(const json& places) {
+  void places(const json& places) {
     for (const json& p : places.at("persons"))
-      if (auto done = add(records::PersonRecord{
-              {}, text(p, "id"), text(p, "name"), text(p, "initials"), text(p, "orcid")});
-          !done)
-        return done;
+      add(records::PersonRecord{
+          {}, text(p, "id"), text(p, "name"), text(p, "initials"), text(p, "orcid")});
     for (const json& s : places.at("sites")) {
       records::SiteRecord site;
       site.id = text(s, "id");
@@ -252,7 +230,7 @@ class Reading {
       site.location_public = s.value("location_public", false);
       if (s.contains("latitude_deg")) site.latitude_deg = numberAt(s, "latitude_deg");
       if (s.contains("longitude_deg")) site.longitude_deg = numberAt(s, "longitude_deg");
-      if (auto done = add(site); !done) return done;
+      add(site);
     }
     for (const json& t : places.at("trenches")) {
       records::TrenchRecord trench;
@@ -261,7 +239,7 @@ class Reading {
       trench.parent = {row(t, "parent")};
       trench.code = text(t, "code");
       trench.name = text(t, "name");
-      if (auto done = add(trench); !done) return done;
+      add(trench);
     }
     for (const json& c : places.at("contexts")) {
       records::ContextRecord context;
@@ -276,7 +254,7 @@ class Reading {
       context.note = text(c, "note");
       context.closed = c.value("closed", false);
       if (c.contains("extra")) context.extra_json = c.at("extra").dump();
-      if (auto done = add(context); !done) return done;
+      add(context);
     }
     for (const json& b : places.at("bags")) {
       records::BagRecord bag;
@@ -287,9 +265,8 @@ class Reading {
       bag.storage = text(b, "storage");
       if (b.contains("count_written")) bag.count_written = wholeAt(b, "count_written");
       if (b.contains("weight_g")) bag.weight_g = numberAt(b, "weight_g");
-      if (auto done = add(bag); !done) return done;
+      add(bag);
     }
-    return {};
   }
 
   /// id -> row of everything that is there now.
@@ -330,19 +307,17 @@ class Reading {
     named_[key] = record.row.value;
   }
   template <class Record>
-  Result<void> add(const Record& record) {
-    if (known_.contains(record.id)) return {};
+  void add(const Record& record) {
+    if (known_.contains(record.id)) return;
     const std::string key = keyOf(record);
     if (const auto same = named_.find(key); same != named_.end()) {
       known_[record.id] = same->second;
-      return {};
+      return;
     }
     using Subject =
         std::conditional_t<std::is_same_v<Record, records::PersonRecord>, People, Places>;
-    const auto row = Subject(catalogue_).save(record, provenance_);
-    if (!row) return row.error();
-    known_[record.id] = named_[key] = row->value;
-    return {};
+    known_[record.id] = named_[key] =
+        valueOrThrow(Subject(catalogue_).save(record, provenance_)).value;
   }
 
   Catalogue& catalogue_;
@@ -350,11 +325,10 @@ class Reading {
   std::map<std::string, std::int64_t> known_, named_;
 };
 
-Result<json> jsonOf(const archive::BagReader& bag, const std::string& path) {
+json jsonOf(const archive::BagReader& bag, const std::string& path) {
   const archive::BagFile* file = bag.find(path);
-  if (!file) return Error::unusable(message("This file is not part of the export."), path);
-  const Result<std::string> text = bag.read(*file, std::size_t{64} << 20);
-  return text ? parseFields(*text, path) : text.error();
+  if (!file) store::refuse(message("This file is not part of the export."), path);
+  return valueOrThrow(parseFields(valueOrThrow(bag.read(*file, std::size_t{64} << 20)), path));
 }
 
 }  // namespace
@@ -370,62 +344,51 @@ Result<std::vector<MetadataFile>> metadataOf(const Catalogue& catalogue,
     if (sherd.context) contexts.insert(sherd.context);
     if (sherd.batch) batches.insert(sherd.batch);
   }
-  // And of the bags that the batches were made of, wherever their sherds are now.
-  const Result<std::vector<records::BagRecord>> bags = Places(catalogue).bags();
-  if (!bags) return bags.error();
-  for (const store::BatchRow row : batches) {
-    const Result<records::BatchRecord> batch = Batches(catalogue).get(row);
-    if (!batch) return batch.error();
-    for (const records::BagRecord& of : *bags)
-      if (std::find(batch->bags.begin(), batch->bags.end(), of.row) != batch->bags.end())
-        contexts.insert(of.context);
-  }
-  const Result<ordered_json> places = placesJson(catalogue, contexts);
-  if (!places) return places.error();
-  const Result<ordered_json> digitised = batchesJson(catalogue, batches, exported);
-  if (!digitised) return digitised.error();
-  const Result<ordered_json> words = vocabulariesJson(catalogue, sherds);
-  if (!words) return words.error();
-  const Result<std::string> read_me = readMe(catalogue, batches, exported);
-  if (!read_me) return read_me.error();
-  const ordered_json dublin_core = {{"identifier", project.id},
-                                    {"code", project.code},
-                                    {"title", project.title},
-                                    {"creator", project.institution},
-                                    {"rightsHolder", project.rights_holder},
-                                    {"license", project.licence},
-                                    {"type", "Dataset"},
-                                    {"format", "ostraka-export/1"},
-                                    {"provenance", program},
-                                    {"numbering", project.numbering}};
-  std::vector<MetadataFile> files;
-  for (const auto& [path, content] : {std::pair("metadata/project.json", &dublin_core),
-                                      std::pair("metadata/places.json", &*places),
-                                      std::pair("metadata/batches.json", &*digitised),
-                                      std::pair("metadata/vocabularies.json", &*words)}) {
-    const Result<std::string> text = jsonText(*content, path);
-    if (!text) return text.error();
-    files.push_back({path, *text + "\n"});
-  }
-  files.push_back({"context.jsonld", kContext});
-  files.push_back({"README.txt", *read_me});
-  return files;
+  return catalogue.database().asResult([&] {
+    // And of the bags that the batches were made of, wherever their sherds are now.
+    const auto bags = valueOrThrow(Places(catalogue).bags());
+    for (const store::BatchRow row : batches) {
+      const records::BatchRecord batch = valueOrThrow(Batches(catalogue).get(row));
+      for (const records::BagRecord& of : bags)
+        if (std::find(batch.bags.begin(), batch.bags.end(), of.row) != batch.bags.end())
+          contexts.insert(of.context);
+    }
+    const ordered_json dublin_core = {{"identifier", project.id},
+                                      {"code", project.code},
+                                      {"title", project.title},
+                                      {"creator", project.institution},
+                                      {"rightsHolder", project.rights_holder},
+                                      {"license", project.licence},
+                                      {"type", "Dataset"},
+                                      {"format", "ostraka-export/1"},
+                                      {"provenance", program},
+                                      {"numbering", project.numbering}};
+    std::vector<MetadataFile> files;
+    const auto add = [&](const char* path, const ordered_json& content) {
+      files.push_back({path, valueOrThrow(jsonText(content, path)) + "\n"});
+    };
+    add("metadata/project.json", dublin_core);
+    add("metadata/places.json", placesJson(catalogue, contexts));
+    add("metadata/batches.json", valueOrThrow(batchesJson(catalogue, batches, exported)));
+    add("metadata/vocabularies.json", valueOrThrow(vocabulariesJson(catalogue, sherds)));
+    files.push_back({"context.jsonld", kContext});
+    files.push_back({"README.txt", readMe(catalogue, batches, exported)});
+    return files;
+  });
 }
 
 Result<ReadBatches> readMetadata(Catalogue& catalogue, const archive::BagReader& bag,
                                  const records::Provenance& provenance) {
-  const Result<json> places = jsonOf(bag, "data/metadata/places.json");
-  if (!places) return places.error();
-  const Result<json> batches = jsonOf(bag, "data/metadata/batches.json");
-  if (!batches) return batches.error();
-  const Result<json> words = jsonOf(bag, "data/metadata/vocabularies.json");
-  if (!words) return words.error();
   try {
-    Reading reading(catalogue, provenance);
-    if (Result<void> done = reading.places(*places); !done) return done.error();
-    if (Result<void> done = readVocabularies(catalogue, *words, provenance); !done)
-      return done.error();
-    return readBatches(catalogue, bag, *batches, reading.rows(), provenance);
+    return catalogue.database().asResult([&] {
+      const json places = jsonOf(bag, "data/metadata/places.json");
+      const json batches = jsonOf(bag, "data/metadata/batches.json");
+      const json words = jsonOf(bag, "data/metadata/vocabularies.json");
+      Reading reading(catalogue, provenance);
+      reading.places(places);
+      valueOrThrow(readVocabularies(catalogue, words, provenance));
+      return valueOrThrow(readBatches(catalogue, bag, batches, reading.rows(), provenance));
+    });
   } catch (const json::exception& refused) {
     return unusableJson(refused, message("These places and batches are not in Ostraka's format."),
                         "data/metadata");

@@ -18,6 +18,7 @@
 #include "sherds/measurements.h"
 #include "sherds/pair_decisions.h"
 #include "sherds/sherd_fields.h"
+#include "store/database.h"
 #include "store/values.h"
 
 namespace ostraka::metadata {
@@ -27,6 +28,7 @@ using catalogue::Catalogue;
 using nlohmann::json;
 using nlohmann::ordered_json;
 using records::SherdRecord;
+using store::valueOrThrow;
 
 std::string initialsOf(const Catalogue& catalogue, store::PersonRow row) {
   if (!row) return {};
@@ -42,7 +44,7 @@ ordered_json measurementsOf(const Catalogue& catalogue, const SherdRecord& sherd
   for (const records::Measurement& m : all) {
     ordered_json one = {
         {"kind", m.kind}, {"value", m.value}, {"unit", m.unit}, {"method", m.method}};
-    if (m.uncertainty) one["uncertainty"] = *m.uncertainty;
+    put(one, "uncertainty", m.uncertainty);
     if (sherd.doubtful.contains(m.kind)) one["doubtful"] = true;
     put(one, "by", initialsOf(catalogue, m.by));
     put(one, "model_sha256", m.model_sha256);
@@ -62,7 +64,7 @@ ordered_json pairingOf(const Catalogue& catalogue, const SherdRecord& sherd) {
   if (const auto decisions = sherds::PairDecisions(catalogue).current(sherd.batch))
     for (const auto& d : *decisions)
       if (d.front == sherd.front && d.back == sherd.back && sherd.front) {
-        if (d.score) pairing["score"] = *d.score;
+        put(pairing, "score", d.score);
         pairing["by"] = d.by ? "person" : "program";
       }
   return pairing;
@@ -114,15 +116,10 @@ void putTexts(ordered_json& out, const SherdRecord& sherd) {
     const bool list = std::string_view(field) == "part" ||
                       std::string_view(field) == "decoration" ||
                       std::string_view(field) == "condition" || std::string_view(field) == "joins";
-    ordered_json* at = &out;
-    std::string rest = std::string(pointer).substr(1);
-    for (std::size_t slash; (slash = rest.find('/')) != std::string::npos;
-         rest = rest.substr(slash + 1))
-      at = &(*at)[rest.substr(0, slash)];
     if (list)
-      (*at)[rest] = store::splitTerms(text);
+      out[path] = store::splitTerms(text);
     else
-      (*at)[rest] = text;
+      out[path] = text;
   }
 }
 
@@ -145,40 +142,36 @@ ordered_json filesJson(const std::vector<SherdFile>& files) {
 
 Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& sherd,
                               const std::vector<SherdFile>& files, const std::string& program) {
-  const Result<records::ProjectRecord> project = catalogue::Settings(catalogue).project();
-  if (!project) return project.error();
-  const Result<std::vector<records::Measurement>> measured =
-      sherds::Measurements(catalogue).of(sherd.row);
-  if (!measured) return measured.error();
-  ordered_json out = {
-      {"@context", "context.jsonld"}, {"format", "ostraka-sherd/1"}, {"id", sherd.id}};
-  put(out, "number", sherd.number);
-  out["state"] = records::wordOf(sherd.state);
-  putTexts(out, sherd);
-  out["measurements"] = measurementsOf(catalogue, sherd, *measured);
-  ordered_json digitisation = ordered_json::object();
-  std::string used_program = program;
-  if (sherd.batch) {
-    const Result<records::BatchRecord> batch = catalogue::Batches(catalogue).get(sherd.batch);
-    if (!batch) return batch.error();
-    digitisation["batch"] = batch->number;
-    if (batch->started_ms) digitisation["shot_on"] = utcDay(*batch->started_ms);
-    put(digitisation, "operator", initialsOf(catalogue, batch->operator_));
-    if (batch->scale_error_pct) digitisation["scale_error_pct"] = *batch->scale_error_pct;
-    put(digitisation, "scale_doubts", linesOf(batch->scale_doubts));
-    if (!batch->program.empty()) used_program = batch->program;
-  }
-  put(out, "digitisation", std::move(digitisation));
-  put(out, "pairing", pairingOf(catalogue, sherd));
-  out["files"] = filesJson(files);
-  put(out, "licence", project->licence);
-  put(out, "rights_holder", project->rights_holder);
-  out["processing"] = {{"program", used_program}};
-  const ordered_json extra = orderedJsonOrDiscarded(sherd.extra_json);
-  if (extra.is_object() && !extra.empty()) out["extra"] = extra;
-  const Result<std::string> text = jsonText(out, sherd.number.empty() ? sherd.id : sherd.number);
-  if (!text) return text;
-  return *text + "\n";
+  return catalogue.database().asResult([&] {
+    const auto project = valueOrThrow(catalogue::Settings(catalogue).project());
+    ordered_json out = {
+        {"@context", "context.jsonld"}, {"format", "ostraka-sherd/1"}, {"id", sherd.id}};
+    put(out, "number", sherd.number);
+    out["state"] = records::wordOf(sherd.state);
+    putTexts(out, sherd);
+    out["measurements"] = measurementsOf(
+        catalogue, sherd, valueOrThrow(sherds::Measurements(catalogue).of(sherd.row)));
+    ordered_json digitisation = ordered_json::object();
+    std::string used_program = program;
+    if (sherd.batch) {
+      const auto batch = valueOrThrow(catalogue::Batches(catalogue).get(sherd.batch));
+      digitisation["batch"] = batch.number;
+      if (batch.started_ms) digitisation["shot_on"] = utcDay(*batch.started_ms);
+      put(digitisation, "operator", initialsOf(catalogue, batch.operator_));
+      put(digitisation, "scale_error_pct", batch.scale_error_pct);
+      put(digitisation, "scale_doubts", linesOf(batch.scale_doubts));
+      if (!batch.program.empty()) used_program = batch.program;
+    }
+    put(out, "digitisation", std::move(digitisation));
+    put(out, "pairing", pairingOf(catalogue, sherd));
+    out["files"] = filesJson(files);
+    put(out, "licence", project.licence);
+    put(out, "rights_holder", project.rights_holder);
+    out["processing"] = {{"program", used_program}};
+    const ordered_json extra = orderedJsonOrDiscarded(sherd.extra_json);
+    if (extra.is_object() && !extra.empty()) out["extra"] = extra;
+    return valueOrThrow(jsonText(out, sherd.number.empty() ? sherd.id : sherd.number)) + "\n";
+  });
 }
 
 Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& where) {

@@ -1,5 +1,4 @@
 // Masks as people painted on them, beside those of the program, which are never painted over.
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 

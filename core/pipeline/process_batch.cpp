@@ -20,7 +20,6 @@
 #include "decisions/scan_folder.h"
 #include "files/files.h"
 #include "files/json.h"
-#include "files/json_message.h"
 #include "pairing/common_scale.h"
 #include "pipeline/preflight.h"
 #include "pipeline/proposed_sheet.h"

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
+
 namespace ostraka::records {
 
 /// Why a person is asked before a measured value counts.

@@ -8,7 +8,6 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "cloud/point_cloud.h"
 #include "decisions/candidate_table.h"
 #include "registration/pose_figures.h"
 #include "review/orthophoto.h"

@@ -1,7 +1,6 @@
 #include "scansets/register_report.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <system_error>
 
@@ -18,7 +16,6 @@
 #include "files/json.h"
 #include "files/output_place.h"
 #include "pairing/common_scale.h"
-#include "scan/fracture.h"
 #include "scansets/register_report.h"
 #include "stages/output_folder.h"
 #include "stages/run_log.h"

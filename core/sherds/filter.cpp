@@ -1,8 +1,6 @@
 // The filter line: words into conditions.
 #include "sherds/filter.h"
 
-#include <algorithm>
-
 #include "base/message.h"
 #include "catalogue/label_codes.h"
 #include "sherds/sherd_columns.h"

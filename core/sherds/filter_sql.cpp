@@ -44,9 +44,7 @@ std::vector<std::string> termsCalled(Query& query, const std::string& word) {
   const std::string key = store::uniqueKey(catalogue::searched(word));
   std::vector<std::string> terms;
   store::Statement rows = query.database.sql("SELECT term, labels FROM vocabulary");
-  while (rows.next()) {
-    std::string term, labels;
-    rows >> term >> labels;
+  for (std::string term, labels; rows.read(term, labels);) {
     bool meant = store::uniqueKey(catalogue::searched(term)) == key;
     const nlohmann::json names = jsonOrDiscarded(labels);
     for (const nlohmann::json& name : names)
@@ -179,11 +177,7 @@ std::vector<store::SherdRow> matching(store::Database& database, const Filter& f
                    query.where + " ORDER BY s.number_sort" + way + ", s.row");
   for (const std::string& text : query.texts) statement.with(text);
   std::vector<store::SherdRow> rows;
-  while (statement.next()) {
-    store::SherdRow row;
-    statement >> row;
-    rows.push_back(row);
-  }
+  for (store::SherdRow row; statement.read(row);) rows.push_back(row);
   return order.field == "number" ? rows : inOrder(database, rows, order);
 }
 

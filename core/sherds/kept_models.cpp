@@ -13,7 +13,6 @@
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
 #include "store/names.h"
-#include "store/values.h"
 
 namespace ostraka::sherds {
 namespace {
@@ -140,19 +139,15 @@ Result<void> dropUnusedModels(const catalogue::Catalogue& catalogue, const fs::p
   if (unused.empty()) return {};
   const Result<void> dropped = catalogue.database().inTransaction([&] {
     store::Statement shown = catalogue.database().sql(
-        "SELECT model_path, preview_path FROM sherd WHERE model_path LIKE ?");
-    shown.with(folderOf(batch).generic_string() + "/%");
-    while (shown.next()) {
-      std::string model, preview;
-      shown >> model >> preview;
+        "SELECT model_path, preview_path FROM sherd WHERE model_path LIKE ?",
+        folderOf(batch).generic_string() + "/%");
+    for (std::string model, preview; shown.read(model, preview);) {
       for (const std::string& path : {model, preview})
         unused.erase(fs::path(path).parent_path().generic_string());
     }
     for (const std::string& folder : unused)
-      catalogue.database()
-          .sql("DELETE FROM file WHERE substr(path, 1, length(?)) = ?")
-          .with(folder + "/", folder + "/")
-          .run();
+      catalogue.database().run("DELETE FROM file WHERE substr(path, 1, length(?)) = ?",
+                               folder + "/", folder + "/");
   });
   if (!dropped) return dropped;
   for (const std::string& folder : unused) fs::remove_all(project / folder, failed);
@@ -162,27 +157,19 @@ Result<void> dropUnusedModels(const catalogue::Catalogue& catalogue, const fs::p
 void forgetModel(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
                  const records::Provenance& provenance) {
   store::Database& database = catalogue.database();
-  std::vector<std::string> kinds;
-  {
-    store::Statement rows = database.sql(
-        "SELECT kind FROM measurement WHERE sherd = ? AND current = 1 AND person IS NULL AND "
-        "method = 'program'");
-    rows.with(sherd);
-    while (rows.next()) {
-      kinds.emplace_back();
-      rows >> kinds.back();
-    }
-  }
+  const auto kinds =
+      database
+          .sql(
+              "SELECT kind FROM measurement WHERE sherd = ? AND current = 1 AND person IS NULL AND "
+              "method = 'program'",
+              sherd)
+          .all<std::string>();
   for (const std::string& kind : kinds) clearMeasure(catalogue, sherd, kind, provenance);
-  database
-      .sql(
-          "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview', "
-          "'drawing', 'scan')")
-      .with(sherd)
-      .run();
-  database.sql("UPDATE sherd SET preview_path = '', model_path = '' WHERE row = ?")
-      .with(sherd)
-      .run();
+  database.run(
+      "UPDATE file SET sherd = NULL WHERE sherd = ? AND role IN ('model', 'preview', "
+      "'drawing', 'scan')",
+      sherd);
+  database.run("UPDATE sherd SET preview_path = '', model_path = '' WHERE row = ?", sherd);
 }
 
 }  // namespace ostraka::sherds

@@ -5,7 +5,6 @@
 #include "catalogue/history.h"
 #include "records/sherd.h"
 #include "sherds/sherd_columns.h"
-#include "store/names.h"
 #include "store/values.h"
 
 namespace ostraka::sherds {
@@ -25,10 +24,10 @@ Current currentOf(store::Database& database, store::SherdRow sherd, const std::s
   Current current;
   store::Statement rows = database.sql(
       "SELECT row, value, person, model_sha256, method, uncertainty FROM measurement WHERE sherd = "
-      "? AND kind = ? AND current = 1");
-  if (rows.with(sherd, kind).next())
-    rows >> current.row >> current.value >> current.by >> current.model_sha256 >> current.method >>
-        current.uncertainty;
+      "? AND kind = ? AND current = 1",
+      sherd, kind);
+  rows.read(current.row, current.value, current.by, current.model_sha256, current.method,
+            current.uncertainty);
   return current;
 }
 
@@ -41,22 +40,17 @@ constexpr const char* kCurrent =
     "SELECT sherd, kind, unit, value, uncertainty, method, person, model_sha256 FROM measurement "
     "WHERE current = 1 ";
 
-std::vector<records::Measurement> readAll(store::Statement& rows) {
+std::vector<records::Measurement> readAll(store::Statement rows) {
   std::vector<records::Measurement> all;
-  while (rows.next()) {
-    records::Measurement m;
-    rows >> m.sherd >> m.kind >> m.unit >> m.value >> m.uncertainty >> m.method >> m.by >>
-        m.model_sha256;
-    all.push_back(std::move(m));
-  }
+  for (records::Measurement m;
+       rows.read(m.sherd, m.kind, m.unit, m.value, m.uncertainty, m.method, m.by, m.model_sha256);)
+    all.push_back(m);
   return all;
 }
 
 void show(store::Database& database, store::SherdRow sherd, const std::string& kind,
           const std::optional<double>& value) {
-  database.sql("UPDATE sherd_measure SET " + kind + " = ? WHERE sherd = ?")
-      .with(value, sherd)
-      .run();
+  database.run("UPDATE sherd_measure SET " + kind + " = ? WHERE sherd = ?", value, sherd);
 }
 
 }  // namespace
@@ -65,13 +59,12 @@ ComputedMeasures computedMeasures(const catalogue::Catalogue& catalogue, store::
   ComputedMeasures computed;
   store::Statement rows = catalogue.database().sql(
       "SELECT kind, value, current FROM measurement WHERE sherd = ? AND person IS NULL AND method "
-      "= 'program' ORDER BY row");
-  rows.with(sherd);
-  while (rows.next()) {
-    std::string kind;
-    double value = 0;
-    bool current = false;
-    rows >> kind >> value >> current;
+      "= 'program' ORDER BY row",
+      sherd);
+  std::string kind;
+  double value = 0;
+  bool current = false;
+  while (rows.read(kind, value, current)) {
     computed.values[kind] = value;
     if (current) computed.current.insert(kind);
   }
@@ -91,22 +84,20 @@ void setMeasure(const catalogue::Catalogue& catalogue, const records::Measuremen
   // What a person measured, named or not, stays above what the program computes.
   const bool by_hand = old.row && (old.by || old.method != kProgram);
   const bool counts = rank == MeasureRank::Always || !(by_hand && !m.by && m.method == kProgram);
-  if (counts && old.row)
-    database.sql("UPDATE measurement SET current = 0 WHERE row = ?").with(old.row).run();
+  if (counts && old.row) database.run("UPDATE measurement SET current = 0 WHERE row = ?", old.row);
   if (!counts) {
     store::Statement same = database.sql(
         "SELECT 1 FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND value = ? "
-        "AND model_sha256 = ?");
-    if (same.with(m.sherd, m.kind, m.value, m.model_sha256).next()) return;
+        "AND model_sha256 = ?",
+        m.sherd, m.kind, m.value, m.model_sha256);
+    if (same.next()) return;
   }
-  database
-      .sql(
-          "INSERT INTO measurement (id, at, person, sherd, kind, value, unit, uncertainty, "
-          "method, model_sha256, replaces, current) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .with(newId(catalogue.now()), catalogue.now(), m.by, m.sherd, m.kind, m.value, unit,
-            m.uncertainty, m.method, m.model_sha256,
-            old.row ? std::optional(old.row) : std::optional<std::int64_t>(), counts)
-      .run();
+  database.run(
+      "INSERT INTO measurement (id, at, person, sherd, kind, value, unit, uncertainty, "
+      "method, model_sha256, replaces, current) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      newId(catalogue.now()), catalogue.now(), m.by, m.sherd, m.kind, m.value, unit, m.uncertainty,
+      m.method, m.model_sha256, old.row ? std::optional(old.row) : std::optional<std::int64_t>(),
+      counts);
   if (!counts) return;
   show(database, m.sherd, m.kind, m.value);
   catalogue::remember(catalogue, provenance, "sherd", m.sherd.value, m.kind,
@@ -119,7 +110,7 @@ void clearMeasure(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
   store::Database& database = catalogue.database();
   const Current old = currentOf(database, sherd, kind);
   if (!old.row) return;
-  database.sql("UPDATE measurement SET current = 0 WHERE row = ?").with(old.row).run();
+  database.run("UPDATE measurement SET current = 0 WHERE row = ?", old.row);
   show(database, sherd, kind, std::nullopt);
   catalogue::remember(catalogue, provenance, "sherd", sherd.value, kind,
                       valueText(old.value, old.uncertainty), "");
@@ -134,10 +125,10 @@ void typeMeasure(const catalogue::Catalogue& catalogue, const records::Measureme
   store::Statement rows = catalogue.database().sql(
       "SELECT person, method, model_sha256, uncertainty FROM measurement WHERE sherd = ?1 AND kind "
       "= ?2 AND value = ?3 AND (?4 IS NULL OR ifnull(uncertainty, 0) = ?4) ORDER BY row DESC "
-      "LIMIT 1");
+      "LIMIT 1",
+      m.sherd, m.kind, m.value, typed.uncertainty);
   records::Measurement was = m;
-  if (rows.with(m.sherd, m.kind, m.value, typed.uncertainty).next())
-    rows >> was.by >> was.method >> was.model_sha256 >> was.uncertainty;
+  rows.read(was.by, was.method, was.model_sha256, was.uncertainty);
   const bool of_program = !was.by && was.method == kProgram;
   const Current now = currentOf(catalogue.database(), m.sherd, m.kind);
   // Over what the program says nobody restores it: a person measured what an earlier model had.
@@ -145,8 +136,9 @@ void typeMeasure(const catalogue::Catalogue& catalogue, const records::Measureme
   if (!m.by && m.method == kProgram) {  // what it says of the model that is there now
     store::Statement latest = catalogue.database().sql(
         "SELECT value, model_sha256, uncertainty FROM measurement WHERE sherd = ? AND kind = ? AND "
-        "person IS NULL AND method = 'program' ORDER BY row DESC LIMIT 1");
-    if (latest.with(m.sherd, m.kind).next()) latest >> m.value >> m.model_sha256 >> m.uncertainty;
+        "person IS NULL AND method = 'program' ORDER BY row DESC LIMIT 1",
+        m.sherd, m.kind);
+    latest.read(m.value, m.model_sha256, m.uncertainty);
   }
   setMeasure(catalogue, m, provenance, MeasureRank::Always);
 }
@@ -162,31 +154,30 @@ Result<void> Measurements::add(const records::Measurement& m,
 
 Result<std::vector<records::Measurement>> Measurements::of(store::SherdRow sherd) const {
   return database_->asResult([&] {
-    store::Statement rows = database_->sql(std::string(kCurrent) + "AND sherd = ? ORDER BY row");
-    return readAll(rows.with(sherd));
+    return readAll(database_->sql(std::string(kCurrent) + "AND sherd = ? ORDER BY row", sherd));
   });
 }
 
 Result<std::vector<records::Measurement>> Measurements::byHand(
     std::span<const store::SherdRow> sherds) const {
   return database_->asResult([&] {
-    store::Statement rows =
-        database_->sql(std::string(kCurrent) +
-                       "AND method <> 'program' AND sherd IN (SELECT value FROM "
-                       "json_each(?)) ORDER BY sherd, row");
-    return readAll(rows.with(rowsJson(sherds)));
+    return readAll(database_->sql(std::string(kCurrent) +
+                                      "AND method <> 'program' AND sherd IN (SELECT value FROM "
+                                      "json_each(?)) ORDER BY sherd, row",
+                                  rowsJson(sherds)));
   });
 }
 
 Result<std::vector<double>> Measurements::everComputed(store::SherdRow sherd,
                                                        const std::string& kind) const {
   return database_->asResult([&] {
-    std::vector<double> values;
-    store::Statement rows = database_->sql(
-        "SELECT value FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND method "
-        "= 'program'");
-    for (rows.with(sherd, kind); rows.next();) rows >> values.emplace_back();
-    return values;
+    return database_
+        ->sql(
+            "SELECT value FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND "
+            "method "
+            "= 'program'",
+            sherd, kind)
+        .all<double>();
   });
 }
 

@@ -1,9 +1,9 @@
 #include "sherds/numbers.h"
 
-#include <ctime>
 #include <map>
 
 #include "base/message.h"
+#include "base/text.h"
 #include "catalogue/history.h"
 #include "catalogue/settings.h"
 #include "records/numbering.h"
@@ -20,16 +20,12 @@ std::map<std::string, std::string> numberTokens(const catalogue::Catalogue& cata
                                                 const records::SherdRecord& sherd) {
   std::int64_t at = catalogue.now();
   if (sherd.batch) {
-    store::Statement row =
-        catalogue.database().sql("SELECT ifnull(started_ms, 0) FROM batch WHERE row = ?");
-    std::int64_t started = 0;
-    if (row.with(sherd.batch).next()) row >> started;
+    const auto started = catalogue.database()
+                             .sql("SELECT started_ms FROM batch WHERE row = ?", sherd.batch)
+                             .one<std::int64_t>();
     if (started > 0) at = started;
   }
-  const std::time_t seconds = static_cast<std::time_t>(at / 1000);
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  const std::string year = std::to_string(1900 + parts.tm_year);
+  const std::string year = utcDay(at).substr(0, 4);
   return {{"site", sherd.site},
           {"trench", sherd.trench},
           {"context", sherd.context_number},
@@ -79,12 +75,12 @@ std::int64_t settingNumber(const catalogue::Catalogue& catalogue, const char* ke
 // After the highest of the block that this computer gives.
 std::int64_t nextOf(store::Database& database, const std::string& counter, std::int64_t first,
                     std::int64_t last) {
-  std::int64_t next = first;
-  store::Statement highest = database.sql(
-      "SELECT ifnull(max(n) + 1, ?2) FROM given_number WHERE counter = ?1 AND n BETWEEN ?2 AND ?3");
-  highest.with(counter, first, last);
-  if (highest.next()) highest >> next;
-  return next;
+  return database
+      .sql(
+          "SELECT ifnull(max(n) + 1, ?2) FROM given_number WHERE counter = ?1 AND n BETWEEN ?2 AND "
+          "?3",
+          counter, first, last)
+      .one<std::int64_t>();
 }
 
 }  // namespace
@@ -94,9 +90,9 @@ Taken takenBy(store::Database& database, const std::string& number) {
   const std::string key = store::uniqueKey(number);
   store::Statement rows = database.sql(
       "SELECT sherd, number, number_key <> ?1 FROM given_number WHERE number_key = ?1 OR slug_key "
-      "= ?2 ORDER BY number_key <> ?1");
-  if (rows.with(key, store::uniqueKey(store::slug(number))).next())
-    rows >> taken.sherd >> taken.number >> taken.slug_only;
+      "= ?2 ORDER BY number_key <> ?1",
+      key, store::uniqueKey(store::slug(number)));
+  rows.read(taken.sherd, taken.number, taken.slug_only);
   return taken;
 }
 
@@ -104,9 +100,8 @@ void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord
                const std::string& number) {
   store::Database& database = catalogue.database();
   if (number.empty()) {
-    database.sql("UPDATE sherd SET number = '', number_sort = ?, state = 'draft' WHERE row = ?")
-        .with(kBehindAllNumbers, sherd.row)
-        .run();
+    database.run("UPDATE sherd SET number = '', number_sort = ?, state = 'draft' WHERE row = ?",
+                 kBehindAllNumbers, sherd.row);
     return;
   }
   const Taken taken = takenBy(database, number);
@@ -115,14 +110,12 @@ void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord
                   number);
   if (!taken.sherd) {
     const Counted counted = countedIn(catalogue, schemeOf(catalogue), sherd, number);
-    database.sql("INSERT INTO given_number VALUES (?, ?, ?, ?, ?, ?, ?)")
-        .with(store::uniqueKey(number), store::uniqueKey(store::slug(number)), number, sherd.row,
-              catalogue.now(), counted.counter, counted.n)
-        .run();
+    database.run("INSERT INTO given_number VALUES (?, ?, ?, ?, ?, ?, ?)", store::uniqueKey(number),
+                 store::uniqueKey(store::slug(number)), number, sherd.row, catalogue.now(),
+                 counted.counter, counted.n);
   }
-  database.sql("UPDATE sherd SET number = ?, number_sort = ?, state = 'numbered' WHERE row = ?")
-      .with(number, store::sortKey(number), sherd.row)
-      .run();
+  database.run("UPDATE sherd SET number = ?, number_sort = ?, state = 'numbered' WHERE row = ?",
+               number, store::sortKey(number), sherd.row);
 }
 
 Result<std::vector<std::string>> Numbers::propose(std::span<const store::SherdRow> rows) const {
@@ -143,14 +136,14 @@ Result<std::vector<std::string>> Numbers::propose(std::span<const store::SherdRo
       // A sherd that had a number of this count before gets it back: it is nobody else's.
       store::Statement own = database_->sql(
           "SELECT number FROM given_number WHERE sherd = ? AND counter = ? ORDER BY n DESC LIMIT "
-          "1");
-      if (own.with(sherd.row, counter).next()) {
-        numbers.emplace_back();
-        own >> numbers.back();
+          "1",
+          sherd.row, counter);
+      std::string number;
+      if (own.read(number)) {
+        numbers.push_back(number);
         continue;
       }
       if (!next.contains(counter)) next[counter] = nextOf(*database_, counter, first, last);
-      std::string number;
       do {
         const std::int64_t n = next[counter]++;
         if (n > last)
@@ -190,14 +183,13 @@ Result<std::vector<int>> Numbers::gaps(store::ContextRow context) const {
     store::Statement rows = database_->sql(
         "SELECT counter, n FROM given_number WHERE n IS NOT NULL AND counter IN (SELECT g.counter "
         "FROM given_number g JOIN sherd s ON s.row = g.sherd WHERE s.context = ? AND g.counter <> "
-        "'') ORDER BY counter, n");
-    rows.with(context);
+        "'') ORDER BY counter, n",
+        context);
     std::string last_counter;
     std::int64_t expected = 1;
-    while (rows.next()) {
-      std::string counter;
-      std::int64_t n = 0;
-      rows >> counter >> n;
+    std::string counter;
+    std::int64_t n = 0;
+    while (rows.read(counter, n)) {
       if (counter != last_counter) {
         last_counter = counter;
         expected = settingNumber(catalogue_, "numbering.first", 1);

@@ -17,7 +17,6 @@
 #include "sherds/sherd_columns.h"
 #include "sherds/sherds.h"
 #include "sherds/typed_numbers.h"
-#include "store/names.h"
 
 namespace ostraka::sherds {
 namespace {
@@ -37,9 +36,9 @@ std::optional<Eigen::Isometry3d> poseFromText(const std::string& text) {
 void checkSide(store::Database& database, store::BatchRow batch, store::ScanRow scan,
                const char* side) {
   if (!scan) return;
-  store::Statement row =
-      database.sql("SELECT 1 FROM scan WHERE row = ? AND batch = ? AND side = ?");
-  if (!row.with(scan, batch, side).next())
+  store::Statement row = database.sql("SELECT 1 FROM scan WHERE row = ? AND batch = ? AND side = ?",
+                                      scan, batch, side);
+  if (!row.next())
     store::refuse(side == std::string_view("front")
                       ? message("The scan is not a front of this batch.")
                       : message("The scan is not a back of this batch."));
@@ -47,17 +46,15 @@ void checkSide(store::Database& database, store::BatchRow batch, store::ScanRow 
 
 store::DecisionRow insertDecision(store::Database& database, const records::PairDecision& d,
                                   const std::string& id) {
-  database
-      .sql(
-          "INSERT INTO pair_decision (id, decision, at, person, batch, front, back, "
-          "front_from_back, "
-          "score, margin, ambiguous, fracture_rms_mm, fracture_overlap, verdict, replaces, note) "
-          "VALUES "
-          "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)")
-      .with(id, d.decision, d.at_ms, d.by, d.batch, d.front, d.back, poseText(d.front_from_back),
-            d.score, d.margin, d.ambiguous, d.fracture_rms_mm, d.fracture_overlap,
-            records::wordOf(d.verdict), d.replaces, d.note)
-      .run();
+  database.run(
+      "INSERT INTO pair_decision (id, decision, at, person, batch, front, back, "
+      "front_from_back, "
+      "score, margin, ambiguous, fracture_rms_mm, fracture_overlap, verdict, replaces, note) "
+      "VALUES "
+      "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      id, d.decision, d.at_ms, d.by, d.batch, d.front, d.back, poseText(d.front_from_back), d.score,
+      d.margin, d.ambiguous, d.fracture_rms_mm, d.fracture_overlap, records::wordOf(d.verdict),
+      d.replaces, d.note);
   return {database.lastRow()};
 }
 
@@ -112,11 +109,12 @@ void placeOfBatch(const catalogue::Catalogue& catalogue, store::BatchRow batch,
                   records::SherdRecord& sherd) {
   store::Statement rows = catalogue.database().sql(
       "SELECT min(bag.context), min(bag.row), count(*), count(DISTINCT bag.context) FROM batch_bag "
-      "JOIN bag ON bag.row = batch_bag.bag WHERE batch = ?");
+      "JOIN bag ON bag.row = batch_bag.bag WHERE batch = ?",
+      batch);
   int bags = 0, contexts = 0;
   store::ContextRow context;
   store::BagRow bag;
-  if (rows.with(batch).next()) rows >> context >> bag >> bags >> contexts;
+  rows.read(context, bag, bags, contexts);
   if (contexts == 1) sherd.context = context;
   if (bags == 1) sherd.bag = bag;
 }
@@ -132,12 +130,11 @@ std::vector<Followed> sherdsOf(store::Database& database, store::BatchRow batch)
   std::vector<Followed> all;
   store::Statement rows = database.sql(
       "SELECT row, front, back, state, number, void_reason FROM sherd WHERE batch = ? AND front IS "
-      "NOT NULL");
-  rows.with(batch);
-  while (rows.next()) {
-    Followed sherd;
-    std::string state;
-    rows >> sherd.row >> sherd.front >> sherd.back >> state >> sherd.number >> sherd.void_reason;
+      "NOT NULL",
+      batch);
+  Followed sherd;
+  std::string state;
+  while (rows.read(sherd.row, sherd.front, sherd.back, state, sherd.number, sherd.void_reason)) {
     sherd.state = records::fromWord<records::SherdState>(state);
     all.push_back(sherd);
   }
@@ -170,14 +167,14 @@ void settleSherds(const catalogue::Catalogue& catalogue, store::BatchRow batch,
     const records::PairDecision* pair = accepted(sherd.front);
     const store::ScanRow back = pair ? pair->back : store::ScanRow{};
     if (sherd.back == back) continue;
-    database.sql("UPDATE sherd SET back = NULL WHERE row = ?").with(sherd.row).run();
+    database.run("UPDATE sherd SET back = NULL WHERE row = ?", sherd.row);
     forgetModel(catalogue, sherd.row, provenance);
   }
   for (const Followed& sherd : sherds) {
     const records::PairDecision* pair = accepted(sherd.front);
     const store::ScanRow back = pair ? pair->back : store::ScanRow{};
     if (back && sherd.back != back)
-      database.sql("UPDATE sherd SET back = ? WHERE row = ?").with(back, sherd.row).run();
+      database.run("UPDATE sherd SET back = ? WHERE row = ?", back, sherd.row);
     if (sherd.back != back)
       catalogue::remember(catalogue, provenance, "sherd", sherd.row.value, "back",
                           sherd.back ? std::to_string(sherd.back.value) : "",
@@ -200,15 +197,13 @@ void settleSherds(const catalogue::Catalogue& catalogue, store::BatchRow batch,
     placeOfBatch(catalogue, batch, sherd);
     store::valueOrThrow(Sherds(catalogue).add(sherd, provenance));
   }
-  database.sql("UPDATE scan SET state = 'open' WHERE batch = ? AND state <> 'open'")
-      .with(batch)
-      .run();
+  database.run("UPDATE scan SET state = 'open' WHERE batch = ? AND state <> 'open'", batch);
   for (const records::PairDecision& d : counts) {
     const bool sure = d.by || !d.ambiguous;
     const char* state =
         d.verdict == records::Verdict::Accept ? (sure ? "paired" : "open") : "aside";
     for (const store::ScanRow scan : {d.front, d.back})
-      if (scan) database.sql("UPDATE scan SET state = ? WHERE row = ?").with(state, scan).run();
+      if (scan) database.run("UPDATE scan SET state = ? WHERE row = ?", state, scan);
   }
   store::valueOrThrow(
       giveTypedNumbers(catalogue, batch, provenance));  // those that find no sherd wait
@@ -224,9 +219,9 @@ Result<store::DecisionRow> PairDecisions::add(const records::PairDecision& d,
     if (pair && !(d.front && d.back)) store::refuse(message("A pair needs a front and a back."));
     if (d.verdict == records::Verdict::Withdraw) {
       store::Statement row = database_->sql(
-          "SELECT 1 FROM pair_decision WHERE row = ? AND batch = ? AND (person IS NULL) = ?");
-      if (!row.with(d.replaces, d.batch, !provenance.person).next())
-        store::refuse(message("The decision to undo is not in this batch."));
+          "SELECT 1 FROM pair_decision WHERE row = ? AND batch = ? AND (person IS NULL) = ?",
+          d.replaces, d.batch, !provenance.person);
+      if (!row.next()) store::refuse(message("The decision to undo is not in this batch."));
     } else if (!d.front && !d.back) {
       store::refuse(message("A decision needs a front, a back or both."));
     }
@@ -261,17 +256,16 @@ Result<std::vector<records::PairDecision>> PairDecisions::all(store::BatchRow ba
         "fracture_overlap, "
         "ambiguous, person, verdict, replaces, note, at FROM pair_decision WHERE batch = ? "
         "ORDER "
-        "BY row");
-    rows.with(batch);
-    while (rows.next()) {
-      records::PairDecision d;
-      std::string pose, verdict;
-      rows >> d.row >> d.decision >> d.batch >> d.front >> d.back >> pose >> d.score >> d.margin >>
-          d.fracture_rms_mm >> d.fracture_overlap >> d.ambiguous >> d.by >> verdict >> d.replaces >>
-          d.note >> d.at_ms;
+        "BY row",
+        batch);
+    records::PairDecision d;
+    std::string pose, verdict;
+    while (rows.read(d.row, d.decision, d.batch, d.front, d.back, pose, d.score, d.margin,
+                     d.fracture_rms_mm, d.fracture_overlap, d.ambiguous, d.by, verdict, d.replaces,
+                     d.note, d.at_ms)) {
       d.front_from_back = poseFromText(pose);
       d.verdict = records::fromWord<records::Verdict>(verdict);
-      all.push_back(std::move(d));
+      all.push_back(d);
     }
     return all;
   });

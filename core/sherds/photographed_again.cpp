@@ -17,7 +17,6 @@
 #include "sherds/typed_numbers.h"
 #include "store/database.h"
 #include "store/names.h"
-#include "store/values.h"
 
 namespace ostraka::sherds {
 namespace {
@@ -28,13 +27,13 @@ constexpr double kOtherSize =
 // What the program measured last before `at`, or at all.
 std::optional<double> programs(store::Database& database, store::SherdRow sherd, const char* kind,
                                std::int64_t before) {
-  store::Statement row = database.sql(
-      "SELECT value FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND method = "
-      "'program' AND at < ? ORDER BY row DESC LIMIT 1");
-  double value = 0;
-  if (!row.with(sherd, kind, before).next()) return std::nullopt;
-  row >> value;
-  return value;
+  return database
+      .sql(
+          "SELECT value FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND "
+          "method = "
+          "'program' AND at < ? ORDER BY row DESC LIMIT 1",
+          sherd, kind, before)
+      .one<std::optional<double>>();
 }
 
 // What was described or measured on the draft before its number was known. What both say is
@@ -86,17 +85,14 @@ bool waitsForPhotographs(const catalogue::Catalogue& catalogue, const records::S
 
 Result<std::vector<records::SherdRecord>> toPhotographAgain(const catalogue::Catalogue& catalogue) {
   return catalogue.database().asResult([&] {
-    std::vector<store::SherdRow> rows;
-    {
-      store::Statement asked = catalogue.database().sql(
-          "SELECT DISTINCT s.row FROM pair_decision d JOIN sherd s ON s.front = d.front WHERE "
-          "d.verdict = 'reshoot' AND s.number <> '' AND s.back IS NULL AND s.model_path = '' "
-          "ORDER BY s.number_sort");
-      while (asked.next()) {
-        rows.emplace_back();
-        asked >> rows.back();
-      }
-    }
+    const auto rows =
+        catalogue.database()
+            .sql(
+                "SELECT DISTINCT s.row FROM pair_decision d JOIN sherd s ON s.front = d.front "
+                "WHERE "
+                "d.verdict = 'reshoot' AND s.number <> '' AND s.back IS NULL AND s.model_path = '' "
+                "ORDER BY s.number_sort")
+            .all<store::SherdRow>();
     std::vector<records::SherdRecord> wanted = store::valueOrThrow(Sherds(catalogue).of(rows));
     const std::map<std::string, std::string> lies_again = typedAndWaiting(catalogue);
     std::erase_if(wanted, [&](const records::SherdRecord& sherd) {
@@ -117,13 +113,10 @@ Result<std::vector<PhotographedAgain>> photographedAgain(const catalogue::Catalo
         "AS TEXT) "
         "JOIN sherd s ON s.row = h.row JOIN batch b ON b.row = s.batch "
         "WHERE scan.batch = ?1 AND s.batch <> ?1 AND s.state <> 'void' AND s.number <> '' "
-        "ORDER BY h.number");
-    moved.with(batch);
-    while (moved.next()) {
-      PhotographedAgain one;
-      moved >> one.front >> one.number >> one.batch_number;
-      all.push_back(std::move(one));
-    }
+        "ORDER BY h.number",
+        batch);
+    for (PhotographedAgain one; moved.read(one.front, one.number, one.batch_number);)
+      all.push_back(one);
     return all;
   });
 }
@@ -137,12 +130,10 @@ Result<std::vector<UnlikeBefore>> unlikeBefore(const catalogue::Catalogue& catal
       store::Statement moved = database.sql(
           "SELECT s.row, max(h.at) FROM sherd s JOIN history h ON h.table_name = 'sherd' AND h.row "
           "= s.row AND h.field = 'batch' WHERE s.batch = ? AND s.number <> '' AND s.state <> "
-          "'void' GROUP BY s.row ORDER BY s.number_sort");
-      moved.with(batch);
-      while (moved.next()) {
-        came.emplace_back();
-        moved >> came.back().first >> came.back().second;
-      }
+          "'void' GROUP BY s.row ORDER BY s.number_sort",
+          batch);
+      store::SherdRow sherd;
+      for (std::int64_t at = 0; moved.read(sherd, at);) came.emplace_back(sherd, at);
     }
     std::vector<UnlikeBefore> all;
     for (const auto& [sherd, at] : came) {
@@ -169,13 +160,12 @@ void takeOver(const catalogue::Catalogue& catalogue, const records::SherdRecord&
   carryOver(catalogue, known, made, provenance);
   for (const records::SherdRecord* sherd : {&known, &made})
     forgetModel(catalogue, sherd->row, provenance);
-  database.sql("UPDATE sherd SET front = NULL, back = NULL WHERE row = ?").with(made.row).run();
+  database.run("UPDATE sherd SET front = NULL, back = NULL WHERE row = ?", made.row);
   store::valueOrThrow(Sherds(catalogue).voidSherd(made.row, "reshot: " + known.number, provenance));
   // Else it lay on two plates, and could not be typed on a third.
   if (known.batch && known.batch != made.batch) forgetTyped(catalogue, known.batch, known.number);
-  database.sql("UPDATE sherd SET batch = ?, front = ?, back = ? WHERE row = ?")
-      .with(made.batch, made.front, made.back, known.row)
-      .run();
+  database.run("UPDATE sherd SET batch = ?, front = ?, back = ? WHERE row = ?", made.batch,
+               made.front, made.back, known.row);
   const auto keep = [&](const char* field, auto before, auto now) {
     catalogue::remember(catalogue, provenance, "sherd", known.row.value, field,
                         before ? std::to_string(before.value) : "",

@@ -6,7 +6,6 @@
 #include "records/words.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
-#include "store/names.h"
 
 namespace ostraka::sherds {
 namespace {
@@ -15,14 +14,10 @@ template <class Row>
 std::map<Row, std::string> idsIn(store::Database& database, const char* query,
                                  store::BatchRow batch) {
   std::map<Row, std::string> ids;
-  store::Statement rows = database.sql(query);
-  rows.with(batch);
-  while (rows.next()) {
-    Row row;
-    std::string id;
-    rows >> row >> id;
-    ids[row] = id;
-  }
+  store::Statement rows = database.sql(query, batch);
+  Row row;
+  std::string id;
+  while (rows.read(row, id)) ids[row] = id;
   return ids;
 }
 
@@ -53,7 +48,7 @@ Result<store::PhotographRow> restorePhotograph(const catalogue::Catalogue& catal
   return database.inTransaction([&] {
     const store::PhotographRow row =
         store::valueOrThrow(catalogue::Batches(catalogue).save(photograph, provenance));
-    database.sql("UPDATE photograph SET id = ? WHERE row = ?").with(wellFormed(id), row).run();
+    database.run("UPDATE photograph SET id = ? WHERE row = ?", wellFormed(id), row);
     return row;
   });
 }
@@ -65,9 +60,8 @@ Result<store::ScanRow> restoreScan(const catalogue::Catalogue& catalogue,
   return database.inTransaction([&] {
     const store::ScanRow row =
         store::valueOrThrow(catalogue::Batches(catalogue).save(scan, provenance));
-    database.sql("UPDATE scan SET id = ?, state = ? WHERE row = ?")
-        .with(wellFormed(id), records::wordOf(scan.state), row)
-        .run();
+    database.run("UPDATE scan SET id = ?, state = ? WHERE row = ?", wellFormed(id),
+                 records::wordOf(scan.state), row);
     return row;
   });
 }
@@ -81,14 +75,11 @@ Result<std::vector<PieceRow>> pieceRows(const catalogue::Catalogue& catalogue,
         "SELECT d.id, d.decision, p.id, d.side, d.verdict, d.pieces, d.cut_mm, r.id, d.note, d.at "
         "FROM "
         "piece_decision d LEFT JOIN person p ON p.row = d.person LEFT JOIN piece_decision r ON "
-        "r.row = d.replaces WHERE d.batch = ? ORDER BY d.row");
-    rows.with(batch);
-    while (rows.next()) {
-      PieceRow row;
-      rows >> row.id >> row.decision >> row.by >> row.side >> row.verdict >> row.pieces_json >>
-          row.cut_json >> row.replaces >> row.note >> row.at_ms;
-      all.push_back(std::move(row));
-    }
+        "r.row = d.replaces WHERE d.batch = ? ORDER BY d.row",
+        batch);
+    for (PieceRow row; rows.read(row.id, row.decision, row.by, row.side, row.verdict,
+                                 row.pieces_json, row.cut_json, row.replaces, row.note, row.at_ms);)
+      all.push_back(row);
     return all;
   });
 }
@@ -97,17 +88,15 @@ Result<void> restorePieceRow(const catalogue::Catalogue& catalogue, store::Batch
                              store::PersonRow by, const PieceRow& row) {
   store::Database& database = catalogue.database();
   return database.inTransaction([&] {
-    database
-        .sql(
-            "INSERT INTO piece_decision (id, decision, at, person, batch, side, verdict, pieces, "
-            "cut_mm, "
-            "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, (SELECT row FROM piece_decision "
-            "WHERE "
-            "id = ?), ?)")
-        .with(wellFormed(row.id), row.decision.empty() ? row.decision : wellFormed(row.decision),
-              row.at_ms, by, batch, row.side, row.verdict, row.pieces_json, row.cut_json,
-              row.replaces, row.note)
-        .run();
+    database.run(
+        "INSERT INTO piece_decision (id, decision, at, person, batch, side, verdict, pieces, "
+        "cut_mm, "
+        "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, (SELECT row FROM piece_decision "
+        "WHERE "
+        "id = ?), ?)",
+        wellFormed(row.id), row.decision.empty() ? row.decision : wellFormed(row.decision),
+        row.at_ms, by, batch, row.side, row.verdict, row.pieces_json, row.cut_json, row.replaces,
+        row.note);
   });
 }
 
@@ -115,9 +104,7 @@ Result<void> restoreScans(const catalogue::Catalogue& catalogue, store::SherdRow
                           store::ScanRow front, store::ScanRow back) {
   store::Database& database = catalogue.database();
   return database.inTransaction([&] {
-    database.sql("UPDATE sherd SET front = ?, back = ? WHERE row = ?")
-        .with(front, back, sherd)
-        .run();
+    database.run("UPDATE sherd SET front = ?, back = ? WHERE row = ?", front, back, sherd);
   });
 }
 

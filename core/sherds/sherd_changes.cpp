@@ -283,8 +283,9 @@ class Examination {
     }
     if (!wanted["bag"].empty()) {
       store::Statement rows =
-          catalogue_.database().sql("SELECT row FROM bag WHERE context = ? AND number_key = ?");
-      if (!rows.with(context, store::uniqueKey(wanted["bag"])).next())
+          catalogue_.database().sql("SELECT row FROM bag WHERE context = ? AND number_key = ?",
+                                    context, store::uniqueKey(wanted["bag"]));
+      if (!rows.read(bag))
         refuse(
             !context ? message("A bag belongs to a context; enter the context first.")
             : wanted["bag"] == sherd.bag_number
@@ -293,7 +294,6 @@ class Examination {
                 : message("There is no bag %1 in context %2 yet; enter it during capture or import "
                           "a table of contexts that contains it.",
                           wanted["bag"], wanted["context"]));
-      rows >> bag;
     }
     for (Examined* change : changes)
       if (change->column && change->column->field.kind == records::FieldKind::Place) {
@@ -312,8 +312,7 @@ class Examination {
     if (field == "trench") value = place.trench_code;
     if (field == "context") value = place.number;
     if (field != "bag") return;
-    store::Statement number = catalogue_.database().sql("SELECT number FROM bag WHERE row = ?");
-    if (number.with(change.bag).next()) number >> value;
+    catalogue_.database().sql("SELECT number FROM bag WHERE row = ?", change.bag).read(value);
   }
 
   static bool losesNumber(const std::vector<Examined*>& changes) {
@@ -357,10 +356,10 @@ Batch examine(const catalogue::Catalogue& catalogue, std::span<const records::Fi
 void setJoins(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
               const std::vector<store::SherdRow>& joins) {
   store::Database& database = catalogue.database();
-  database.sql("DELETE FROM sherd_join WHERE sherd = ?1 OR other = ?1").with(sherd).run();
+  database.run("DELETE FROM sherd_join WHERE sherd = ?1 OR other = ?1", sherd);
   for (const store::SherdRow& other : joins) {
-    database.sql("INSERT INTO sherd_join VALUES (?, ?)").with(sherd, other).run();
-    database.sql("INSERT INTO sherd_join VALUES (?, ?)").with(other, sherd).run();
+    database.run("INSERT INTO sherd_join VALUES (?, ?)", sherd, other);
+    database.run("INSERT INTO sherd_join VALUES (?, ?)", other, sherd);
   }
 }
 
@@ -372,18 +371,14 @@ std::string methodOf(const std::string& kind) {
 void setExtra(const catalogue::Catalogue& catalogue, store::SherdRow sherd, const std::string& name,
               const std::string& value) {
   store::Database& database = catalogue.database();
-  std::string text;
-  {
-    store::Statement row = database.sql("SELECT extra FROM sherd WHERE row = ?");
-    if (row.with(sherd).next()) row >> text;
-  }
-  nlohmann::ordered_json extra = orderedJsonOrDiscarded(text);
+  nlohmann::ordered_json extra = orderedJsonOrDiscarded(
+      database.sql("SELECT extra FROM sherd WHERE row = ?", sherd).one<std::string>());
   if (!extra.is_object()) extra = nlohmann::ordered_json::object();
   if (value.empty())
     extra.erase(name);
   else
     extra[name] = value;
-  database.sql("UPDATE sherd SET extra = ? WHERE row = ?").with(extra.dump(), sherd).run();
+  database.run("UPDATE sherd SET extra = ? WHERE row = ?", extra.dump(), sherd);
 }
 
 // Numbers are taken away before places change and given afterwards: a numbered sherd always has its
@@ -421,9 +416,8 @@ void write(const catalogue::Catalogue& catalogue, const Examined& change,
     setJoins(catalogue, row, change.joins);
   } else if (change.column->field.kind == records::FieldKind::Place) {
     if (sherd.context != change.context || sherd.bag != change.bag)
-      database.sql("UPDATE sherd SET context = ?, bag = ? WHERE row = ?")
-          .with(change.context, change.bag, row)
-          .run();
+      database.run("UPDATE sherd SET context = ?, bag = ? WHERE row = ?", change.context,
+                   change.bag, row);
     sherd.context = change.context;
     sherd.bag = change.bag;
   } else if (field == "number") {
@@ -433,9 +427,7 @@ void write(const catalogue::Catalogue& catalogue, const Examined& change,
     sherd.number = value;
   } else if (field == "void_reason") {
     const char* state = !value.empty() ? "void" : sherd.number.empty() ? "draft" : "numbered";
-    database.sql("UPDATE sherd SET void_reason = ?, state = ? WHERE row = ?")
-        .with(value, state, row)
-        .run();
+    database.run("UPDATE sherd SET void_reason = ?, state = ? WHERE row = ?", value, state, row);
   } else {
     plain.emplace_back(field,
                        change.column->terms ? store::termsJson(store::splitTerms(value)) : value);

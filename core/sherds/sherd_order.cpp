@@ -34,9 +34,7 @@ Values sweep(store::Database& database, const std::string& query) {
   Values values;
   store::Statement rows = database.sql(query);
   Value value{}, before{};
-  while (rows.next()) {
-    store::SherdRow row;
-    rows >> value >> row;
+  for (store::SherdRow row; rows.read(value, row);) {
     if (values.count == 0 || value != before) {
       before = value;
       ++values.count;
@@ -52,12 +50,9 @@ Values sweepThrough(store::Database& database, const std::string& reference,
   std::map<std::string, std::vector<std::int64_t>> rows_by_key;
   {
     store::Statement rows = database.sql(keys);
-    while (rows.next()) {
-      std::int64_t row = 0;
-      std::string key;
-      rows >> row >> key;
-      rows_by_key[key].push_back(row);
-    }
+    std::int64_t row = 0;
+    std::string key;
+    while (rows.read(row, key)) rows_by_key[key].push_back(row);
   }
   std::map<std::int64_t, int> value_of;
   int count = 0;
@@ -71,10 +66,9 @@ Values sweepThrough(store::Database& database, const std::string& reference,
                                        reference + " IS NOT NULL ORDER BY " + reference);
   std::int64_t before = 0;
   int value = kNotRecorded;
-  while (rows.next()) {
-    std::int64_t refers = 0;
-    store::SherdRow row;
-    rows >> refers >> row;
+  std::int64_t refers = 0;
+  store::SherdRow row;
+  while (rows.read(refers, row)) {
     if (refers != before) {
       const auto found = value_of.find(refers);
       value = found == value_of.end() ? kNotRecorded : found->second;

@@ -65,14 +65,11 @@ void readDoubts(store::Database& database, const std::string& wanted,
   store::Statement rows = database.sql(
       "SELECT m.sherd, m.kind FROM measurement m JOIN sherd s ON s.row = m.sherd JOIN batch b ON "
       "b.row = s.batch WHERE m.current = 1 AND m.method = 'program' AND m.unit <> 'pct' AND "
-      "b.scale_doubts <> '' AND m.sherd IN (SELECT value FROM json_each(?))");
-  rows.with(wanted);
-  while (rows.next()) {
-    std::int64_t row = 0;
-    std::string kind;
-    rows >> row >> kind;
-    sherds[row].doubtful.insert(kind);
-  }
+      "b.scale_doubts <> '' AND m.sherd IN (SELECT value FROM json_each(?))",
+      wanted);
+  std::int64_t row = 0;
+  std::string kind;
+  while (rows.read(row, kind)) sherds[row].doubtful.insert(kind);
 }
 
 // What the program computed last stays beside what a person measured.
@@ -82,15 +79,12 @@ void readReplaced(store::Database& database, const std::string& wanted,
       "SELECT m.sherd, m.kind, p.value FROM measurement m JOIN measurement p ON p.row = (SELECT "
       "max(row) FROM measurement c WHERE c.sherd = m.sherd AND c.kind = m.kind AND c.person IS "
       "NULL AND c.method = 'program') WHERE m.current = 1 AND NOT (m.person IS NULL AND m.method = "
-      "'program') AND m.value <> p.value AND m.sherd IN (SELECT value FROM json_each(?))");
-  rows.with(wanted);
-  while (rows.next()) {
-    std::int64_t row = 0;
-    std::string kind;
-    double value = 0;
-    rows >> row >> kind >> value;
-    sherds[row].replaced[kind] = value;
-  }
+      "'program') AND m.value <> p.value AND m.sherd IN (SELECT value FROM json_each(?))",
+      wanted);
+  std::int64_t row = 0;
+  std::string kind;
+  double value = 0;
+  while (rows.read(row, kind, value)) sherds[row].replaced[kind] = value;
 }
 
 }  // namespace
@@ -110,8 +104,7 @@ Result<std::vector<records::SherdRecord>> Sherds::of(std::span<const store::Sher
     const std::string wanted = rowsJson(rows);
     bool any_doubtful = false;
     {
-      store::Statement statement = database_->sql(kSherds);
-      statement.with(wanted);
+      store::Statement statement = database_->sql(kSherds, wanted);
       while (statement.next()) {
         records::SherdRecord sherd = readSherd(statement);
         any_doubtful = any_doubtful || sherd.scale_doubtful;
@@ -122,15 +115,13 @@ Result<std::vector<records::SherdRecord>> Sherds::of(std::span<const store::Sher
     readReplaced(*database_, wanted, found);
     store::Statement joins = database_->sql(
         "SELECT j.sherd, j.other, o.number, o.id FROM sherd_join j JOIN sherd o ON o.row = j.other "
-        "WHERE j.sherd IN (SELECT value FROM json_each(?)) ORDER BY o.number_sort, o.row");
-    joins.with(wanted);
-    while (joins.next()) {
-      std::int64_t row = 0;
-      store::SherdRow other;
-      std::string number, id;
-      joins >> row >> other >> number >> id;
-      found[row].joins.push_back(other);
-      found[row].join_numbers.push_back(number.empty() ? id : number);
+        "WHERE j.sherd IN (SELECT value FROM json_each(?)) ORDER BY o.number_sort, o.row",
+        wanted);
+    std::int64_t in = 0;
+    store::SherdRow other;
+    for (std::string number, id; joins.read(in, other, number, id);) {
+      found[in].joins.push_back(other);
+      found[in].join_numbers.push_back(number.empty() ? id : number);
     }
     std::vector<records::SherdRecord> page;
     page.reserve(rows.size());
@@ -151,21 +142,20 @@ Result<records::SherdRecord> Sherds::get(store::SherdRow row) const {
 
 Result<store::SherdRow> Sherds::byNumber(const std::string& number) const {
   return database_->asResult([&] {
-    store::SherdRow sherd;
-    store::Statement row = database_->sql(
-        "SELECT g.sherd FROM given_number g JOIN sherd s ON s.row = g.sherd AND s.number = "
-        "g.number WHERE g.number_key = ?");
-    if (row.with(store::uniqueKey(store::trimmed(number))).next()) row >> sherd;
-    return sherd;
+    return database_
+        ->sql(
+            "SELECT g.sherd FROM given_number g JOIN sherd s ON s.row = g.sherd AND s.number = "
+            "g.number WHERE g.number_key = ?",
+            store::uniqueKey(store::trimmed(number)))
+        .one<store::SherdRow>();
   });
 }
 
 Result<store::SherdRow> Sherds::byId(const std::string& id) const {
   return database_->asResult([&] {
-    store::SherdRow sherd;
-    store::Statement row = database_->sql("SELECT row FROM sherd WHERE id = ?");
-    if (row.with(store::uniqueKey(store::trimmed(id))).next()) row >> sherd;
-    return sherd;
+    return database_
+        ->sql("SELECT row FROM sherd WHERE id = ?", store::uniqueKey(store::trimmed(id)))
+        .one<store::SherdRow>();
   });
 }
 
@@ -176,17 +166,13 @@ Result<std::vector<store::SherdRow>> Sherds::rows(const Filter& filter,
 
 Result<std::vector<store::SherdRow>> Sherds::rows(store::BatchRow batch) const {
   return database_->asResult([&] {
-    std::vector<store::SherdRow> all;
-    store::Statement rows = database_->sql(
-        "SELECT row FROM sherd WHERE batch = ? AND NOT (state = 'void' AND number = '') ORDER BY "
-        "number_sort, row");
-    rows.with(batch);
-    while (rows.next()) {
-      store::SherdRow row;
-      rows >> row;
-      all.push_back(row);
-    }
-    return all;
+    return database_
+        ->sql(
+            "SELECT row FROM sherd WHERE batch = ? AND NOT (state = 'void' AND number = '') ORDER "
+            "BY "
+            "number_sort, row",
+            batch)
+        .all<store::SherdRow>();
   });
 }
 
@@ -195,12 +181,12 @@ Result<store::SherdRow> Sherds::add(const records::SherdRecord& s,
   return database_->inTransaction([&] {
     const std::string id = s.id.empty() ? newId(now()) : s.id;
     if (!isUuid(id)) store::refuse(message("The uuid of a sherd is not well formed."), id);
-    store::Statement same = database_->sql("SELECT 1 FROM sherd WHERE id = ?");
-    if (same.with(id).next()) store::refuse(message("A sherd with this uuid already exists."), id);
+    store::Statement same = database_->sql("SELECT 1 FROM sherd WHERE id = ?", id);
+    if (same.next()) store::refuse(message("A sherd with this uuid already exists."), id);
     const store::SherdRow row{catalogue::addRow(
         catalogue_, provenance, "sherd", id, "number_sort context bag batch front back extra",
         kBehindAllNumbers, s.context, s.bag, s.batch, s.front, s.back, s.extra_json)};
-    database_->sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
+    database_->run("INSERT INTO sherd_measure (sherd) VALUES (?)", row);
     catalogue::remember(catalogue_, provenance, "sherd", row.value, "", "", id);
     std::vector<records::FieldChange> changes;
     for (const SherdColumn& column : sherdColumns()) {
@@ -222,9 +208,8 @@ Result<void> Sherds::setModel(store::SherdRow sherd, const std::string& model_pa
   return database_->inTransaction([&] {
     for (const std::string& path : {model_path, preview_path})
       if (!path.empty()) store::valueOrThrow(store::checkedPath(path));
-    database_->sql("UPDATE sherd SET model_path = ?, preview_path = ? WHERE row = ?")
-        .with(model_path, preview_path, sherd)
-        .run();
+    database_->run("UPDATE sherd SET model_path = ?, preview_path = ? WHERE row = ?", model_path,
+                   preview_path, sherd);
   });
 }
 

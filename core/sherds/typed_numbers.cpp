@@ -20,7 +20,6 @@
 #include "sherds/sherd_columns.h"
 #include "sherds/sherds.h"
 #include "store/names.h"
-#include "store/values.h"
 
 namespace ostraka::sherds {
 namespace {
@@ -137,12 +136,10 @@ std::string wholeOf(const catalogue::Catalogue& catalogue, const records::SherdR
 std::set<std::string> typedEverywhere(const catalogue::Catalogue& catalogue) {
   std::set<std::string> keys;
   store::Statement rows = catalogue.database().sql(
-      "SELECT value FROM setting WHERE key >= ?1 AND key < ?1 || char(1114111)");
-  for (rows.with(std::string(kTypedNumbers)); rows.next();) {
-    std::string text;
-    rows >> text;
+      "SELECT value FROM setting WHERE key >= ?1 AND key < ?1 || char(1114111)",
+      std::string(kTypedNumbers));
+  for (std::string text; rows.read(text);)
     for (const TypedNumber& typed : parsed(text)) keys.insert(store::uniqueKey(typed.number));
-  }
   return keys;
 }
 
@@ -150,12 +147,10 @@ std::map<std::string, std::string> typedAndWaiting(const catalogue::Catalogue& c
   std::map<std::string, std::string> waiting;
   store::Statement rows = catalogue.database().sql(
       "SELECT b.number, s.value FROM batch b JOIN setting s ON s.key = ? || b.number WHERE b.state "
-      "<> 'failed' AND NOT EXISTS (SELECT 1 FROM scan WHERE scan.batch = b.row)");
-  for (rows.with(std::string(kTypedNumbers)); rows.next();) {
-    std::string batch, text;
-    rows >> batch >> text;
+      "<> 'failed' AND NOT EXISTS (SELECT 1 FROM scan WHERE scan.batch = b.row)",
+      std::string(kTypedNumbers));
+  for (std::string batch, text; rows.read(batch, text);)
     for (const TypedNumber& typed : parsed(text)) waiting[store::uniqueKey(typed.number)] = batch;
-  }
   return waiting;
 }
 

@@ -92,6 +92,17 @@ bool names(const fs::path& file, const std::string& scans_hash) {
          earlier->at("inputs_hash") == scans_hash;
 }
 
+// file: names what the results are of.
+Result<FolderLock> claimed(const fs::path& output, const fs::path& file,
+                           const ordered_json& content) {
+  if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
+    return own.error();
+  Result<FolderLock> held = FolderLock::take(output / "work");
+  if (!held) return held;
+  if (const Result<void> written = writeJson(file, content); !written) return written.error();
+  return held;
+}
+
 }  // namespace
 
 std::string photographsHash(const batch::Batch& batch, const ordered_json& hashes,
@@ -109,12 +120,7 @@ Result<FolderLock> claimOutput(const fs::path& output, const batch::Batch& batch
                                const ordered_json& hashes) {
   const fs::path file = output / "work" / kBatchFile;
   if (const Result<void> may = mayUseOutput(output, file, batch, hashes); !may) return may.error();
-  if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
-    return own.error();
-  Result<FolderLock> held = FolderLock::take(output / "work");
-  if (!held) return held;
-  if (const Result<void> written = writeJson(file, hashes); !written) return written.error();
-  return held;
+  return claimed(output, file, hashes);
 }
 
 Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_hash) {
@@ -124,14 +130,7 @@ Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_
     return Error::unusable(
         message("The output folder contains other files; choose a new or empty folder."),
         output.string());
-  if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
-    return own.error();
-  Result<FolderLock> held = FolderLock::take(output / "work");
-  if (!held) return held;
-  const Result<void> written =
-      writeJson(file, {{"command", "register"}, {"inputs_hash", scans_hash}});
-  if (!written) return written.error();
-  return held;
+  return claimed(output, file, {{"command", "register"}, {"inputs_hash", scans_hash}});
 }
 
 Error outputGone(const fs::path& output) {

@@ -259,17 +259,17 @@ void Database::script(const std::string& text) {
   exec(text.c_str());
 }
 
-Statement Database::sql(std::string_view text) {
-  std::unique_ptr<Prepared>& prepared = prepared_[std::string(text)];
-  if (!prepared) prepared = std::make_unique<Prepared>();
-  for (Prepared::One& one : prepared->all)
+Statement Database::prepared(std::string_view text) {
+  std::unique_ptr<Prepared>& kept = prepared_[std::string(text)];
+  if (!kept) kept = std::make_unique<Prepared>();
+  for (Prepared::One& one : kept->all)
     if (!one.busy) return {one.handle, &one.busy};
   Prepared::One one;
   if (sqlite3_prepare_v3(handle_, text.data(), static_cast<int>(text.size()),
                          SQLITE_PREPARE_PERSISTENT, &one.handle, nullptr) != SQLITE_OK)
     throw SqlFailure(sqlite3_extended_errcode(handle_), sqlite3_errmsg(handle_));
-  prepared->all.push_back(one);
-  return {prepared->all.back().handle, &prepared->all.back().busy};
+  kept->all.push_back(one);
+  return {kept->all.back().handle, &kept->all.back().busy};
 }
 
 std::int64_t Database::lastRow() const {

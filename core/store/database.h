@@ -43,8 +43,17 @@ class Database {
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
-  /// Prepared once, kept for the next call.
-  Statement sql(std::string_view text);
+  /// Prepared once, kept for the next call; the values go to ?1, ?2, ...
+  template <class... Values>
+  Statement sql(std::string_view text, const Values&... values) {
+    Statement statement = prepared(text);
+    statement.with(values...);
+    return statement;
+  }
+  template <class... Values>
+  void run(std::string_view text, const Values&... values) {
+    sql(text, values...).run();
+  }
   void script(const std::string& text);  ///< several statements
   std::int64_t lastRow() const;
   int changes() const;
@@ -114,6 +123,7 @@ class Database {
   Result<void> connectToCopy();
   Error errorOf(const SqlFailure& failure) const;
   void exec(const char* text) const;
+  Statement prepared(std::string_view text);
 
   struct Prepared;
   sqlite3* handle_ = nullptr;

@@ -9,7 +9,7 @@ namespace ostraka::store {
 int schemaVersion(Database& database) {
   int version = 0;
   Statement statement = database.sql("PRAGMA user_version");
-  if (statement.next()) statement >> version;
+  statement.read(version);
   return version;
 }
 

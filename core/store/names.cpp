@@ -1,8 +1,10 @@
 #include "store/names.h"
 
+#include <unicode/normalizer2.h>
 #include <unicode/uchar.h>
-#include <unicode/unorm2.h>
-#include <unicode/ustring.h>
+#include <unicode/unistr.h>
+#include <unicode/utf16.h>
+#include <unicode/utf8.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,36 +12,18 @@
 namespace ostraka::store {
 namespace {
 
-std::u16string wide(std::string_view text) {
-  std::u16string out(text.size() + 1, u'\0');
-  int32_t length = 0;
-  UErrorCode status = U_ZERO_ERROR;
-  u_strFromUTF8WithSub(out.data(), static_cast<int32_t>(out.size()), &length, text.data(),
-                       static_cast<int32_t>(text.size()), 0xFFFD, nullptr, &status);
-  out.resize(static_cast<std::size_t>(length));
-  return out;
+icu::UnicodeString wide(std::string_view text) {
+  return icu::UnicodeString::fromUTF8(text);
 }
 
-std::string narrow(const std::u16string& text) {
-  std::string out(text.size() * 3 + 1, '\0');
-  int32_t length = 0;
-  UErrorCode status = U_ZERO_ERROR;
-  u_strToUTF8(out.data(), static_cast<int32_t>(out.size()), &length, text.data(),
-              static_cast<int32_t>(text.size()), &status);
-  out.resize(static_cast<std::size_t>(length));
-  return out;
+std::string narrow(const icu::UnicodeString& text) {
+  std::string out;
+  return text.toUTF8String(out);
 }
 
-std::u16string nfc(const std::u16string& text) {
+icu::UnicodeString nfc(const icu::UnicodeString& text) {
   UErrorCode status = U_ZERO_ERROR;
-  const UNormalizer2* normalizer = unorm2_getNFCInstance(&status);
-  std::u16string out(text.size() * 3 + 16, u'\0');  // 3: the most that NFC expands UTF-16 by
-  const int32_t length =
-      unorm2_normalize(normalizer, text.data(), static_cast<int32_t>(text.size()), out.data(),
-                       static_cast<int32_t>(out.size()), &status);
-  if (U_FAILURE(status)) return text;
-  out.resize(static_cast<std::size_t>(length));
-  return out;
+  return icu::Normalizer2::getNFCInstance(status)->normalize(text, status);
 }
 
 bool isAscii(std::string_view text) {
@@ -51,28 +35,26 @@ bool isAscii(std::string_view text) {
 }  // namespace
 
 bool isUtf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    if (c == 0) return false;
-    const std::size_t more = c < 0x80   ? 0
-                             : c < 0xC2 ? 9
-                             : c < 0xE0 ? 1
-                             : c < 0xF0 ? 2
-                             : c < 0xF5 ? 3
-                                        : 9;
-    if (more == 9 || i + more >= text.size()) return false;
-    unsigned code = more == 0 ? c : c & (0x3Fu >> more);
-    for (std::size_t k = 1; k <= more; ++k) {
-      const auto next = static_cast<unsigned char>(text[i + k]);
-      if ((next & 0xC0) != 0x80) return false;
-      code = code << 6 | (next & 0x3F);
-    }
-    if ((more == 2 && code < 0x800) || (more == 3 && (code < 0x10000 || code > 0x10FFFF)) ||
-        (code >= 0xD800 && code <= 0xDFFF))
-      return false;
-    i += more + 1;
+  const auto size = static_cast<int32_t>(text.size());
+  for (int32_t i = 0; i < size;) {
+    UChar32 letter = 0;
+    U8_NEXT(text.data(), i, size, letter);
+    if (letter <= 0) return false;
   }
   return true;
+}
+
+std::string fromUtf16(std::u16string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    UChar32 letter = 0;
+    U16_NEXT(text.data(), i, text.size(), letter);
+    char bytes[U8_MAX_LENGTH];
+    std::size_t size = 0;
+    U8_APPEND_UNSAFE(bytes, size, letter);
+    out.append(bytes, size);
+  }
+  return out;
 }
 
 std::string composed(std::string_view text) {
@@ -85,28 +67,17 @@ std::string uniqueKey(std::string_view text) {
     for (char& c : key) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return key;
   }
-  const std::u16string letters = nfc(wide(text));
-  std::u16string folded(letters.size() * 3 + 1, u'\0');
-  UErrorCode status = U_ZERO_ERROR;
-  const int32_t length =
-      u_strFoldCase(folded.data(), static_cast<int32_t>(folded.size()), letters.data(),
-                    static_cast<int32_t>(letters.size()), U_FOLD_CASE_DEFAULT, &status);
-  folded.resize(static_cast<std::size_t>(length));
-  return narrow(nfc(folded));
+  return narrow(nfc(nfc(wide(text)).foldCase()));
 }
 
 std::string plainKey(std::string_view text) {
-  const std::u16string letters = wide(uniqueKey(text));
   UErrorCode status = U_ZERO_ERROR;
-  const UNormalizer2* normalizer = unorm2_getNFKDInstance(&status);
-  std::u16string apart(letters.size() * 18 + 16, u'\0');  // 18: the most that NFKD expands by
-  const int32_t length =
-      unorm2_normalize(normalizer, letters.data(), static_cast<int32_t>(letters.size()),
-                       apart.data(), static_cast<int32_t>(apart.size()), &status);
+  const icu::Normalizer2* normalizer = icu::Normalizer2::getNFKDInstance(status);
   if (U_FAILURE(status)) return {};
-  std::u16string plain;
-  for (int32_t i = 0; i < length; ++i) {
-    const char16_t letter = apart[static_cast<std::size_t>(i)];
+  const icu::UnicodeString apart = normalizer->normalize(wide(uniqueKey(text)), status);
+  icu::UnicodeString plain;
+  for (int32_t i = 0; i < apart.length(); ++i) {
+    const char16_t letter = apart[i];
     if (u_isalnum(letter) || U16_IS_SURROGATE(letter)) plain += letter == u'\u0131' ? u'i' : letter;
   }
   return narrow(plain);
@@ -169,10 +140,13 @@ bool isFolderName(std::string_view text) {
 }
 
 bool hasInvisible(std::string_view text) {
-  for (const char16_t c : wide(text))
+  const icu::UnicodeString letters = wide(text);
+  for (int32_t i = 0; i < letters.length(); ++i) {
+    const char16_t c = letters[i];
     if ((c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) ||
         (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF)
       return true;
+  }
   return false;
 }
 

@@ -6,6 +6,8 @@
 namespace ostraka::store {
 
 bool isUtf8(std::string_view text);  ///< well formed, and without NUL
+/// A lone half of a surrogate pair becomes bytes that isUtf8() refuses.
+std::string fromUtf16(std::u16string_view text);
 /// Composed (Unicode NFC), so that the same letters are the same bytes.
 std::string composed(std::string_view text);
 /// What must be unique: composed, then case-folded; É-1 and é-1 are the same.

@@ -183,11 +183,9 @@ Result<void> checkSchema(Database& database) {
   const Result<Found> found = database.asResult([&] {
     Found there;
     Statement version = database.sql("PRAGMA user_version");
-    if (version.next()) version >> there.version;
+    version.read(there.version);
     Statement parts = database.sql(kSchema);
-    while (parts.next()) {
-      std::string type, name, table, sql;
-      parts >> type >> name >> table >> sql;
+    for (std::string type, name, table, sql; parts.read(type, name, table, sql);) {
       there.schema[{type + " " + name, table}] += plainSql(sql) + ";";
     }
     return there;

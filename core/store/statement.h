@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "store/row.h"
@@ -42,6 +43,26 @@ class Statement {
   /// Binds what the other's row holds, column by column.
   Statement& withRow(const Statement& row);
   bool next();  ///< to the next row; false when there is none
+  /// The next row's columns into these; false, and they stay as they are, when there is none.
+  template <class... Values>
+  bool read(Values&... values) {
+    if (!next()) return false;
+    (*this >> ... >> values);
+    return true;
+  }
+  /// The first column of the next row, Value() when there is none; and of all rows that follow.
+  template <class Value>
+  Value one() {
+    Value value{};
+    read(value);
+    return value;
+  }
+  template <class Value>
+  std::vector<Value> all() {
+    std::vector<Value> values;
+    for (Value value{}; read(value);) values.push_back(value);
+    return values;
+  }
   void run() {
     while (next()) {
     }

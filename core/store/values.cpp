@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <unordered_set>
@@ -31,10 +32,12 @@ int number(std::string_view text) {
   return value;
 }
 
-int daysIn(int year, int month) {
-  constexpr int kDays[] = {31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  const bool leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
-  return month == 2 && leap ? 29 : kDays[month - 1];
+bool isDay(std::string_view year, std::string_view month, std::string_view day) {
+  using namespace std::chrono;
+  const auto part = [](std::string_view text) { return static_cast<unsigned>(number(text)); };
+  return year_month_day(std::chrono::year(number(year)), std::chrono::month(part(month)),
+                        std::chrono::day(part(day)))
+      .ok();
 }
 
 // One end of an EDTF interval: -0599, 2026-07, 19XX, Y-12000, 2026-21 (a season), with ? ~ or %.
@@ -67,8 +70,8 @@ bool isEdtfDate(std::string_view text) {
   if (!isPart(7)) return false;
   if (!digits(text, 8, 2)) return true;
   const int day = number(text.substr(8, 2));
-  const int most = known == 4 && month_known ? daysIn(number(year), month) : 31;
-  return day >= 1 && day <= most;
+  if (known == 4 && month_known) return isDay(year, text.substr(5, 2), text.substr(8, 2));
+  return day >= 1 && day <= 31;
 }
 
 }  // namespace
@@ -89,12 +92,7 @@ Result<std::string> checkedDay(std::string_view typed) {
   if (text.empty()) return text;
   const bool shape = text.size() == 10 && text[4] == '-' && text[7] == '-' && digits(text, 0, 4) &&
                      digits(text, 5, 2) && digits(text, 8, 2);
-  if (shape) {
-    const int year = number(std::string_view(text).substr(0, 4));
-    const int month = number(std::string_view(text).substr(5, 2));
-    const int day = number(std::string_view(text).substr(8, 2));
-    if (month >= 1 && month <= 12 && day >= 1 && day <= daysIn(year, month)) return text;
-  }
+  if (shape && isDay(text.substr(0, 4), text.substr(5, 2), text.substr(8, 2))) return text;
   return Error::unusable(message("Write the day as 2026-07-14 (year-month-day)."));
 }
 
@@ -205,12 +203,7 @@ std::vector<std::string> splitTerms(std::string_view text) {
 }
 
 std::string joinTerms(const std::vector<std::string>& terms) {
-  std::string out;
-  for (const std::string& term : terms) {
-    if (!out.empty()) out += "; ";
-    out += term;
-  }
-  return out;
+  return joined(terms, "; ");
 }
 
 std::string termsJson(const std::vector<std::string>& terms) {

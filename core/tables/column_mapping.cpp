@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "base/message.h"
 #include "catalogue/settings.h"

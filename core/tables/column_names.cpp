@@ -1,7 +1,6 @@
 #include "tables/column_names.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 #include "records/sherd.h"

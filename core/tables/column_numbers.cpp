@@ -1,7 +1,6 @@
 #include "tables/column_numbers.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include "base/message.h"

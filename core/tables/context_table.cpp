@@ -9,6 +9,7 @@
 #include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "files/json_text.h"
+#include "store/database.h"
 #include "store/names.h"
 #include "store/values.h"
 #include "tables/csv.h"
@@ -19,6 +20,7 @@ namespace ostraka::tables {
 namespace {
 
 using namespace catalogue;
+using store::valueOrThrow;
 
 Error unknownContext(const std::string& number) {
   return Error::unusable(
@@ -81,64 +83,41 @@ class Values {
   const NumberRemarks& unclear_;
 };
 
-template <class Record, class Row>
-Record* byRow(std::vector<Record>& records, Row row) {
-  const auto found =
-      std::find_if(records.begin(), records.end(), [&](const Record& r) { return r.row == row; });
-  return found == records.end() ? nullptr : &*found;
-}
-
-void compare(std::vector<ChangedValue>& changed, const std::string& name, const char* field,
-             const std::string& before, const std::string& after) {
-  if (before != after) changed.push_back({name, field, before, after});
-}
-
 std::string placeOf(const records::ContextRecord& context) {
   return context.site_code + " " + (context.trench_code.empty() ? "" : context.trench_code + " ") +
          context.number;
 }
 
-std::vector<ChangedValue> differences(const records::ContextRecord& before,
-                                      const records::ContextRecord& after) {
-  std::vector<ChangedValue> changed;
-  const std::string name = placeOf(after);
-  compare(changed, name, "kind", before.kind, after.kind);
-  compare(changed, name, "excavated_on", before.excavated_on, after.excavated_on);
-  compare(changed, name, "period", before.period, after.period);
-  compare(changed, name, "date_edtf", before.date_edtf, after.date_edtf);
-  compare(changed, name, "closed", before.closed ? "yes" : "no", after.closed ? "yes" : "no");
-  compare(changed, name, "note", before.note, after.note);
-  compare(changed, name, "extra", before.extra_json, after.extra_json);
-  return changed;
+std::vector<SavedField> fieldsOf(const records::ContextRecord& c) {
+  return {{"kind", c.kind},           {"excavated_on", c.excavated_on},    {"period", c.period},
+          {"date_edtf", c.date_edtf}, {"closed", c.closed ? "yes" : "no"}, {"note", c.note},
+          {"extra", c.extra_json}};
 }
 
-std::string countText(const std::optional<int>& count) {
-  return count ? std::to_string(*count) : std::string();
+std::vector<SavedField> fieldsOf(const records::BagRecord& b) {
+  return {{"collected_on", b.collected_on},
+          {"storage", b.storage},
+          {"weight_g", optionalText(b.weight_g)},
+          {"count_written", optionalText(b.count_written)}};
 }
 
-std::string weightText(const std::optional<double>& weight) {
-  return weight ? store::numberText(*weight) : std::string();
+template <class Record>
+void addDifferences(std::vector<ChangedValue>& changed, const std::string& name,
+                    const Record& before, const Record& after) {
+  const std::vector<SavedField> then = fieldsOf(before), now = fieldsOf(after);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    if (then[i].value != now[i].value)
+      changed.push_back({name, now[i].name, then[i].value, now[i].value});
 }
 
-void addDifferences(std::vector<ChangedValue>& changed, const std::string& place,
-                    const records::BagRecord& before, const records::BagRecord& after) {
-  const std::string name = place + ", bag " + after.number;
-  compare(changed, name, "collected_on", before.collected_on, after.collected_on);
-  compare(changed, name, "storage", before.storage, after.storage);
-  compare(changed, name, "weight_g", weightText(before.weight_g), weightText(after.weight_g));
-  compare(changed, name, "count_written", countText(before.count_written),
-          countText(after.count_written));
-}
-
-// What was there before, and is another now.
-Result<std::vector<ChangedValue>> enterRow(Catalogue& catalogue, Places& places,
-                                           const Values& values,
-                                           const records::Provenance& provenance) {
-  const auto row = places.context(values.raw("site"), values.raw("trench"), values.raw("context"));
-  if (!row) return row.error();
-  Result<records::ContextRecord> found = catalogue::Places(catalogue).context(*row);
-  if (!found) return found.error();
-  records::ContextRecord context = *found;
+// What was there before, and is another now. Throws Refused.
+std::vector<ChangedValue> enterRow(Catalogue& catalogue, Places& places, const Values& values,
+                                   const records::Provenance& provenance) {
+  catalogue::Places known(catalogue);
+  const auto row =
+      valueOrThrow(places.context(values.raw("site"), values.raw("trench"), values.raw("context")));
+  const records::ContextRecord found = valueOrThrow(known.context(row));
+  records::ContextRecord context = found;
   values.text("kind", context.kind);
   values.text("excavated_on", context.excavated_on);
   values.text("period", context.period);
@@ -146,33 +125,29 @@ Result<std::vector<ChangedValue>> enterRow(Catalogue& catalogue, Places& places,
   values.text("note", context.note);
   const std::string closed = store::uniqueKey(values.raw("closed"));
   if (!closed.empty() && closed != "yes" && closed != "no" && closed != "<clear>")
-    return Error::unusable(message("The column 'closed' accepts only yes or no."));
+    store::refuse(message("The column 'closed' accepts only yes or no."));
   if (!closed.empty()) context.closed = closed == "yes";
   context.extra_json = values.extra(context.extra_json);
-  if (const auto saved = catalogue::Places(catalogue).save(context, provenance); !saved)
-    return saved.error();
-  std::vector<ChangedValue> changed = differences(*found, context);
+  valueOrThrow(known.save(context, provenance));
+  std::vector<ChangedValue> changed;
+  addDifferences(changed, placeOf(context), found, context);
   const std::string number = values.raw("bag");
   if (number.empty()) return changed;
-  const auto bag_row = places.bag(*row, number);
-  if (!bag_row) return bag_row.error();
-  Result<std::vector<records::BagRecord>> bags = catalogue::Places(catalogue).bags(*row);
-  if (!bags) return bags.error();
-  const records::BagRecord before = *byRow(*bags, *bag_row);
+  const auto bag_row = valueOrThrow(places.bag(row, number));
+  const std::vector<records::BagRecord> bags = valueOrThrow(known.bags(row));
+  const records::BagRecord before = *std::ranges::find(bags, bag_row, &records::BagRecord::row);
   records::BagRecord bag = before;
   values.text("collected_on", bag.collected_on);
   values.text("storage", bag.storage);
-  if (Result<void> weight = values.number("weight_g", bag.weight_g); !weight) return weight.error();
+  valueOrThrow(values.number("weight_g", bag.weight_g));
   std::optional<double> count;
   if (bag.count_written) count = *bag.count_written;
-  if (Result<void> counted = values.number("count_written", count); !counted)
-    return counted.error();
+  valueOrThrow(values.number("count_written", count));
   if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count)))
-    return Error::unusable(message("The column 'count_written' accepts only a whole number."));
+    store::refuse(message("The column 'count_written' accepts only a whole number."));
   bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
-  if (const auto saved = catalogue::Places(catalogue).save(bag, provenance); !saved)
-    return saved.error();
-  addDifferences(changed, placeOf(context), before, bag);
+  valueOrThrow(known.save(bag, provenance));
+  addDifferences(changed, placeOf(context) + ", bag " + bag.number, before, bag);
   return changed;
 }
 
@@ -203,9 +178,7 @@ class ContextRows {
     const std::int64_t before = History(catalogue_).length();
     std::vector<ChangedValue> changed_values;
     const Result<void> entered = catalogue_.together([&]() -> Result<void> {
-      auto done = enterRow(catalogue_, places_, values, provenance_);
-      if (!done) return done.error();
-      changed_values = std::move(*done);
+      changed_values = enterRow(catalogue_, places_, values, provenance_);
       return {};
     });
     if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
@@ -263,42 +236,8 @@ Result<store::ContextRow> Places::context(const std::string& site_code,
   }
   if (unknown_ == UnknownPlaces::Refuse)
     return unknownContext(site_code + " " + trench_code + " " + number);
-  store::SiteRow site;
-  const Result<std::vector<records::SiteRecord>> sites = catalogue::Places(catalogue_).sites();
-  if (!sites) return sites.error();
-  for (const records::SiteRecord& s : *sites)
-    if (store::uniqueKey(s.code) == store::uniqueKey(site_code)) site = s.row;
-  if (!site) {
-    records::SiteRecord record;
-    record.code = record.name = site_code;
-    const Result<store::SiteRow> made = catalogue::Places(catalogue_).save(record, provenance_);
-    if (!made) return made.error();
-    site = *made;
-    made_.push_back(site_code);
-  }
-  store::TrenchRow trench;
-  if (!trench_code.empty()) {
-    const Result<std::vector<records::TrenchRecord>> trenches =
-        catalogue::Places(catalogue_).trenches();
-    if (!trenches) return trenches.error();
-    for (const records::TrenchRecord& t : *trenches)
-      if (t.site == site && store::uniqueKey(t.code) == store::uniqueKey(trench_code))
-        trench = t.row;
-    if (!trench) {
-      records::TrenchRecord record;
-      record.site = site;
-      record.code = trench_code;
-      const Result<store::TrenchRow> made = catalogue::Places(catalogue_).save(record, provenance_);
-      if (!made) return made.error();
-      trench = *made;
-      made_.push_back(site_code + " " + trench_code);
-    }
-  }
-  records::ContextRecord record;
-  record.site = site;
-  record.trench = trench;
-  record.number = number;
-  const Result<store::ContextRow> made = catalogue::Places(catalogue_).save(record, provenance_);
+  const Result<store::ContextRow> made =
+      catalogue::Places(catalogue_).contextAt(site_code, trench_code, number, provenance_, made_);
   if (made) known_[key] = made->value;
   return made;
 }
@@ -307,13 +246,12 @@ Result<store::BagRow> Places::bag(store::ContextRow context, const std::string& 
   const std::string key = std::to_string(context.value) + "\n" + store::uniqueKey(number);
   if (const auto known = known_.find(key); known != known_.end())
     return store::BagRow{known->second};
-  const Result<std::vector<records::BagRecord>> bags = catalogue::Places(catalogue_).bags(context);
-  if (!bags) return bags.error();
-  for (const records::BagRecord& bag : *bags)
-    if (store::uniqueKey(bag.number) == store::uniqueKey(number)) {
-      known_[key] = bag.row.value;
-      return bag.row;
-    }
+  const Result<store::BagRow> there = catalogue::Places(catalogue_).bagByNumber(context, number);
+  if (!there) return there;
+  if (*there) {
+    known_[key] = there->value;
+    return there;
+  }
   if (unknown_ == UnknownPlaces::Refuse) return unknownBag(number);
   records::BagRecord record;
   record.context = context;

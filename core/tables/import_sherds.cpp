@@ -13,6 +13,7 @@
 #include "sherds/sherd_changes.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
+#include "store/database.h"
 #include "store/names.h"
 #include "store/values.h"
 #include "tables/column_meanings.h"
@@ -31,6 +32,7 @@ using records::Provenance;
 using records::SherdField;
 using records::SherdRecord;
 using store::SherdRow;
+using store::valueOrThrow;
 
 const SherdField* fieldNamed(const std::string& name) {
   for (const SherdField& field : sherds::sherdFields())
@@ -85,15 +87,11 @@ class Importing {
     undo_.clear();
     asks_ = false;
     const Result<void> done = catalogue_.together([&]() -> Result<void> {
-      const Result<SherdRow> sherd = find(row, refusal);
-      if (!sherd) return sherd.error();
-      const bool fresh = !*sherd;
-      Result<SherdRow> target = fresh ? add(row, refusal) : *sherd;
-      if (!target) return target.error();
-      entered = *target;
-      const Result<bool> changed = change(at, entered, fresh, refusal);
-      if (!changed) return changed.error();
-      fate = fresh ? RowFate::Fresh : *changed ? RowFate::Changed : RowFate::Same;
+      entered = find(row, refusal);
+      const bool fresh = !entered;
+      if (fresh) entered = add(row, refusal);
+      const bool changed = change(at, entered, fresh, refusal);
+      fate = fresh ? RowFate::Fresh : changed ? RowFate::Changed : RowFate::Same;
       return {};
     });
     if (!done && done.error().code != ErrorCode::UnusableInput) return done;
@@ -129,63 +127,58 @@ class Importing {
   }
 
  private:
-  static Error refuse(Refusal& refusal, std::string column, std::string value, Message reason) {
+  // What follows is within the row's transaction: throws Refused.
+  [[noreturn]] static void refuse(Refusal& refusal, std::string column, std::string value,
+                                  Message reason) {
     refusal.column = std::move(column);
     refusal.value = std::move(value);
     refusal.reason = reason;
-    return Error::unusable(std::move(reason));
+    store::refuse(std::move(reason));
   }
 
-  Result<SherdRow> find(const ImportRow& row, Refusal& refusal) {
+  SherdRow find(const ImportRow& row, Refusal& refusal) {
     const std::string number = valueOf(row, "number"), uuid = valueOf(row, "uuid");
     if (number.empty() && uuid.empty())
-      return refuse(refusal, "number", "", message("The row has neither a number nor a uuid."));
+      refuse(refusal, "number", "", message("The row has neither a number nor a uuid."));
     for (const auto& [column, value] : {std::pair("number", number), std::pair("uuid", uuid)})
       if (const auto same = lines_.find({column, store::uniqueKey(value)});
           same != lines_.end() && same->second.size() > 1)
-        return refuse(refusal, column, value, inTheLines(same->second));
+        refuse(refusal, column, value, inTheLines(same->second));
     SherdRow by_uuid, by_number;
     if (!uuid.empty()) {
-      if (!isUuid(uuid)) return refuse(refusal, "uuid", uuid, message("Not a uuid."));
-      const Result<SherdRow> found = sherds::Sherds(catalogue_).byId(uuid);
-      if (!found) return found.error();
-      by_uuid = *found;
+      if (!isUuid(uuid)) refuse(refusal, "uuid", uuid, message("Not a uuid."));
+      by_uuid = valueOrThrow(sherds::Sherds(catalogue_).byId(uuid));
     }
-    if (!number.empty()) {
-      const Result<SherdRow> found = sherds::Sherds(catalogue_).byNumber(number);
-      if (!found) return found.error();
-      by_number = *found;
-    }
+    if (!number.empty()) by_number = valueOrThrow(sherds::Sherds(catalogue_).byNumber(number));
     if (by_number && !uuid.empty() && by_uuid != by_number)
-      return refuse(refusal, "number", number,
-                    message("The number and the uuid belong to different sherds."));
+      refuse(refusal, "number", number,
+             message("The number and the uuid belong to different sherds."));
     return by_uuid ? by_uuid : by_number;
   }
 
-  Result<SherdRow> add(const ImportRow& row, Refusal& refusal) {
+  SherdRow add(const ImportRow& row, Refusal& refusal) {
     if (valueOf(row, "context").empty() && !valueOf(row, "number").empty())
-      return refuse(refusal, "context", "", message("A new sherd needs its context."));
+      refuse(refusal, "context", "", message("A new sherd needs its context."));
     SherdRecord record;
     record.id = store::uniqueKey(valueOf(row, "uuid"));
     record.batch = row.batch;
-    return sherds::Sherds(catalogue_).add(record, provenance_);
+    return valueOrThrow(sherds::Sherds(catalogue_).add(record, provenance_));
   }
 
-  Result<bool> change(std::size_t at, SherdRow sherd, bool fresh, Refusal& refusal) {
+  bool change(std::size_t at, SherdRow sherd, bool fresh, Refusal& refusal) {
     const ImportRow& row = rows_[at];
     if (makes_places_) {
       const std::string site = valueOf(row, "site"), context = valueOf(row, "context");
       if (!site.empty() && !context.empty()) {
         const auto place = places_.context(site, valueOf(row, "trench"), context);
-        if (!place) return refuse(refusal, "context", context, place.error().sentence());
+        if (!place) refuse(refusal, "context", context, place.error().sentence());
         const std::string bag = valueOf(row, "bag");
         if (!bag.empty())
           if (const auto made = places_.bag(*place, bag); !made)
-            return refuse(refusal, "bag", bag, made.error().sentence());
+            refuse(refusal, "bag", bag, made.error().sentence());
       }
     }
-    const Result<SherdRecord> now = sherds::Sherds(catalogue_).get(sherd);
-    if (!now) return now.error();
+    const SherdRecord now = valueOrThrow(sherds::Sherds(catalogue_).get(sherd));
     std::vector<FieldChange> changes;
     const bool confirmed =
         options_.asked_rows == AskedRows::Enter || options_.confirmed_lines.contains(row.line);
@@ -194,56 +187,50 @@ class Importing {
       if (typed.empty() || name == "joins") continue;
       const SherdField* field = fieldNamed(name);
       if (field && !field->editable) continue;
-      if (name == "number" && store::uniqueKey(typed) == store::uniqueKey(now->number))
+      if (name == "number" && store::uniqueKey(typed) == store::uniqueKey(now.number))
         continue;  // capitals make no difference
       const std::string value = typed == kClear ? std::string() : typed;
       // Else a measure of the program, rounded in a table, would come back as a person's.
-      const std::string before = sherds::textOf(*now, name);
+      const std::string before = sherds::textOf(now, name);
       if (field && field->kind == FieldKind::Number && !before.empty() &&
           showsInTable(value, *store::parsedNumber(before)))
         continue;
       if (const auto unclear = row.unclear.find(name); unclear != row.unclear.end())
-        return refuse(refusal, name, value, unclear->second);
+        refuse(refusal, name, value, unclear->second);
       const bool by_program =
           field && field->kind == FieldKind::Number && row.by_hand && !row.by_hand->contains(name);
       if (by_program && fresh && store::parsedNumber(value)) {
-        if (const Result<void> done = measureByProgram({sherd, name, value}, refusal); !done)
-          return done.error();
+        measureByProgram({sherd, name, value}, refusal);
         continue;
       }
       if (by_program && !fresh) {  // a table of before the latest computation
-        const Result<std::vector<double>> computed =
-            sherds::Measurements(catalogue_).everComputed(sherd, kindOf(name));
-        if (!computed) return computed.error();
-        if (std::any_of(computed->begin(), computed->end(),
+        const std::vector<double> computed =
+            valueOrThrow(sherds::Measurements(catalogue_).everComputed(sherd, kindOf(name)));
+        if (std::any_of(computed.begin(), computed.end(),
                         [&](double one) { return showsInTable(value, one); }))
           continue;
       }
       const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;
-      if (value != sherds::textOf(*now, own)) changes.push_back({sherd, own, value, confirmation});
+      if (value != sherds::textOf(now, own)) changes.push_back({sherd, own, value, confirmation});
     }
-    const auto joins = joins_.of(at, *now, catalogue_);
-    if (!joins) return refuse(refusal, "joins", valueOf(row, "joins"), joins.error().sentence());
+    const auto joins = joins_.of(at, now, catalogue_);
+    if (!joins) refuse(refusal, "joins", valueOf(row, "joins"), joins.error().sentence());
     if (*joins && std::set((*joins)->begin(), (*joins)->end()) !=
-                      std::set(now->joins.begin(), now->joins.end())) {
+                      std::set(now.joins.begin(), now.joins.end())) {
       std::vector<std::string> ids;
-      for (const SherdRow partner : **joins) {
-        const Result<SherdRecord> other = sherds::Sherds(catalogue_).get(partner);
-        if (!other) return other.error();
-        ids.push_back(other->id);
-      }
+      for (const SherdRecord& other : valueOrThrow(sherds::Sherds(catalogue_).of(**joins)))
+        ids.push_back(other.id);
       changes.push_back({sherd, "joins", store::joinTerms(ids)});
     }
     bool changed = false;
     if (!changes.empty()) {
       const Result<std::vector<FieldChange>> undo =
           sherds::SherdChanges(catalogue_).apply(changes, provenance_);
-      if (!undo) return named(changes, row, undo.error(), refusal);
+      if (!undo) refuseNamed(changes, row, undo.error(), refusal);
       if (!confirmed)
         if (const FieldChange* doubted = doubtedOf(*undo, row); doubted != nullptr) {
           asks_ = true;
-          return refuse(refusal, doubted->field, row.values.at(doubted->field),
-                        questionOf(*undo, row));
+          refuse(refusal, doubted->field, row.values.at(doubted->field), questionOf(*undo, row));
         }
       changed = !undo->empty();
       done_ = std::move(changes);
@@ -255,10 +242,10 @@ class Importing {
       Provenance by = provenance_;
       const auto person = persons_.find(initials);
       by.person = person == persons_.end() ? store::PersonRow{} : person->second;
-      const auto before = now->measures.find(m.kind);
-      changed |= before == now->measures.end() || before->second != m.value;
+      const auto before = now.measures.find(m.kind);
+      changed |= before == now.measures.end() || before->second != m.value;
       if (const Result<void> done = sherds::Measurements(catalogue_).add(m, by); !done)
-        return refuse(refusal, m.kind, {}, done.error().sentence());
+        refuse(refusal, m.kind, {}, done.error().sentence());
     }
     return changed;
   }
@@ -284,19 +271,19 @@ class Importing {
   }
 
   // Computed where the table comes from: it gives way to what is computed or measured here.
-  Result<void> measureByProgram(const FieldChange& number, Refusal& refusal) {
-    const auto shown = sherds::SherdChanges(catalogue_)
-                           .preview(std::span(&number, 1));  // as strict as with typed ones
-    if (!shown) return shown.error();
-    if (!shown->front().refusal.empty())
-      return refuse(refusal, number.field, number.value, shown->front().refusal);
+  void measureByProgram(const FieldChange& number, Refusal& refusal) {
+    const auto shown =
+        valueOrThrow(sherds::SherdChanges(catalogue_)
+                         .preview(std::span(&number, 1)));  // as strict as with typed ones
+    if (!shown.front().refusal.empty())
+      refuse(refusal, number.field, number.value, shown.front().refusal);
     records::Measurement m;
     m.sherd = number.sherd;
     m.kind = kindOf(number.field);
     m.value = *store::parsedNumber(number.value);
     Provenance by = provenance_;
     by.person = {};
-    return sherds::Measurements(catalogue_).add(m, by);
+    valueOrThrow(sherds::Measurements(catalogue_).add(m, by));
   }
 
   Result<void> tellChanges(SherdRow sherd) {
@@ -310,21 +297,21 @@ class Importing {
   }
 
   // Which column it was.
-  Error named(const std::vector<FieldChange>& changes, const ImportRow& row, const Error& error,
-              Refusal& refusal) {
+  [[noreturn]] void refuseNamed(const std::vector<FieldChange>& changes, const ImportRow& row,
+                                const Error& error, Refusal& refusal) {
     const auto shown = sherds::SherdChanges(catalogue_).preview(changes);
-    if (!shown) return error;
+    if (!shown) throw store::Refused(error);
     for (const records::ChangePreview& change : *shown)
       if (!change.refusal.empty())
-        return refuse(refusal, change.change.field, change.change.value, change.refusal);
+        refuse(refusal, change.change.field, change.change.value, change.refusal);
     for (const records::ChangePreview& change : *shown)
       if (change.asks()) {
         asks_ = true;
         const Message more = questionOf(changes, row);
-        return refuse(refusal, change.change.field, change.change.value,
-                      more.empty() ? change.question : inOne(change.question, more));
+        refuse(refusal, change.change.field, change.change.value,
+               more.empty() ? change.question : inOne(change.question, more));
       }
-    return error;
+    throw store::Refused(error);
   }
 
   Catalogue& catalogue_;

@@ -38,7 +38,7 @@ std::optional<Backup> readBackup(const fs::path& file) {
     Backup backup{file, {}, 0};
     store::Statement row =
         (*database)->sql("SELECT id, (SELECT ifnull(max(number), 0) FROM history) FROM project");
-    if (row.next()) row >> backup.project >> backup.history;
+    row.read(backup.project, backup.history);
     return backup;
   });
   return read && !read->project.empty() ? std::optional(*read) : std::nullopt;
@@ -98,11 +98,9 @@ Result<fs::path> Project::backUp(int keep, int days) const {
 
 Result<bool> Project::backUpIfChanged(std::chrono::milliseconds after) const {
   const Result<std::int64_t> changed = catalogue_.database().asResult([&] {
-    std::int64_t at = 0;
-    store::Statement last =
-        catalogue_.database().sql("SELECT at FROM history ORDER BY number DESC LIMIT 1");
-    if (last.next()) last >> at;
-    return at;
+    return catalogue_.database()
+        .sql("SELECT at FROM history ORDER BY number DESC LIMIT 1")
+        .one<std::int64_t>();
   });
   if (!changed) return changed.error();
   // The names sort as their times do.

@@ -48,11 +48,9 @@ Result<std::vector<KnownFile>> knownFiles(const catalogue::Catalogue& catalogue)
         "FROM file f LEFT JOIN sherd s ON s.row = f.sherd LEFT JOIN batch b ON b.row = f.batch "
         "WHERE NOT (f.path GLOB 'results/*' AND ifnull(b.state, '') IN ('queued', 'computed', "
         "'failed')) ORDER BY f.path");
-    while (rows.next()) {
-      KnownFile file;
-      rows >> file.path >> file.sha256 >> file.role >> file.bytes >> file.sherd >> file.batch;
-      files.push_back(std::move(file));
-    }
+    for (KnownFile file;
+         rows.read(file.path, file.sha256, file.role, file.bytes, file.sherd, file.batch);)
+      files.push_back(file);
     return files;
   });
 }
@@ -117,12 +115,8 @@ Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue, const fs:
 Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue, const fs::path& folder,
                                 std::int64_t most_bytes, Progress& progress, std::stop_token stop) {
   // Reads each page that is in use; unlike checkIntegrity it keeps nobody from writing.
-  const Result<std::string> pages = catalogue.database().asResult([&] {
-    std::string found;
-    store::Statement check = catalogue.database().sql("PRAGMA integrity_check(1)");
-    if (check.next()) check >> found;
-    return found;
-  });
+  const Result<std::string> pages = catalogue.database().asResult(
+      [&] { return catalogue.database().sql("PRAGMA integrity_check(1)").one<std::string>(); });
   if (!pages) return pages.error();
   if (*pages != "ok") return store::damagedCatalogue(*pages, catalogue.database().file());
   const Result<std::vector<KnownFile>> known = knownFiles(catalogue);
@@ -163,15 +157,10 @@ Result<void> checkPaths(const catalogue::Catalogue& catalogue) {
     store::Statement rows = catalogue.database().sql(
         "SELECT path FROM file UNION ALL SELECT path FROM photograph UNION ALL SELECT path FROM "
         "scan UNION ALL SELECT model_path FROM sherd UNION ALL SELECT preview_path FROM sherd");
-    while (rows.next()) {
-      std::string path;
-      rows >> path;
+    for (std::string path; rows.read(path);)
       if (!path.empty()) store::valueOrThrow(store::checkedPath(path));
-    }
     store::Statement batches = catalogue.database().sql("SELECT number FROM batch");
-    while (batches.next()) {
-      std::string number;
-      batches >> number;
+    for (std::string number; batches.read(number);) {
       if (!store::isFolderName(number))
         store::refuse(
             message(

@@ -1,6 +1,4 @@
 // What a catalogue's history says of rows that came from an older backup.
-#include <map>
-#include <set>
 
 #include "catalogue/search.h"
 #include "records/sherd.h"
@@ -27,13 +25,10 @@ std::vector<Change> changesOf(store::Database& database, const RepairedRow& row,
   store::Statement rows = database.sql(
       "SELECT field, new, person FROM history h WHERE table_name = ?1 AND row = ?2 AND number > ?3 "
       "AND number = (SELECT max(number) FROM history WHERE table_name = ?1 AND row = ?2 AND field "
-      "= h.field) ORDER BY number");
-  rows.with(row.table, row.row, after);
-  while (rows.next()) {
-    Change change;
-    rows >> change.field >> change.value >> change.by;
-    if (!change.field.empty()) all.push_back(std::move(change));
-  }
+      "= h.field) ORDER BY number",
+      row.table, row.row, after);
+  for (Change change; rows.read(change.field, change.value, change.by);)
+    if (!change.field.empty()) all.push_back(change);
   return all;
 }
 
@@ -49,20 +44,18 @@ bool isDone(const Result<Value>& change) {
 bool addSherdOfHistory(catalogue::Catalogue& repaired, std::int64_t row) {
   store::Database& database = repaired.database();
   store::Statement first = database.sql(
-      "SELECT new, at, person FROM history WHERE table_name = 'sherd' AND row = ? AND field = ''");
-  if (!first.with(row).next()) return false;
+      "SELECT new, at, person FROM history WHERE table_name = 'sherd' AND row = ? AND field = ''",
+      row);
   std::string id;
   std::int64_t at = 0;
   store::PersonRow by;
-  first >> id >> at >> by;
+  if (!first.read(id, at, by)) return false;
   const Result<void> added = database.inTransaction([&] {
-    database
-        .sql(
-            "INSERT INTO sherd (row, id, created_at, created_by, updated_at, updated_by, "
-            "number_sort) VALUES (?, ?, ?, ?, ?, ?, ?)")
-        .with(row, id, at, by, at, by, sherds::kBehindAllNumbers)
-        .run();
-    database.sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
+    database.run(
+        "INSERT INTO sherd (row, id, created_at, created_by, updated_at, updated_by, "
+        "number_sort) VALUES (?, ?, ?, ?, ?, ?, ?)",
+        row, id, at, by, at, by, sherds::kBehindAllNumbers);
+    database.run("INSERT INTO sherd_measure (sherd) VALUES (?)", row);
     catalogue::searchAnew(database, store::SherdRow{row});
   });
   return isDone(added);
@@ -71,15 +64,14 @@ bool addSherdOfHistory(catalogue::Catalogue& repaired, std::int64_t row) {
 // A column of another table: numbers are stored as such, and nothing as NULL where that may be.
 bool setColumn(store::Database& database, const RepairedRow& row, const Change& change) {
   store::Statement known = database.sql(
-      "SELECT \"notnull\" FROM pragma_table_info(?) WHERE name = ? AND name NOT IN ('row', 'id')");
-  if (!known.with(row.table, change.field).next()) return false;
+      "SELECT \"notnull\" FROM pragma_table_info(?) WHERE name = ? AND name NOT IN ('row', 'id')",
+      row.table, change.field);
   bool filled = false;
-  known >> filled;
+  if (!known.read(filled)) return false;
   const std::string value = filled ? "?1" : "nullif(?1, '')";
   return isDone(database.inTransaction([&] {
-    database.sql("UPDATE " + row.table + " SET " + change.field + " = " + value + " WHERE row = ?2")
-        .with(change.value, row.row)
-        .run();
+    database.run("UPDATE " + row.table + " SET " + change.field + " = " + value + " WHERE row = ?2",
+                 change.value, row.row);
   }));
 }
 
@@ -120,13 +112,12 @@ Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_kno
   if (!done) return done;
   report.rows.insert(report.rows.end(), unknown.begin(), unknown.end());
   return database.inTransaction([&] {
-    std::vector<store::SherdRow> numberless;
-    {
-      store::Statement rows = database.sql(
-          "SELECT row FROM sherd WHERE number <> '' AND row NOT IN (SELECT sherd FROM "
-          "given_number)");
-      while (rows.next()) rows >> numberless.emplace_back();
-    }
+    const auto numberless =
+        database
+            .sql(
+                "SELECT row FROM sherd WHERE number <> '' AND row NOT IN (SELECT sherd FROM "
+                "given_number)")
+            .all<store::SherdRow>();
     for (const store::SherdRow& row : numberless) {
       const records::SherdRecord sherd = store::valueOrThrow(sherds::Sherds(repaired).get(row));
       sherds::setNumber(repaired, sherd, sherd.number);

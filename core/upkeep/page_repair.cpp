@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
-#include <optional>
 #include <vector>
 
 #include "files/files.h"

@@ -16,7 +16,6 @@
 #include "store/network_share.h"
 #include "store/partial_file.h"
 #include "store/schema_check.h"
-#include "store/values.h"
 #include "upkeep/backups.h"
 #include "upkeep/file_check.h"
 

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <chrono>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "base/message.h"
@@ -253,10 +252,7 @@ class Repair {
       return notForTheDisk(rows.error());
     catalogue::Catalogue repaired(std::move(*database), clock_);
     const Result<std::int64_t> last = backup->database().asResult([&] {
-      std::int64_t number = 0;
-      store::Statement row = backup->database().sql("SELECT max(number) FROM history");
-      if (row.next()) row >> number;
-      return number;
+      return backup->database().sql("SELECT max(number) FROM history").one<std::int64_t>();
     });
     if (!last) return false;
     if (const Result<void> replayed = replayHistory(repaired, *last, report_); !replayed)
@@ -280,8 +276,8 @@ class Repair {
       const auto name = names.find(row.table);
       if (name == names.end() || row.row == 0) continue;
       store::Statement found =
-          database.sql("SELECT " + name->second + " FROM " + row.table + " WHERE row = ?");
-      if (found.with(row.row).next()) found >> row.name;
+          database.sql("SELECT " + name->second + " FROM " + row.table + " WHERE row = ?", row.row);
+      found.read(row.name);
     }
   }
 

@@ -1,7 +1,6 @@
 #include "upkeep/row_repair.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 #include "base/text.h"
@@ -23,40 +22,21 @@ struct CatalogueTable {
   std::vector<std::string> columns;
 };
 
-std::int64_t numberOf(store::Database& database, const std::string& sql) {
-  std::int64_t number = 0;
-  store::Statement row = database.sql(sql);
-  if (row.next()) row >> number;
-  return number;
-}
-
-std::vector<std::string> textsOf(store::Database& database, const std::string& sql) {
-  std::vector<std::string> all;
-  store::Statement rows = database.sql(sql);
-  while (rows.next()) {
-    all.emplace_back();
-    rows >> all.back();
-  }
-  return all;
-}
-
 std::vector<CatalogueTable> tablesOf(store::Database& database) {
   std::vector<CatalogueTable> all;
   store::Statement tables = database.sql(
       "SELECT name, wr FROM pragma_table_list WHERE schema = 'main' AND type = 'table' AND name "
       "NOT LIKE 'sqlite_%' ORDER BY name");
-  while (tables.next()) {
-    CatalogueTable table;
-    bool without_rows = false;
-    tables >> table.name >> without_rows;
-    if (kDerived.contains(table.name)) continue;
+  std::string table_name;
+  bool without_rows = false;
+  while (tables.read(table_name, without_rows)) {
+    if (kDerived.contains(table_name)) continue;
+    CatalogueTable table{table_name, {}, {}};
     if (!without_rows) table.key = "rowid";
-    store::Statement columns = database.sql("SELECT name, type, pk FROM pragma_table_info(?)");
-    columns.with(table.name);
-    while (columns.next()) {
-      std::string name, type;
-      int place_in_key = 0;
-      columns >> name >> type >> place_in_key;
+    store::Statement columns =
+        database.sql("SELECT name, type, pk FROM pragma_table_info(?)", table.name);
+    std::string name, type;
+    for (int place_in_key = 0; columns.read(name, type, place_in_key);) {
       const bool is_row = !without_rows && place_in_key == 1 && type == "INTEGER";
       if (is_row) table.key = name;
       if (!is_row) table.columns.push_back(name);
@@ -110,7 +90,7 @@ class Collecting {
 
   std::int64_t lastOf(store::Database& database, const std::string& sql) {
     try {
-      return numberOf(database, sql);
+      return database.sql(sql).one<std::int64_t>();
     } catch (const store::SqlFailure&) {
       return 0;
     }
@@ -141,8 +121,7 @@ class Collecting {
   bool readOn(const CatalogueTable& table, std::int64_t& next) {
     try {
       store::Statement rows =
-          damaged_.sql(select_ + " WHERE " + table.key + " >= ? ORDER BY " + table.key);
-      rows.with(next);
+          damaged_.sql(select_ + " WHERE " + table.key + " >= ? ORDER BY " + table.key, next);
       while (rows.next()) {
         insertRow(rows);
         rows >> next;
@@ -157,8 +136,7 @@ class Collecting {
   // Whether the damaged file says what row this is, or that there is none.
   bool readOne(const CatalogueTable& table, std::int64_t row) {
     try {
-      store::Statement rows = damaged_.sql(select_ + " WHERE " + table.key + " = ?");
-      rows.with(row);
+      store::Statement rows = damaged_.sql(select_ + " WHERE " + table.key + " = ?", row);
       if (rows.next()) insertRow(rows);
       return true;
     } catch (const store::SqlFailure&) {
@@ -167,8 +145,7 @@ class Collecting {
   }
 
   void takeFromBackup(const CatalogueTable& table, std::int64_t row, std::int64_t in_backup) {
-    store::Statement rows = backup_.sql(select_ + " WHERE " + table.key + " = ?");
-    rows.with(row);
+    store::Statement rows = backup_.sql(select_ + " WHERE " + table.key + " = ?", row);
     if (rows.next() && insertRow(rows))
       report_.rows.push_back({table.name, row, {}, {}, From::Backup});
     else if (row > in_backup)
@@ -187,7 +164,8 @@ void deriveAnew(store::Database& fresh) {
       "INSERT INTO sherd_measure (sherd) SELECT row FROM sherd;"
       "INSERT INTO sherd_term SELECT DISTINCT term, field, sherd FROM sherd_terms;");
   for (const std::string& kind :
-       textsOf(fresh, "SELECT name FROM pragma_table_info('sherd_measure') WHERE pk = 0"))
+       fresh.sql("SELECT name FROM pragma_table_info('sherd_measure') WHERE pk = 0")
+           .all<std::string>())
     fresh.script("UPDATE sherd_measure SET " + kind +
                  " = (SELECT value FROM measurement m WHERE "
                  "m.sherd = sherd_measure.sherd AND m.kind = '" +
@@ -211,7 +189,7 @@ void dropWhatPointsAtNothing(store::Database& fresh, RepairReport& report) {
     }
     const std::string where = " WHERE " + column + " IS NOT NULL AND " + column +
                               " NOT IN (SELECT " + target + " FROM " + parent + ")";
-    fitting = numberOf(fresh, "SELECT count(*) FROM " + table + where);
+    fitting = fresh.sql("SELECT count(*) FROM " + table + where).one<std::int64_t>();
     const Result<void> unset = fresh.asResult(
         [&] { fresh.script("UPDATE " + table + " SET " + column + " = NULL" + where); });
     if (!unset && unset.error().code == ErrorCode::CannotWrite) throw store::Refused(unset.error());
@@ -230,9 +208,9 @@ Result<void> collectRows(store::Database& damaged, store::Database& backup, stor
   const Result<void> done = fresh.inTransaction([&] {
     // Rows of the history are only added to, but for a repair.
     std::vector<std::string> triggers =
-        textsOf(fresh, "SELECT sql FROM sqlite_schema WHERE type = 'trigger'");
+        fresh.sql("SELECT sql FROM sqlite_schema WHERE type = 'trigger'").all<std::string>();
     for (const std::string& name :
-         textsOf(fresh, "SELECT name FROM sqlite_schema WHERE type = 'trigger'"))
+         fresh.sql("SELECT name FROM sqlite_schema WHERE type = 'trigger'").all<std::string>())
       fresh.script("DROP TRIGGER " + name);
     Collecting collecting(damaged, backup, fresh, report);
     for (const CatalogueTable& table : tablesOf(fresh)) collecting.rowsOf(table);

@@ -6,7 +6,6 @@
 
 #include "base/message.h"
 #include "store/database.h"
-#include "store/names.h"
 #include "store/values.h"
 
 namespace ostraka::upkeep {
@@ -23,14 +22,12 @@ std::vector<CheckedColumns> checkedColumns(store::Database& database) {
   store::Statement tables = database.sql(
       "SELECT name, wr = 0 FROM pragma_table_list WHERE schema = 'main' AND type = 'table' AND "
       "name NOT LIKE 'sqlite_%' AND name NOT IN ('history', 'setting') ORDER BY name");
-  while (tables.next()) {
-    CheckedColumns table;
-    tables >> table.table >> table.has_rows;
-    store::Statement columns = database.sql("SELECT name, type FROM pragma_table_info(?)");
-    columns.with(table.table);
-    while (columns.next()) {
-      std::string name, type;
-      columns >> name >> type;
+  std::string table_name;
+  for (bool has_rows = false; tables.read(table_name, has_rows);) {
+    CheckedColumns table{table_name, has_rows, {}, {}};
+    store::Statement columns =
+        database.sql("SELECT name, type FROM pragma_table_info(?)", table.table);
+    for (std::string name, type; columns.read(name, type);) {
       if (type == "TEXT") table.texts.push_back(name);
       if (type == "REAL") table.numbers.push_back(name);
     }
@@ -44,9 +41,7 @@ void checkTable(store::Database& database, const CheckedColumns& table) {
   for (const auto* columns : {&table.texts, &table.numbers})
     for (const std::string& column : *columns) sql += ", \"" + column + "\"";
   store::Statement rows = database.sql(sql + " FROM \"" + table.table + "\"");
-  while (rows.next()) {
-    std::int64_t row = 0;
-    rows >> row;
+  for (std::int64_t row = 0; rows.read(row);) {
     const auto where = [&](const std::string& column) {
       return table.table + "." + column + (row == 0 ? "" : ", row " + std::to_string(row));
     };

@@ -92,11 +92,8 @@ TEST_F(ForeignCatalogue, IsNoneThatWeSealWithFilesItDoesNotKnow) {
   const std::string photograph = "batches/B0001/front/cam0_pos00.jpg";
   TakingAnew anew([&] {
     put(project_->folder() / photograph, "another JPEG");
-    catalogue()
-        .database()
-        .sql("UPDATE file SET sha256 = ?, bytes = 12 WHERE path = ?")
-        .with(sha256("another JPEG"), photograph)
-        .run();
+    catalogue().database().run("UPDATE file SET sha256 = ?, bytes = 12 WHERE path = ?",
+                               sha256("another JPEG"), photograph);
   });
   const Result<Archived> archived = archive(anew);
   ASSERT_TRUE(archived) << archived.error().sentence();

@@ -33,8 +33,7 @@ inline Result<std::string> contentOf(store::Database& database) {
     while (names.next()) names >> tables.emplace_back();
     for (const std::string& table : tables) {
       std::vector<std::string> columns;
-      store::Statement about = database.sql("SELECT name FROM pragma_table_info(?)");
-      about.with(table);
+      store::Statement about = database.sql("SELECT name FROM pragma_table_info(?)", table);
       while (about.next()) about >> columns.emplace_back();
       std::string list;
       for (const std::string& column : columns)

@@ -3,6 +3,7 @@
 
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
+#include "exchange/drawn_sherds.h"
 #include "exchange/export_folder.h"
 #include "exported_project.h"
 #include "records/records.h"
@@ -23,16 +24,8 @@ TEST_F(RefusedExport, TakesNothingAlongFromOutsideTheProject) {
   put(secret, "SECRET");
   fs::remove(pictureOf(0));
   fs::create_symlink(secret, pictureOf(0));
-  catalogue()
-      .database()
-      .sql("UPDATE sherd SET preview_path = '../secret' WHERE row = ?")
-      .with(rows[1])
-      .run();
-  catalogue()
-      .database()
-      .sql("UPDATE file SET path = ? WHERE role = 'photo'")
-      .with(secret.string())
-      .run();
+  catalogue().database().run("UPDATE sherd SET preview_path = '../secret' WHERE row = ?", rows[1]);
+  catalogue().database().run("UPDATE file SET path = ? WHERE role = 'photo'", secret.string());
   const auto exported = exportTo("out", {Form::Pictures, Form::Photographs});
   ASSERT_TRUE(exported) << exported.error().sentence();
   EXPECT_EQ(exported->warnings.size(), 3u);

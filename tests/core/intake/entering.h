@@ -24,7 +24,7 @@ class Entering : public catalogue::SmallProject {
   int count(const std::string& table) {
     int rows = 0;
     store::Statement all = catalogue().database().sql("SELECT count(*) FROM " + table);
-    if (all.next()) all >> rows;
+    all.read(rows);
     return rows;
   }
   store::ScanRow scanNamed(const std::string& name) {

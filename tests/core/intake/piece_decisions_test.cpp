@@ -49,8 +49,8 @@ TEST_F(PieceDecisions, AreTakenBackByAnotherRowAndNeverRemoved) {
   back.replaces = row;
   ASSERT_TRUE(decidePieces(catalogue(), back, anna));
   EXPECT_EQ(catalogue::valueIn(pieceDecisions(catalogue(), batch)).size(), 2u);
-  EXPECT_THROW(catalogue().database().sql("DELETE FROM piece_decision").run(), store::SqlFailure);
-  EXPECT_THROW(catalogue().database().sql("UPDATE piece_decision SET note = ''").run(),
+  EXPECT_THROW(catalogue().database().run("DELETE FROM piece_decision"), store::SqlFailure);
+  EXPECT_THROW(catalogue().database().run("UPDATE piece_decision SET note = ''"),
                store::SqlFailure);
 }
 

@@ -19,7 +19,7 @@ class MeasurementsTest : public catalogue::SmallProject {
   int rows() {
     int count = 0;
     store::Statement all = catalogue().database().sql("SELECT count(*) FROM measurement");
-    if (all.next()) all >> count;
+    all.read(count);
     return count;
   }
   store::SherdRow sherd;

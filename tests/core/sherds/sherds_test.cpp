@@ -105,9 +105,10 @@ TEST_F(SherdsTest, HistoryTellsWhoChangedWhatAndWhy) {
   EXPECT_EQ(newest.new_value, "grey");
   EXPECT_EQ(newest.why, "seen again");
   EXPECT_EQ(newest.source, "window");
-  store::Statement row = catalogue().database().sql("SELECT updated_at FROM sherd WHERE row = ?");
+  store::Statement row =
+      catalogue().database().sql("SELECT updated_at FROM sherd WHERE row = ?", sherd);
   std::int64_t updated_ms = 0;
-  ASSERT_TRUE(row.with(sherd).next());
+  ASSERT_TRUE(row.next());
   row >> updated_ms;
   EXPECT_EQ(newest.at_ms, updated_ms - 1) << "of the same provenance";
 }

@@ -118,18 +118,15 @@ TEST_F(ProjectFolder, IsNotOpenedWhereAPathOfTheCatalogueLeadsOutOfIt) {
   const fs::path folder = project_->folder();
   for (const char* path : {"../secret.txt", "/etc/hostname", "models/../../secret.txt"}) {
     SCOPED_TRACE(path);
-    catalogue()
-        .database()
-        .sql("UPDATE sherd SET preview_path = ? WHERE row = ?")
-        .with(std::string(path), sherd)
-        .run();
+    catalogue().database().run("UPDATE sherd SET preview_path = ? WHERE row = ?", std::string(path),
+                               sherd);
     const Result<Project> opened = Project::open(folder);
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().code, ErrorCode::UnusableInput);
     EXPECT_NE(opened.error().what.english().find(path), std::string::npos)
         << opened.error().sentence();
   }
-  catalogue().database().sql("UPDATE sherd SET preview_path = ''").run();
+  catalogue().database().run("UPDATE sherd SET preview_path = ''");
   EXPECT_TRUE(Project::open(folder));
 }
 

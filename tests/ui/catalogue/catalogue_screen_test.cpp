@@ -84,11 +84,9 @@ class CatalogueScreenTest : public CatalogueWindow {
     auto* ware = child<QLineEdit>("field_ware");
     const QString before = ware->text();
     auto& database = sample_->session().project().catalogue().database();
-    database
-        .sql(
-            "CREATE TEMP TRIGGER full BEFORE UPDATE ON sherd BEGIN SELECT RAISE(ABORT, 'full'); "
-            "END")
-        .run();
+    database.run(
+        "CREATE TEMP TRIGGER full BEFORE UPDATE ON sherd BEGIN SELECT RAISE(ABORT, 'full'); "
+        "END");
     ware->setFocus();
     ware->selectAll();
     QTest::keyClicks(ware, "coarse");
@@ -98,7 +96,7 @@ class CatalogueScreenTest : public CatalogueWindow {
     QVERIFY(ware->text() != QString("coarse"));
     choose(0);
     QCOMPARE(ware->text(), QString("coarse"));
-    database.sql("DROP TRIGGER full").run();
+    database.run("DROP TRIGGER full");
     ware->setFocus();
     QTest::keyClick(ware, Qt::Key_Return);
     QCOMPARE(sample_->value(0, "ware"), QString("coarse"));
@@ -306,13 +304,13 @@ class CatalogueScreenTest : public CatalogueWindow {
         changes.push_back({sherd, field, "as typed"});
     const auto elsewhere = upkeep::Project::connect(sample_->session().folder());
     QVERIFY(elsewhere.has_value());
-    elsewhere->database().sql("BEGIN IMMEDIATE").run();
+    elsewhere->database().run("BEGIN IMMEDIATE");
     auto edits = std::make_unique<SherdEdits>(sample_->session());
     QCOMPARE(edits->change("many", changes), QString());
     QVERIFY(edits->isBusy());
     QTest::qWait(300);  // it waits for the other one
     edits.reset();
-    elsewhere->database().sql("COMMIT").run();
+    elsewhere->database().run("COMMIT");
     QTRY_COMPARE_WITH_TIMEOUT(sample_->value(39, "note"), QString("as typed"), 30000);
     QTest::qWait(300);  // nothing is taken back
     for (const int sherd : {0, 20, 39})
@@ -334,13 +332,13 @@ class CatalogueScreenTest : public CatalogueWindow {
     // Another one writes meanwhile, so that it is stopped before it is done however fast it is.
     auto elsewhere = upkeep::Project::connect(large.session().folder());
     QVERIFY(elsewhere.has_value());
-    elsewhere->database().sql("BEGIN IMMEDIATE").run();
+    elsewhere->database().run("BEGIN IMMEDIATE");
     QTest::mouseClick(apply, Qt::LeftButton);
     auto* stop = child<QPushButton>("bulkStop");
     QVERIFY(stop->isVisible());
     QVERIFY2(!apply->isVisible(), "one such act at a time");
     QTest::mouseClick(stop, Qt::LeftButton);
-    elsewhere->database().sql("COMMIT").run();
+    elsewhere->database().run("COMMIT");
     QTRY_VERIFY(!stop->isVisible());
     QTRY_COMPARE(child<QLabel>("problem")->text(), QString("Cancelled. Nothing was changed."));
     for (const int sherd : {0, 200, 399}) QVERIFY(large.value(sherd, "ware") != "white");

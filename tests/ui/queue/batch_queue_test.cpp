@@ -438,11 +438,9 @@ class BatchQueueTest : public QObject {
     Bench bench(folder(), jobs);
     const QString number = addBatch(bench.session, BatchState::Queued);
     store::Database& database = bench.session.project().catalogue().database();
-    database
-        .sql(
-            "CREATE TEMP TRIGGER refuses BEFORE UPDATE OF state ON main.batch BEGIN "
-            "SELECT RAISE(ABORT, 'no'); END")
-        .run();
+    database.run(
+        "CREATE TEMP TRIGGER refuses BEFORE UPDATE OF state ON main.batch BEGIN "
+        "SELECT RAISE(ABORT, 'no'); END");
     int begun = 0;
     bench.setWork([&begun](const ComputeOptions&, Progress&, std::stop_token) -> Computed {
       ++begun;
@@ -452,7 +450,7 @@ class BatchQueueTest : public QObject {
     QTRY_VERIFY(!bench.queue.switches()->trouble().isEmpty());
     QCOMPARE(begun, 1);
     QVERIFY(bench.queue.switches()->isPaused());
-    database.sql("DROP TRIGGER refuses").run();
+    database.run("DROP TRIGGER refuses");
     bench.queue.switches()->setPaused(false);
     QTRY_COMPARE(stateOf(bench.session, number), BatchState::Failed);
     QCOMPARE(begun, 2);

@@ -236,16 +236,14 @@ class CaptureResumeTest : public QObject {
     Bench bench(folder(), jobs);
     bench.toFlip();
     store::Database& database = bench.session.project().catalogue().database();
-    database
-        .sql(
-            "CREATE TEMP TRIGGER full BEFORE UPDATE ON batch BEGIN SELECT RAISE(ABORT, 'full'); "
-            "END")
-        .run();
+    database.run(
+        "CREATE TEMP TRIGGER full BEFORE UPDATE ON batch BEGIN SELECT RAISE(ABORT, 'full'); "
+        "END");
     QSignalSpy queued(&bench.wizard, &CaptureWizard::batchQueued);
     bench.wizard.next();
     QTRY_VERIFY(bench.wizard.fault().has_value());
     QCOMPARE(queued.count(), 0);
-    database.sql("DROP TRIGGER full").run();
+    database.run("DROP TRIGGER full");
     QVERIFY(bench.wizard.canGoOn());
     bench.wizard.next();
     QCOMPARE(bench.batch().state, BatchState::Queued);

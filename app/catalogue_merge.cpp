@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "catalogue_commands.h"
 #include "merge/merge.h"
 #include "shown.h"
@@ -24,14 +25,33 @@ struct MergeArguments {
   bool dry_run = false;
 };
 
+std::string subjectOf(const merge::Conflict& conflict) {
+  std::string subject = conflict.table;
+  if (!conflict.name.empty()) subject += " " + conflict.name;
+  if (!conflict.field.empty()) subject += ", " + conflict.field;
+  return subject;
+}
+
+std::string textOf(const merge::Conflict& conflict, const merge::Version& version) {
+  std::string text;
+  for (const auto& [field, value] : version.values)
+    text += (text.empty() ? "" : ", ") + (field == conflict.field ? "" : field + ": ") + value;
+  return text;
+}
+
+std::vector<std::string> takesOf(const merge::Conflict& conflict) {
+  std::vector<std::string> takes;
+  for (const merge::Take take : conflict.takes) takes.emplace_back(merge::nameOf(take));
+  return takes;
+}
+
 void printConflicts(const merge::MergeReport& report) {
   std::size_t open = 0;
   for (const merge::Conflict& conflict : report.conflicts) {
     if (conflict.settled || ++open > kMostConflicts) continue;
-    std::string takes;
-    for (const std::string& take : conflict.takes) takes += (takes.empty() ? "" : ", ") + take;
-    show(stderr, "%s\n  id: %s (%s)\n  a:  %s\n  b:  %s\n", conflict.subject.c_str(),
-         conflict.id.c_str(), takes.c_str(), conflict.a.c_str(), conflict.b.c_str());
+    show(stderr, "%s\n  id: %s (%s)\n  a:  %s\n  b:  %s\n", subjectOf(conflict).c_str(),
+         conflict.id.c_str(), joined(takesOf(conflict), ", ").c_str(),
+         textOf(conflict, conflict.a).c_str(), textOf(conflict, conflict.b).c_str());
   }
   if (open > kMostConflicts)
     show(stderr, "%zu more conflicts; --json lists all.\n", open - kMostConflicts);
@@ -41,10 +61,10 @@ ordered_json conflictsJson(const std::vector<merge::Conflict>& conflicts) {
   ordered_json list = ordered_json::array();
   for (const merge::Conflict& conflict : conflicts)
     list.push_back({{"id", conflict.id},
-                    {"subject", conflict.subject},
-                    {"a", conflict.a},
-                    {"b", conflict.b},
-                    {"takes", conflict.takes},
+                    {"subject", subjectOf(conflict)},
+                    {"a", textOf(conflict, conflict.a)},
+                    {"b", textOf(conflict, conflict.b)},
+                    {"takes", takesOf(conflict)},
                     {"settled", conflict.settled}});
   return list;
 }
@@ -79,7 +99,7 @@ int runMerge(const MergeArguments& arguments, Session& session) {
   if (!report) return fail(session, report.error());
   session.finishProgress();
   if (!session.json) printConflicts(*report);
-  for (const auto& [there, here] : report->batches)
+  for (const auto& [there, here] : report->renumbered)
     show(stderr, "Batch %s of B is batch %s here.\n", there.c_str(), here.c_str());
   for (const std::string& file : report->missing)
     show(stderr, "B does not have this file, which its catalogue names: %s\n", file.c_str());
@@ -92,7 +112,7 @@ int runMerge(const MergeArguments& arguments, Session& session) {
                  {"changed", report->changed},
                  {"files", report->files},
                  {"bytes", report->bytes},
-                 {"batches", report->batches},
+                 {"batches", report->renumbered},
                  {"missing", report->missing},
                  {"conflicts", conflictsJson(report->conflicts)}},
                 summaryOf(*report));

@@ -239,6 +239,151 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>nicht gesehene Fläche, %</translation>
     </message>
+    <message>
+      <source>place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ort</translation>
+    </message>
+    <message>
+      <source>model</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modell</translation>
+    </message>
+    <message>
+      <source>labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bezeichnungen</translation>
+    </message>
+    <message>
+      <source>person</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Person</translation>
+    </message>
+    <message>
+      <source>name</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Name</translation>
+    </message>
+    <message>
+      <source>initials</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kürzel</translation>
+    </message>
+    <message>
+      <source>code</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Code</translation>
+    </message>
+    <message>
+      <source>location</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lage</translation>
+    </message>
+    <message>
+      <source>kind</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Art</translation>
+    </message>
+    <message>
+      <source>excavated on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ausgegraben am</translation>
+    </message>
+    <message>
+      <source>closed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abgeschlossen</translation>
+    </message>
+    <message>
+      <source>collected on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geborgen am</translation>
+    </message>
+    <message>
+      <source>storage</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lager</translation>
+    </message>
+    <message>
+      <source>operator</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bearbeiter</translation>
+    </message>
+    <message>
+      <source>counted sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>gezählte Scherben</translation>
+    </message>
+    <message>
+      <source>results</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ergebnisse</translation>
+    </message>
+    <message>
+      <source>program</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Programm</translation>
+    </message>
+    <message>
+      <source>project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projekt</translation>
+    </message>
+    <message>
+      <source>title</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Titel</translation>
+    </message>
+    <message>
+      <source>institution</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Einrichtung</translation>
+    </message>
+    <message>
+      <source>licence</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lizenz</translation>
+    </message>
+    <message>
+      <source>rights holder</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rechteinhaber</translation>
+    </message>
+    <message>
+      <source>numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummerierung</translation>
+    </message>
+    <message>
+      <source>sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherbe</translation>
+    </message>
+    <message>
+      <source>photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Foto</translation>
+    </message>
+    <message>
+      <source>scan</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scan</translation>
+    </message>
+    <message>
+      <source>file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Datei</translation>
+    </message>
+    <message>
+      <source>term</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Begriff</translation>
+    </message>
+    <message>
+      <source>content</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Inhalt</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2825,6 +2970,11 @@
         <numerusform>Eine Zeile importieren</numerusform>
         <numerusform>%n Zeilen importieren</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Another project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderes Projekt …</translation>
     </message>
 </context>
 <context>
@@ -10166,6 +10316,221 @@
         <source>The catalogue is repaired.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Der Katalog ist repariert.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeDialog</name>
+    <message>
+      <source>Merge another project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anderes Projekt zusammenführen</translation>
+    </message>
+    <message>
+      <source>Conflicts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Konflikte</translation>
+    </message>
+    <message>
+      <source>Record</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Datensatz</translation>
+    </message>
+    <message>
+      <source>Field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Feld</translation>
+    </message>
+    <message>
+      <source>This project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Projekt</translation>
+    </message>
+    <message>
+      <source>Other project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anderes Projekt</translation>
+    </message>
+    <message>
+      <source>Decision</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entscheidung</translation>
+    </message>
+    <message>
+      <source>New number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neue Nummer</translation>
+    </message>
+    <message>
+      <source>Undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückgängig</translation>
+    </message>
+    <message>
+      <source>New number of the other project&apos;s record</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neue Nummer für den Datensatz des anderen Projekts</translation>
+    </message>
+    <message>
+      <source>All open ones: this project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alle offenen: dieses Projekt</translation>
+    </message>
+    <message>
+      <source>Choose project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projekt wählen …</translation>
+    </message>
+    <message>
+      <source>Progress of the merge</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fortschritt der Zusammenführung</translation>
+    </message>
+    <message>
+      <source>Folder of the other project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ordner des anderen Projekts</translation>
+    </message>
+    <message>
+      <source>New number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neue Nummer %1</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Offen</translation>
+    </message>
+    <message>
+      <source>What the other project holds comes into this one; the other one is only read. Nothing changes before you merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Was das andere Projekt enthält, kommt in dieses; das andere wird nur gelesen. Nichts ändert sich, bevor Sie zusammenführen.</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Schließen</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Anhalten</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abbrechen</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n conflict(s) to settle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Konflikt zu klären</numerusform>
+        <numerusform>%n Konflikte zu klären</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Merge project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projekt zusammenführen</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeModel</name>
+    <message>
+      <source>Sherds: %1. Batches: %2. Changed records: %3. Files: %4 (%5).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben: %1. Durchgänge: %2. Geänderte Datensätze: %3. Dateien: %4 (%5).</translation>
+    </message>
+    <message>
+      <source>Comparing…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vergleich läuft …</translation>
+    </message>
+    <message>
+      <source>Merged %1. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 zusammengeführt. %2</translation>
+    </message>
+    <message>
+      <source>This project already has everything that the other one holds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Projekt hat schon alles, was das andere enthält.</translation>
+    </message>
+    <message>
+      <source>Batches that get another number here: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durchgänge, die hier eine andere Nummer bekommen: %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>Missing in the other project: %n file(s), %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Im anderen Projekt fehlt %n Datei: %1</numerusform>
+        <numerusform>Im anderen Projekt fehlen %n Dateien: %1</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Merge</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zusammenführen</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abgebrochen. Nichts wurde zusammengeführt.</translation>
+    </message>
+    <message>
+      <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch wurde nichts zusammengeführt: Ihre Wahl führt zu weiteren Konflikten.</translation>
+    </message>
+</context>
+<context>
+    <name>Verdicts</name>
+    <message>
+      <source>accepted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>angenommen</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>abgelehnt</translation>
+    </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>beiseitegelegt</translation>
+    </message>
+    <message>
+      <source>to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>neu aufzunehmen</translation>
+    </message>
+    <message>
+      <source>merged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>zusammengeführt</translation>
+    </message>
+    <message>
+      <source>split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>geteilt</translation>
+    </message>
+    <message>
+      <source>withdrawn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>zurückgenommen</translation>
+    </message>
+    <message>
+      <source>pair of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Paar von %1</translation>
+    </message>
+    <message>
+      <source>fragments: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmente: %1</translation>
     </message>
 </context>
 </TS>

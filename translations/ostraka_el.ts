@@ -239,6 +239,151 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>αθέατο, %</translation>
     </message>
+    <message>
+      <source>place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τόπος</translation>
+    </message>
+    <message>
+      <source>model</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μοντέλο</translation>
+    </message>
+    <message>
+      <source>labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ετικέτες</translation>
+    </message>
+    <message>
+      <source>person</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>άτομο</translation>
+    </message>
+    <message>
+      <source>name</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όνομα</translation>
+    </message>
+    <message>
+      <source>initials</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αρχικά</translation>
+    </message>
+    <message>
+      <source>code</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κωδικός</translation>
+    </message>
+    <message>
+      <source>location</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τοποθεσία</translation>
+    </message>
+    <message>
+      <source>kind</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>είδος</translation>
+    </message>
+    <message>
+      <source>excavated on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ανασκάφηκε στις</translation>
+    </message>
+    <message>
+      <source>closed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κλειστό</translation>
+    </message>
+    <message>
+      <source>collected on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>συλλέχθηκε στις</translation>
+    </message>
+    <message>
+      <source>storage</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>φύλαξη</translation>
+    </message>
+    <message>
+      <source>operator</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χειριστής</translation>
+    </message>
+    <message>
+      <source>counted sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μετρημένα όστρακα</translation>
+    </message>
+    <message>
+      <source>results</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αποτελέσματα</translation>
+    </message>
+    <message>
+      <source>program</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πρόγραμμα</translation>
+    </message>
+    <message>
+      <source>project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>έργο</translation>
+    </message>
+    <message>
+      <source>title</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τίτλος</translation>
+    </message>
+    <message>
+      <source>institution</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ίδρυμα</translation>
+    </message>
+    <message>
+      <source>licence</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>άδεια</translation>
+    </message>
+    <message>
+      <source>rights holder</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κάτοχος δικαιωμάτων</translation>
+    </message>
+    <message>
+      <source>numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αρίθμηση</translation>
+    </message>
+    <message>
+      <source>sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όστρακο</translation>
+    </message>
+    <message>
+      <source>photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>φωτογραφία</translation>
+    </message>
+    <message>
+      <source>scan</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σάρωση</translation>
+    </message>
+    <message>
+      <source>file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αρχείο</translation>
+    </message>
+    <message>
+      <source>term</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όρος</translation>
+    </message>
+    <message>
+      <source>content</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>περιεχόμενο</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2820,6 +2965,11 @@
         <numerusform>Εισαγωγή %n γραμμής</numerusform>
         <numerusform>Εισαγωγή %n γραμμών</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Another project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα άλλο έργο …</translation>
     </message>
 </context>
 <context>
@@ -10161,6 +10311,221 @@
         <source>The catalogue is repaired.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο κατάλογος επισκευάστηκε.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeDialog</name>
+    <message>
+      <source>Merge another project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Συγχώνευση άλλου έργου</translation>
+    </message>
+    <message>
+      <source>Conflicts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διαφωνίες</translation>
+    </message>
+    <message>
+      <source>Record</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εγγραφή</translation>
+    </message>
+    <message>
+      <source>Field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πεδίο</translation>
+    </message>
+    <message>
+      <source>This project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το έργο</translation>
+    </message>
+    <message>
+      <source>Other project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άλλο έργο</translation>
+    </message>
+    <message>
+      <source>Decision</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Απόφαση</translation>
+    </message>
+    <message>
+      <source>New number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέος αριθμός</translation>
+    </message>
+    <message>
+      <source>Undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αναίρεση</translation>
+    </message>
+    <message>
+      <source>New number of the other project&apos;s record</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέος αριθμός της εγγραφής του άλλου έργου</translation>
+    </message>
+    <message>
+      <source>All open ones: this project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλες οι ανοιχτές: αυτό το έργο</translation>
+    </message>
+    <message>
+      <source>Choose project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλογή έργου …</translation>
+    </message>
+    <message>
+      <source>Progress of the merge</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρόοδος της συγχώνευσης</translation>
+    </message>
+    <message>
+      <source>Folder of the other project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φάκελος του άλλου έργου</translation>
+    </message>
+    <message>
+      <source>New number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέος αριθμός %1</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ανοιχτή</translation>
+    </message>
+    <message>
+      <source>What the other project holds comes into this one; the other one is only read. Nothing changes before you merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ό,τι περιέχει το άλλο έργο έρχεται σε αυτό· το άλλο μόνο διαβάζεται. Τίποτα δεν αλλάζει πριν από τη συγχώνευση.</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλείσιμο</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διακοπή</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ακύρωση</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n conflict(s) to settle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n διαφωνία προς επίλυση</numerusform>
+        <numerusform>%n διαφωνίες προς επίλυση</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Merge project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Συγχώνευση έργου</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeModel</name>
+    <message>
+      <source>Sherds: %1. Batches: %2. Changed records: %3. Files: %4 (%5).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όστρακα: %1. Παρτίδες: %2. Αλλαγμένες εγγραφές: %3. Αρχεία: %4 (%5).</translation>
+    </message>
+    <message>
+      <source>Comparing…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σύγκριση …</translation>
+    </message>
+    <message>
+      <source>Merged %1. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Συγχωνεύθηκε το %1. %2</translation>
+    </message>
+    <message>
+      <source>This project already has everything that the other one holds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το έργο έχει ήδη όλα όσα περιέχει το άλλο.</translation>
+    </message>
+    <message>
+      <source>Batches that get another number here: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παρτίδες που παίρνουν εδώ άλλον αριθμό: %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>Missing in the other project: %n file(s), %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Λείπει %n αρχείο από το άλλο έργο: %1</numerusform>
+        <numerusform>Λείπουν %n αρχεία από το άλλο έργο: %1</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Merge</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Συγχώνευση</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ακυρώθηκε. Δεν συγχωνεύθηκε τίποτα.</translation>
+    </message>
+    <message>
+      <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν συγχωνεύθηκε ακόμη τίποτα: οι επιλογές σας οδηγούν σε άλλες διαφωνίες.</translation>
+    </message>
+</context>
+<context>
+    <name>Verdicts</name>
+    <message>
+      <source>accepted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αποδεκτό</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>απορρίφθηκε</translation>
+    </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>στην άκρη</translation>
+    </message>
+    <message>
+      <source>to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>προς νέα λήψη</translation>
+    </message>
+    <message>
+      <source>merged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>συγχωνεύθηκαν</translation>
+    </message>
+    <message>
+      <source>split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>διαιρέθηκε</translation>
+    </message>
+    <message>
+      <source>withdrawn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ανακλήθηκε</translation>
+    </message>
+    <message>
+      <source>pair of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ζεύγος του %1</translation>
+    </message>
+    <message>
+      <source>fragments: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>θραύσματα: %1</translation>
     </message>
 </context>
 </TS>

@@ -419,4 +419,24 @@
       </translation>
     </message>
 </context>
+<context>
+    <name>ostraka::ui::MergeDialog</name>
+    <message numerus="yes">
+      <source>%n conflict(s) to settle</source>
+      <translation>
+        <numerusform>%n conflict to settle</numerusform>
+        <numerusform>%n conflicts to settle</numerusform>
+      </translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeModel</name>
+    <message numerus="yes">
+      <source>Missing in the other project: %n file(s), %1</source>
+      <translation>
+        <numerusform>Missing in the other project: %n file, %1</numerusform>
+        <numerusform>Missing in the other project: %n files, %1</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

@@ -239,6 +239,151 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>superficie no vista, %</translation>
     </message>
+    <message>
+      <source>place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>lugar</translation>
+    </message>
+    <message>
+      <source>model</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modelo</translation>
+    </message>
+    <message>
+      <source>labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>etiquetas</translation>
+    </message>
+    <message>
+      <source>person</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>persona</translation>
+    </message>
+    <message>
+      <source>name</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nombre</translation>
+    </message>
+    <message>
+      <source>initials</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>iniciales</translation>
+    </message>
+    <message>
+      <source>code</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>código</translation>
+    </message>
+    <message>
+      <source>location</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ubicación</translation>
+    </message>
+    <message>
+      <source>kind</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tipo</translation>
+    </message>
+    <message>
+      <source>excavated on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>excavado el</translation>
+    </message>
+    <message>
+      <source>closed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cerrado</translation>
+    </message>
+    <message>
+      <source>collected on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>recogido el</translation>
+    </message>
+    <message>
+      <source>storage</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>almacén</translation>
+    </message>
+    <message>
+      <source>operator</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>operador</translation>
+    </message>
+    <message>
+      <source>counted sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fragmentos contados</translation>
+    </message>
+    <message>
+      <source>results</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>resultados</translation>
+    </message>
+    <message>
+      <source>program</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>programa</translation>
+    </message>
+    <message>
+      <source>project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>proyecto</translation>
+    </message>
+    <message>
+      <source>title</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>título</translation>
+    </message>
+    <message>
+      <source>institution</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>institución</translation>
+    </message>
+    <message>
+      <source>licence</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>licencia</translation>
+    </message>
+    <message>
+      <source>rights holder</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>titular de los derechos</translation>
+    </message>
+    <message>
+      <source>numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>numeración</translation>
+    </message>
+    <message>
+      <source>sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fragmento</translation>
+    </message>
+    <message>
+      <source>photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fotografía</translation>
+    </message>
+    <message>
+      <source>scan</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>escaneo</translation>
+    </message>
+    <message>
+      <source>file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>archivo</translation>
+    </message>
+    <message>
+      <source>term</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>término</translation>
+    </message>
+    <message>
+      <source>content</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contenido</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2820,6 +2965,11 @@
         <numerusform>Importar %n fila</numerusform>
         <numerusform>Importar %n filas</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Another project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro proyecto …</translation>
     </message>
 </context>
 <context>
@@ -10161,6 +10311,221 @@
         <source>The catalogue is repaired.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>El catálogo está reparado.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeDialog</name>
+    <message>
+      <source>Merge another project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unir otro proyecto</translation>
+    </message>
+    <message>
+      <source>Conflicts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Conflictos</translation>
+    </message>
+    <message>
+      <source>Record</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Registro</translation>
+    </message>
+    <message>
+      <source>Field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Campo</translation>
+    </message>
+    <message>
+      <source>This project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este proyecto</translation>
+    </message>
+    <message>
+      <source>Other project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro proyecto</translation>
+    </message>
+    <message>
+      <source>Decision</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Decisión</translation>
+    </message>
+    <message>
+      <source>New number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Número nuevo</translation>
+    </message>
+    <message>
+      <source>Undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deshacer</translation>
+    </message>
+    <message>
+      <source>New number of the other project&apos;s record</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Número nuevo del registro del otro proyecto</translation>
+    </message>
+    <message>
+      <source>All open ones: this project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Todos los abiertos: este proyecto</translation>
+    </message>
+    <message>
+      <source>Choose project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elegir proyecto …</translation>
+    </message>
+    <message>
+      <source>Progress of the merge</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Avance de la unión</translation>
+    </message>
+    <message>
+      <source>Folder of the other project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Carpeta del otro proyecto</translation>
+    </message>
+    <message>
+      <source>New number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Número nuevo %1</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abierto</translation>
+    </message>
+    <message>
+      <source>What the other project holds comes into this one; the other one is only read. Nothing changes before you merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lo que contiene el otro proyecto pasa a este; el otro solo se lee. Nada cambia antes de unirlos.</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cerrar</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parar</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cancelar</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n conflict(s) to settle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n conflicto por resolver</numerusform>
+        <numerusform>%n conflictos por resolver</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Merge project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unir proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeModel</name>
+    <message>
+      <source>Sherds: %1. Batches: %2. Changed records: %3. Files: %4 (%5).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fragmentos: %1. Tandas: %2. Registros cambiados: %3. Archivos: %4 (%5).</translation>
+    </message>
+    <message>
+      <source>Comparing…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparando …</translation>
+    </message>
+    <message>
+      <source>Merged %1. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 unido. %2</translation>
+    </message>
+    <message>
+      <source>This project already has everything that the other one holds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este proyecto ya tiene todo lo que contiene el otro.</translation>
+    </message>
+    <message>
+      <source>Batches that get another number here: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tandas que reciben aquí otro número: %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>Missing in the other project: %n file(s), %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Falta %n archivo en el otro proyecto: %1</numerusform>
+        <numerusform>Faltan %n archivos en el otro proyecto: %1</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Merge</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unión</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cancelado. No se unió nada.</translation>
+    </message>
+    <message>
+      <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aún no se unió nada: lo que eligió lleva a otros conflictos.</translation>
+    </message>
+</context>
+<context>
+    <name>Verdicts</name>
+    <message>
+      <source>accepted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>aceptada</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rechazada</translation>
+    </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>apartada</translation>
+    </message>
+    <message>
+      <source>to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>por fotografiar de nuevo</translation>
+    </message>
+    <message>
+      <source>merged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unidos</translation>
+    </message>
+    <message>
+      <source>split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dividido</translation>
+    </message>
+    <message>
+      <source>withdrawn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>retirada</translation>
+    </message>
+    <message>
+      <source>pair of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pareja de %1</translation>
+    </message>
+    <message>
+      <source>fragments: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>trozos: %1</translation>
     </message>
 </context>
 </TS>

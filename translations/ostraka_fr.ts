@@ -239,6 +239,151 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>surface non vue, %</translation>
     </message>
+    <message>
+      <source>place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>lieu</translation>
+    </message>
+    <message>
+      <source>model</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modèle</translation>
+    </message>
+    <message>
+      <source>labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>libellés</translation>
+    </message>
+    <message>
+      <source>person</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>personne</translation>
+    </message>
+    <message>
+      <source>name</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nom</translation>
+    </message>
+    <message>
+      <source>initials</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>initiales</translation>
+    </message>
+    <message>
+      <source>code</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>code</translation>
+    </message>
+    <message>
+      <source>location</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>emplacement</translation>
+    </message>
+    <message>
+      <source>kind</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>genre</translation>
+    </message>
+    <message>
+      <source>excavated on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fouillé le</translation>
+    </message>
+    <message>
+      <source>closed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>clos</translation>
+    </message>
+    <message>
+      <source>collected on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>recueilli le</translation>
+    </message>
+    <message>
+      <source>storage</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dépôt</translation>
+    </message>
+    <message>
+      <source>operator</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>opérateur</translation>
+    </message>
+    <message>
+      <source>counted sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tessons comptés</translation>
+    </message>
+    <message>
+      <source>results</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>résultats</translation>
+    </message>
+    <message>
+      <source>program</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>programme</translation>
+    </message>
+    <message>
+      <source>project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>projet</translation>
+    </message>
+    <message>
+      <source>title</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>titre</translation>
+    </message>
+    <message>
+      <source>institution</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>institution</translation>
+    </message>
+    <message>
+      <source>licence</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>licence</translation>
+    </message>
+    <message>
+      <source>rights holder</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>titulaire des droits</translation>
+    </message>
+    <message>
+      <source>numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>numérotation</translation>
+    </message>
+    <message>
+      <source>sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tesson</translation>
+    </message>
+    <message>
+      <source>photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>photographie</translation>
+    </message>
+    <message>
+      <source>scan</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>numérisation</translation>
+    </message>
+    <message>
+      <source>file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fichier</translation>
+    </message>
+    <message>
+      <source>term</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>terme</translation>
+    </message>
+    <message>
+      <source>content</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>contenu</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2820,6 +2965,11 @@
         <numerusform>Importer %n ligne</numerusform>
         <numerusform>Importer %n lignes</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Another project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre projet …</translation>
     </message>
 </context>
 <context>
@@ -10161,6 +10311,221 @@
         <source>The catalogue is repaired.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le catalogue est réparé.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeDialog</name>
+    <message>
+      <source>Merge another project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fusionner un autre projet</translation>
+    </message>
+    <message>
+      <source>Conflicts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Conflits</translation>
+    </message>
+    <message>
+      <source>Record</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fiche</translation>
+    </message>
+    <message>
+      <source>Field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Champ</translation>
+    </message>
+    <message>
+      <source>This project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet</translation>
+    </message>
+    <message>
+      <source>Other project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Autre projet</translation>
+    </message>
+    <message>
+      <source>Decision</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Décision</translation>
+    </message>
+    <message>
+      <source>New number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nouveau numéro</translation>
+    </message>
+    <message>
+      <source>Undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Annuler</translation>
+    </message>
+    <message>
+      <source>New number of the other project&apos;s record</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nouveau numéro de la fiche de l’autre projet</translation>
+    </message>
+    <message>
+      <source>All open ones: this project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tous les conflits ouverts : ce projet</translation>
+    </message>
+    <message>
+      <source>Choose project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisir le projet …</translation>
+    </message>
+    <message>
+      <source>Progress of the merge</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Progression de la fusion</translation>
+    </message>
+    <message>
+      <source>Folder of the other project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dossier de l’autre projet</translation>
+    </message>
+    <message>
+      <source>New number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nouveau numéro %1</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ouvert</translation>
+    </message>
+    <message>
+      <source>What the other project holds comes into this one; the other one is only read. Nothing changes before you merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce que contient l’autre projet entre dans celui-ci ; l’autre est seulement lu. Rien ne change avant la fusion.</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fermer</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arrêter</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Annuler</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n conflict(s) to settle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n conflit à régler</numerusform>
+        <numerusform>%n conflits à régler</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Merge project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fusionner le projet</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeModel</name>
+    <message>
+      <source>Sherds: %1. Batches: %2. Changed records: %3. Files: %4 (%5).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tessons : %1. Lots : %2. Fiches modifiées : %3. Fichiers : %4 (%5).</translation>
+    </message>
+    <message>
+      <source>Comparing…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparaison …</translation>
+    </message>
+    <message>
+      <source>Merged %1. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 fusionné. %2</translation>
+    </message>
+    <message>
+      <source>This project already has everything that the other one holds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet a déjà tout ce que contient l’autre.</translation>
+    </message>
+    <message>
+      <source>Batches that get another number here: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lots qui reçoivent ici un autre numéro : %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>Missing in the other project: %n file(s), %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Il manque %n fichier dans l’autre projet : %1</numerusform>
+        <numerusform>Il manque %n fichiers dans l’autre projet : %1</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Merge</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fusion</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Annulé. Rien n’a été fusionné.</translation>
+    </message>
+    <message>
+      <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rien n’est encore fusionné : vos choix entraînent d’autres conflits.</translation>
+    </message>
+</context>
+<context>
+    <name>Verdicts</name>
+    <message>
+      <source>accepted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>acceptée</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>refusée</translation>
+    </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mise de côté</translation>
+    </message>
+    <message>
+      <source>to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>à rephotographier</translation>
+    </message>
+    <message>
+      <source>merged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fusionnés</translation>
+    </message>
+    <message>
+      <source>split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>scindé</translation>
+    </message>
+    <message>
+      <source>withdrawn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>retirée</translation>
+    </message>
+    <message>
+      <source>pair of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>paire de %1</translation>
+    </message>
+    <message>
+      <source>fragments: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fragments : %1</translation>
     </message>
 </context>
 </TS>

@@ -239,6 +239,151 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>չերևացած, %</translation>
     </message>
+    <message>
+      <source>place</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տեղ</translation>
+    </message>
+    <message>
+      <source>model</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մոդել</translation>
+    </message>
+    <message>
+      <source>labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>անվանումներ</translation>
+    </message>
+    <message>
+      <source>person</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>անձ</translation>
+    </message>
+    <message>
+      <source>name</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>անուն</translation>
+    </message>
+    <message>
+      <source>initials</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սկզբնատառեր</translation>
+    </message>
+    <message>
+      <source>code</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ծածկագիր</translation>
+    </message>
+    <message>
+      <source>location</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>գտնվելու վայր</translation>
+    </message>
+    <message>
+      <source>kind</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տեսակ</translation>
+    </message>
+    <message>
+      <source>excavated on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պեղման օր</translation>
+    </message>
+    <message>
+      <source>closed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>փակված</translation>
+    </message>
+    <message>
+      <source>collected on</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հավաքման օր</translation>
+    </message>
+    <message>
+      <source>storage</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պահպանման տեղ</translation>
+    </message>
+    <message>
+      <source>operator</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կատարող</translation>
+    </message>
+    <message>
+      <source>counted sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հաշված բեկորներ</translation>
+    </message>
+    <message>
+      <source>results</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>արդյունքներ</translation>
+    </message>
+    <message>
+      <source>program</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ծրագիր</translation>
+    </message>
+    <message>
+      <source>project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նախագիծ</translation>
+    </message>
+    <message>
+      <source>title</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վերնագիր</translation>
+    </message>
+    <message>
+      <source>institution</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հաստատություն</translation>
+    </message>
+    <message>
+      <source>licence</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>արտոնագիր</translation>
+    </message>
+    <message>
+      <source>rights holder</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>իրավատեր</translation>
+    </message>
+    <message>
+      <source>numbering</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>համարակալում</translation>
+    </message>
+    <message>
+      <source>sherd</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկոր</translation>
+    </message>
+    <message>
+      <source>photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>լուսանկար</translation>
+    </message>
+    <message>
+      <source>scan</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սկան</translation>
+    </message>
+    <message>
+      <source>file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ֆայլ</translation>
+    </message>
+    <message>
+      <source>term</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>եզրույթ</translation>
+    </message>
+    <message>
+      <source>content</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բովանդակություն</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -2820,6 +2965,11 @@
         <numerusform>Ներմուծել %n տող</numerusform>
         <numerusform>Ներմուծել %n տող</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Another project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այլ նախագիծ …</translation>
     </message>
 </context>
 <context>
@@ -10161,6 +10311,221 @@
         <source>The catalogue is repaired.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Կատալոգը վերականգնված է։</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeDialog</name>
+    <message>
+      <source>Merge another project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միավորել այլ նախագիծ</translation>
+    </message>
+    <message>
+      <source>Conflicts</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հակասություններ</translation>
+    </message>
+    <message>
+      <source>Record</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գրառում</translation>
+    </message>
+    <message>
+      <source>Field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դաշտ</translation>
+    </message>
+    <message>
+      <source>This project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծը</translation>
+    </message>
+    <message>
+      <source>Other project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մյուս նախագիծը</translation>
+    </message>
+    <message>
+      <source>Decision</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Որոշում</translation>
+    </message>
+    <message>
+      <source>New number</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր համար</translation>
+    </message>
+    <message>
+      <source>Undo</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետարկել</translation>
+    </message>
+    <message>
+      <source>New number of the other project&apos;s record</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մյուս նախագծի գրառման նոր համարը</translation>
+    </message>
+    <message>
+      <source>All open ones: this project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բոլոր բացերը՝ այս նախագիծը</translation>
+    </message>
+    <message>
+      <source>Choose project…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրել նախագիծ …</translation>
+    </message>
+    <message>
+      <source>Progress of the merge</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միավորման ընթացքը</translation>
+    </message>
+    <message>
+      <source>Folder of the other project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մյուս նախագծի պանակը</translation>
+    </message>
+    <message>
+      <source>New number %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր համար %1</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բաց</translation>
+    </message>
+    <message>
+      <source>What the other project holds comes into this one; the other one is only read. Nothing changes before you merge.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն, ինչ պարունակում է մյուս նախագիծը, գալիս է այս նախագիծ. մյուսը միայն կարդացվում է։ Մինչև միավորելը ոչինչ չի փոխվում։</translation>
+    </message>
+    <message>
+      <source>Close</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փակել</translation>
+    </message>
+    <message>
+      <source>Stop</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կանգնեցնել</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չեղարկել</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n conflict(s) to settle</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n հակասություն լուծելու</numerusform>
+        <numerusform>%n հակասություն լուծելու</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Merge project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միավորել նախագիծը</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MergeModel</name>
+    <message>
+      <source>Sherds: %1. Batches: %2. Changed records: %3. Files: %4 (%5).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեկորներ՝ %1։ Խմբաքանակներ՝ %2։ Փոխված գրառումներ՝ %3։ Ֆայլեր՝ %4 (%5)։</translation>
+    </message>
+    <message>
+      <source>Comparing…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համեմատում …</translation>
+    </message>
+    <message>
+      <source>Merged %1. %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միավորվեց %1։ %2</translation>
+    </message>
+    <message>
+      <source>This project already has everything that the other one holds.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծն արդեն ունի այն ամենը, ինչ պարունակում է մյուսը։</translation>
+    </message>
+    <message>
+      <source>Batches that get another number here: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակներ, որոնք այստեղ այլ համար են ստանում՝ %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>Missing in the other project: %n file(s), %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Մյուս նախագծում պակասում է %n ֆայլ՝ %1</numerusform>
+        <numerusform>Մյուս նախագծում պակասում է %n ֆայլ՝ %1</numerusform>
+      </translation>
+    </message>
+    <message>
+      <source>Merge</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միավորում</translation>
+    </message>
+    <message>
+      <source>Cancelled. Nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չեղարկված է. ոչինչ չի միավորվել։</translation>
+    </message>
+    <message>
+      <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դեռ ոչինչ չի միավորվել. ձեր ընտրածը հանգեցնում է նոր հակասությունների։</translation>
+    </message>
+</context>
+<context>
+    <name>Verdicts</name>
+    <message>
+      <source>accepted</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ընդունված</translation>
+    </message>
+    <message>
+      <source>rejected</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մերժված</translation>
+    </message>
+    <message>
+      <source>set aside</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մի կողմ դրված</translation>
+    </message>
+    <message>
+      <source>to be photographed again</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վերալուսանկարելու</translation>
+    </message>
+    <message>
+      <source>merged</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>միավորված</translation>
+    </message>
+    <message>
+      <source>split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բաժանված</translation>
+    </message>
+    <message>
+      <source>withdrawn</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>հետ վերցված</translation>
+    </message>
+    <message>
+      <source>pair of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի զույգը</translation>
+    </message>
+    <message>
+      <source>fragments: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>կտորներ՝ %1</translation>
     </message>
 </context>
 </TS>

@@ -14,6 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// "de: Rand, fr: bord"
+std::string labelsIn(const std::string& json) {
+  std::vector<std::string> labels;
+  for (const auto& [language, label] : ownFields(json))
+    labels.push_back(language + ": " + textOf(label));
+  return joined(labels, ", ");
+}
+
 }  // namespace
 
 // The number that it has in B, or the project's next one, as for a batch that is imported.
@@ -66,11 +74,16 @@ void Merging::placeScan(const Table& table, const Row& theirs, Values& values) {
   std::int64_t row = 0;
   store::Statement last = database_.sql("SELECT ifnull(max(row), 0) + 1 FROM scan");
   if (last.next()) last >> row;
+  const Table &batches = a_.table("batch"), &others = b_.table("batch");
+  const Row* of_a = batches.find(batch);
+  const Row* of_b = others.find(theirs.values[table.column("batch")].value_or(""));
   settle({"batch/" + batch + "/results",
-          "batch " + labelOf(batch) + ", results",
-          "as it was processed there",
-          "as it was processed there",
-          {"a"}});
+          "batch",
+          labelOf(batch),
+          "results",
+          of_a ? computed(batches, of_a->values) : Version(),
+          of_b ? computed(others, of_b->values) : Version(),
+          {Take::A}});
   demoted_[theirs.id] = value("name").value_or("");
   values[table.column("position")] = std::to_string(-row);
   values[table.column("name")] = value("name").value_or("") + "-earlier" + std::to_string(row);
@@ -88,20 +101,15 @@ void Merging::mergeBags() {
       for (const std::string& bag : bags) rows.push_back(std::to_string(rows_.at(bag)));
       return joined(rows, "; ");
     };
-    const auto labels = [&](const std::vector<std::string>& bags) {
-      std::vector<std::string> names;
-      for (const std::string& bag : bags) names.push_back(labelOf(bag));
-      return joined(names, "; ");
+    const auto version = [&](const std::vector<std::string>& bags) {
+      Version named;
+      for (const std::string& bag : bags)
+        named.values.emplace_back("bag", wholeName(a_.table("bag"), bag));
+      return named;
     };
-    if (!fresh_batches_.contains(id) && decide(&a_.table("batch"), {"bags",
-                                                                    id,
-                                                                    {"bags"},
-                                                                    labels(mine),
-                                                                    labels(theirs),
-                                                                    "bags",
-                                                                    words(mine),
-                                                                    words(theirs)}) != Take::B)
-      continue;
+    const Said said{"bags",          id,     {"bags"},    version(mine),
+                    version(theirs), "bags", words(mine), words(theirs)};
+    if (!fresh_batches_.contains(id) && decide(&a_.table("batch"), said) != Take::B) continue;
     database_.sql("DELETE FROM batch_bag WHERE batch = ?").with(rows_.at(id)).run();
     for (std::size_t i = 0; i < theirs.size(); ++i)
       database_.sql("INSERT INTO batch_bag VALUES (?, ?, ?)")
@@ -131,7 +139,12 @@ void Merging::mergeTerms() {
       if (own[2] == term[2] && own[3] == term[3]) continue;
       const std::string name = term[0] + "/" + term[1];
       const std::string a = own[2] + " " + own[3], b = term[2] + " " + term[3];
-      if (decide(nullptr, {name, "vocabulary#0", {name}, a, b, name, a, b}) == Take::B)
+      const auto version = [](const std::vector<std::string>& said) {
+        return Version{{{"labels", labelsIn(said[2])}, {"uri", said[3]}}};
+      };
+      if (decide(nullptr,
+                 {name, "vocabulary#0", {name}, version(own), version(term), name, a, b}) ==
+          Take::B)
         database_.sql("UPDATE vocabulary SET labels = ?, uri = ? WHERE name = ? AND term = ?")
             .with(term[2], term[3], term[0], term[1])
             .run();
@@ -169,9 +182,14 @@ void Merging::mergeProject() {
         Field{"licence", &P::licence}, Field{"rights_holder", &P::rights_holder},
         Field{"numbering", &P::numbering}, Field{"word_for_context", &P::word_for_context}}) {
     const std::string &a = mine.*field.value, &b = theirs.*field.value;
-    if (a != b &&
-        decide(&project, {field.name, "project#1", {field.name}, a, b, field.name, a, b}) ==
-            Take::B) {
+    if (a != b && decide(&project, {field.name,
+                                    "project#1",
+                                    {field.name},
+                                    {{{field.name, a}}},
+                                    {{{field.name, b}}},
+                                    field.name,
+                                    a,
+                                    b}) == Take::B) {
       merged.*field.value = b;
       differs = true;
     }

@@ -1,7 +1,10 @@
 // Decisions of persons about pairs and pieces: all of them come together, and what two persons
 // decided differently about one scan is settled by withdrawing what one of them decided.
+#include <nlohmann/json.hpp>
+
 #include "base/uuid.h"
 #include "catalogue/catalogue.h"
+#include "files/json_text.h"
 #include "merge/merging.h"
 #include "records/words.h"
 #include "sherds/pair_decisions.h"
@@ -42,15 +45,32 @@ std::map<std::string, std::vector<const Row*>> byScan(const Table& table,
   return by_scan;
 }
 
+std::string namesIn(const std::string& pieces) {
+  std::string names;
+  for (const nlohmann::json& piece : jsonOrDiscarded(pieces))
+    if (piece.is_object() && piece.contains("name") && piece["name"].is_string())
+      names += (names.empty() ? "" : " ") + piece["name"].get<std::string>();
+  return names;
+}
+
 }  // namespace
+
+// Who decided it last, and when.
+Version Merging::decided(std::vector<std::pair<std::string, std::string>> verdicts,
+                         const Table& table, const std::vector<const Row*>& rows) const {
+  std::erase_if(verdicts, [](const auto& verdict) { return verdict.first.empty(); });
+  Version version{std::move(verdicts)};
+  for (const Row* row : rows) stampRow(version, table, row->values, "person", "at");
+  return version;
+}
 
 void Merging::comparePairs() {
   const Table &mine = a_.table("pair_decision"), &theirs = b_.table("pair_decision");
   const Decided in_a = onlyIn(mine, theirs), in_b = onlyIn(theirs, mine);
-  // What holds of each scan, in words.
+  // What holds of each scan: the verdict, and the scans that it is about.
   const auto holds = [&](const catalogue::Catalogue& catalogue, const Table& scans,
                          std::int64_t batch) {
-    std::map<std::string, std::string> words;
+    std::map<std::string, std::pair<std::string, std::string>> words;
     const auto idOf = [&](store::ScanRow scan) {
       const auto found = scans.by_row.find(scan.value);
       return found == scans.by_row.end() ? std::string()
@@ -59,11 +79,11 @@ void Merging::comparePairs() {
     for (const records::PairDecision& decision :
          store::valueOrThrow(sherds::PairDecisions(catalogue).current(store::BatchRow{batch}))) {
       const std::string front = idOf(decision.front), back = idOf(decision.back);
-      std::string text = records::wordOf(decision.verdict);
+      std::string about;
       for (const std::string& scan : {front, back})
-        if (!scan.empty()) text += " " + labelOf(scan);
+        if (!scan.empty()) about += (about.empty() ? "" : " ") + labelOf(scan);
       for (const std::string& scan : {front, back})
-        if (!scan.empty()) words[scan] = text;
+        if (!scan.empty()) words[scan] = {records::wordOf(decision.verdict), about};
     }
     return words;
   };
@@ -82,10 +102,12 @@ void Merging::comparePairs() {
       const auto of_a = by_a.find(scan);
       if (of_a == by_a.end() || a[scan] == b[scan]) continue;
       const Take take = settle({"pair/" + scan,
-                                "batch " + labelOf(batch) + ", " + labelOf(scan),
-                                a[scan],
-                                b[scan],
-                                {"a", "b"}});
+                                mine.name,
+                                labelOf(batch),
+                                labelOf(scan),
+                                decided({a[scan]}, mine, of_a->second),
+                                decided({b[scan]}, theirs, of_b),
+                                {Take::A, Take::B}});
       for (const Row* loser : take == Take::A ? of_b : of_a->second)
         losers_.emplace_back("pair_decision", loser->id);
     }
@@ -95,15 +117,14 @@ void Merging::comparePairs() {
 void Merging::comparePieces() {
   const Table &mine = a_.table("piece_decision"), &theirs = b_.table("piece_decision");
   const Decided in_a = onlyIn(mine, theirs), in_b = onlyIn(theirs, mine);
-  const auto words = [](const Table& table, const std::vector<const Row*>& decisions,
-                        const std::string& side) {
-    std::string text;
+  const auto verdictsOf = [](const Table& table, const std::vector<const Row*>& decisions,
+                             const std::string& side) {
+    std::vector<std::pair<std::string, std::string>> verdicts;
     for (const Row* decision : decisions)
       if (decision->values[table.column("side")] == side)
-        text += (text.empty() ? "" : "; ") +
-                decision->values[table.column("verdict")].value_or("") + " " +
-                decision->values[table.column("pieces")].value_or("");
-    return text;
+        verdicts.emplace_back(decision->values[table.column("verdict")].value_or(""),
+                              decision->values[table.column("pieces")].value_or(""));
+    return verdicts;
   };
   for (const auto& [batch, decisions] : in_b) {
     if (fresh_batches_.contains(batch)) continue;
@@ -111,13 +132,17 @@ void Merging::comparePieces() {
     const auto others = in_a.find(batch);
     if (others == in_a.end()) continue;
     for (const char* side : {"front", "back"}) {
-      const std::string a = words(mine, others->second, side), b = words(theirs, decisions, side);
+      auto a = verdictsOf(mine, others->second, side), b = verdictsOf(theirs, decisions, side);
       if (a.empty() || b.empty() || a == b) continue;
+      for (auto* verdicts : {&a, &b})
+        for (auto& [verdict, pieces] : *verdicts) pieces = namesIn(pieces);
       const Take take = settle({"pieces/" + batch + "/" + side,
-                                "batch " + labelOf(batch) + ", pieces of its " + side,
-                                a,
-                                b,
-                                {"a", "b"}});
+                                mine.name,
+                                labelOf(batch),
+                                side,
+                                decided(a, mine, others->second),
+                                decided(b, theirs, decisions),
+                                {Take::A, Take::B}});
       for (const Row* loser : take == Take::A ? decisions : others->second)
         if (loser->values[mine.column("side")] == side)
           losers_.emplace_back("piece_decision", loser->id);

@@ -1,4 +1,6 @@
 // What both projects did since they were one: the rows of the history that only one of them has.
+#include <unordered_set>
+
 #include "base/text.h"
 #include "catalogue/history.h"
 #include "merge/merging.h"
@@ -39,14 +41,14 @@ void Merging::compareHistories(const std::string& table) {
     Event known = canonicalIn(event);
     std::string key = keyOf(known);
     if (!mine.contains(key)) {
-      touched_b_[known.row].insert(known.field);
+      touched_b_[known.row][known.field] = &event;
       new_events_[known.row].push_back(std::move(known));
     }
     theirs.insert(std::move(key));
   }
   for (const Event& event : a_.events)
     if (event.table == table && !theirs.contains(keyOf(event)))
-      touched_a_[event.row].insert(event.field);
+      touched_a_[event.row][event.field] = &event;
 }
 
 void Merging::copyEvents(const std::string& row) {

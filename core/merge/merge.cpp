@@ -64,8 +64,32 @@ MergeReport reportOf(const Outcome& outcome) {
   report.added = outcome.added;
   report.changed = outcome.changed;
   report.conflicts = outcome.conflicts;
-  report.batches = outcome.batches;
+  report.renumbered = outcome.batches;
+  const auto fresh = [&](const char* table) {
+    const auto found = outcome.new_rows.find(table);
+    return found == outcome.new_rows.end() ? 0 : found->second;
+  };
+  report.sherds = fresh("sherd");
+  report.batches = fresh("batch");
   return report;
+}
+
+// What would be copied; a file of A at its place is the same one, or is refused on entering.
+Result<void> countFiles(const fs::path& a, const fs::path& b, const Outcome& outcome,
+                        MergeReport& report) {
+  const Result<std::vector<FileCopy>> list = filesToCopy(b, outcome);
+  if (!list) return list.error();
+  for (const FileCopy& file : *list) {
+    std::error_code failed;
+    const auto bytes = fs::file_size(b / file.from, failed);
+    if (failed) {
+      report.missing.push_back(file.from);
+    } else if (file.replaces || !fs::exists(a / file.to, failed)) {
+      ++report.files;
+      report.bytes += static_cast<std::int64_t>(bytes);
+    }
+  }
+  return {};
 }
 
 // What both projects' lists of decisions say, for the next computation of the batch.
@@ -113,7 +137,10 @@ class Merge {
     const std::int64_t history = catalogue::History(a_.catalogue()).length();
     if (const Result<void> fits = pass(outcome, Keep::No, nullptr); !fits) return fits.error();
     MergeReport report = reportOf(outcome);
-    if (mode == MergeMode::Preview || outcome.unsettled()) return report;
+    if (mode == MergeMode::Preview || outcome.unsettled()) {
+      const Result<void> counted = countFiles(a_.folder(), b_folder_, outcome, report);
+      return counted ? Result<MergeReport>(std::move(report)) : counted.error();
+    }
     if (!writes_) {
       report.entered = true;  // A has all of it
       return report;

@@ -18,12 +18,13 @@ enum class MergeMode { Preview, Enter };
 
 struct MergeReport {
   bool entered = false;
-  int added = 0, changed = 0;  ///< rows of A
-  int files = 0;
+  int added = 0, changed = 0;   ///< rows of A
+  int sherds = 0, batches = 0;  ///< of the added ones
+  int files = 0;                ///< copied, or to be copied where nothing is entered
   std::int64_t bytes = 0;
-  std::vector<Conflict> conflicts;             ///< the settled ones, too
-  std::map<std::string, std::string> batches;  ///< numbers of B that are others in A
-  std::vector<std::string> missing;            ///< files that B's catalogue names but B lacks
+  std::vector<Conflict> conflicts;                ///< the settled ones, too
+  std::map<std::string, std::string> renumbered;  ///< batches: numbers of B that are others in A
+  std::vector<std::string> missing;               ///< files that B's catalogue names but B lacks
   bool unsettled() const;
 };
 

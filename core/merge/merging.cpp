@@ -1,9 +1,7 @@
 #include "merge/merging.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
-#include "files/json_text.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
 #include "store/names.h"
@@ -127,20 +125,23 @@ void Merging::aliasRows(const Table& a, const Table& b) {
 bool Merging::sameUnderAnotherId(const Table& a, const Row& mine, const Table& b, const Row& theirs,
                                  const Values& values) {
   if (!kPlaces.contains(a.name)) return true;
-  Conflict conflict{
-      a.name + "/" + theirs.id, a.name + " " + labelOf(mine.id), {}, {}, {"a", "b", "number"}};
+  Conflict conflict{a.name + "/" + theirs.id,        a.name, wholeName(a, mine.id), {}, {}, {},
+                    {Take::A, Take::B, Take::Number}};
   for (const Unit& unit : units_.at(b.name)) {
     if (sameIn(unit, mine.values, values) || allEmpty(mine.values, unit) || allEmpty(values, unit))
       continue;
     // É-1 and é-1 are the same; the spelling of A stays.
     if (unit.name == "number" || unit.name == "code" || unit.name == "initials") continue;
-    conflict.a += (conflict.a.empty() ? "" : ", ") + unit.name + ": " + shown(a, unit, mine.values);
-    conflict.b += (conflict.b.empty() ? "" : ", ") + unit.name + ": " + shown(a, unit, values);
+    for (const auto& [version, row] :
+         {std::pair(&conflict.a, &mine.values), {&conflict.b, &values}})
+      for (auto& value : versionOf(a, unit, *row).values) version->values.push_back(value);
   }
-  if (conflict.a.empty()) {
+  if (conflict.a.values.empty()) {
     of_row_[mine.id] = Take::A;  // a spelling, or what one of them does not say
     return true;
   }
+  stampRow(conflict.a, a, mine.values, "updated_by", "updated_at");
+  stampRow(conflict.b, b, values, "updated_by", "updated_at");
   const Take take = settle(std::move(conflict));
   if (take == Take::Number) return false;
   of_row_[mine.id] = take;
@@ -202,13 +203,13 @@ void Merging::mergeRow(const Table& table, const Row& mine, const Row& theirs) {
   mergeOwnFields(table, mine, wanted);
 }
 
-Merging::Said Merging::saidOf(const Table& table, const Unit& unit, const Row& mine,
-                              const Values& theirs) const {
+Said Merging::saidOf(const Table& table, const Unit& unit, const Row& mine,
+                     const Values& theirs) const {
   Said said{unit.name,
             mine.id,
             unit.fields,
-            shown(table, unit, mine.values),
-            shown(table, unit, theirs),
+            versionOf(table, unit, mine.values),
+            versionOf(table, unit, theirs),
             unit.fields.front(),
             {},
             {}};
@@ -248,16 +249,17 @@ void Merging::mergeOwnFields(const Table& table, const Row& mine, const Values& 
     const std::string field = "extra." + name;
     const bool changed =
         touches(touched_a_, mine.id, {field}) || touches(touched_b_, mine.id, {field});
-    const auto text = [](const std::string& json) {
-      const nlohmann::json parsed = jsonOrDiscarded(json);
-      return parsed.is_string() ? parsed.get<std::string>() : json;
-    };
-    const Take take =
-        !changed && (own.empty() || other.empty())
-            ? (own.empty() ? Take::B : Take::A)
-            : decide(
-                  &table,
-                  {field, mine.id, {field}, text(own), text(other), field, text(own), text(other)});
+    const std::string text_a = textOf(own), text_b = textOf(other);
+    const Take take = !changed && (own.empty() || other.empty())
+                          ? (own.empty() ? Take::B : Take::A)
+                          : decide(&table, {field,
+                                            mine.id,
+                                            {field},
+                                            {{{field, text_a}}},
+                                            {{{field, text_b}}},
+                                            field,
+                                            text_a,
+                                            text_b});
     value = take == Take::B ? other : own;
   }
   std::erase_if(merged, [](const auto& field) { return field.second.empty(); });
@@ -319,6 +321,7 @@ void Merging::insertRow(const Table& table, const Row& theirs, const Values& giv
     deferred_.push_back(std::move(one));
   }
   ++outcome_.added;
+  ++outcome_.new_rows[table.name];
   copyEvents(theirs.id);
   if (!calling.empty())
     remember(table.name, row, calling, called_before, values[table.column(calling)].value_or(""));
@@ -396,12 +399,17 @@ Take Merging::decide(const Table* table, Said said) {
   const bool same_before = all == of_row_.end();
   if (same_before && in_a && !in_b) return Take::A;
   if (same_before && in_b && !in_a) return Take::B;
-  const std::string who = rows_.contains(said.row) ? labelOf(said.row) + ", " : "";
   const std::string id = name + "/" + (table ? said.row + "/" : "") + said.name;
-  std::vector<std::string> takes = {"a"};
-  if (said.name != "results") takes.emplace_back("b");  // they go with their scans: A's stay
+  std::vector<Take> takes = {Take::A};
+  if (said.name != "results") takes.push_back(Take::B);  // they go with their scans: A's stay
+  stamp(said.a, touched_a_, said);
+  stamp(said.b, touched_b_, said);
+  const std::string who = !table                     ? said.name
+                          : rows_.contains(said.row) ? wholeName(*table, said.row)
+                                                     : std::string();
+  const std::string field = table ? said.name : std::string();
   const Take take =
-      same_before ? settle({id, name + " " + who + said.name, said.a, said.b, takes}) : all->second;
+      same_before ? settle({id, name, who, field, said.a, said.b, takes}) : all->second;
   // The history ends with what holds, and tells the next merge that this one has seen both.
   const std::int64_t row = rows_.contains(said.row) ? rows_.at(said.row) : table ? 1 : 0;
   if (take == Take::B) remember(name, row, said.field, said.told_a, said.told_b);
@@ -417,46 +425,18 @@ const Choice* Merging::choiceOf(const std::string& conflict_id) const {
 Take Merging::settle(Conflict conflict) {
   if (const auto known = takes_.find(conflict.id); known != takes_.end()) return known->second;
   const Choice* choice = choiceOf(conflict.id);
-  const char* kNames[] = {"a", "b", "number"};
   if (choice) {
-    const std::string name = kNames[static_cast<int>(choice->take)];
-    if (std::find(conflict.takes.begin(), conflict.takes.end(), name) == conflict.takes.end())
+    if (!conflict.offers(choice->take))
       store::refuse(message(
           "The conflict %1 (%2) cannot be settled with '%3'; nothing was merged. Choose one "
           "of the ways that the list of conflicts offers.",
-          conflict.id, conflict.subject, name));
+          conflict.id, conflict.name, nameOf(choice->take)));
     conflict.settled = true;
   }
   const Take take = choice ? choice->take : Take::A;
   takes_[conflict.id] = take;
   outcome_.conflicts.push_back(std::move(conflict));
   return take;
-}
-
-void Merging::label(const Table& table, const std::string& id, const Values& values) {
-  for (const char* name : {"number", "code", "initials", "name", "path"})
-    if (const std::size_t i = table.column(name); i < table.columns.size())
-      if (!values[i].value_or("").empty()) {
-        labels_[id] = *values[i];
-        return;
-      }
-}
-
-std::string Merging::labelOf(const std::string& id) const {
-  const auto found = labels_.find(id);
-  return found == labels_.end() ? id : found->second;
-}
-
-std::string Merging::shown(const Table& table, const Unit& unit, const Values& values) const {
-  std::string text;
-  for (const std::size_t i : unit.columns) {
-    const std::string& column = table.columns[i];
-    if (!values[i] || values[i]->empty() || column.ends_with("_key") || column == "number_sort")
-      continue;
-    text +=
-        (text.empty() ? "" : ", ") + (table.refers[i].empty() ? *values[i] : labelOf(*values[i]));
-  }
-  return text;
 }
 
 }  // namespace ostraka::merge

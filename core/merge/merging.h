@@ -4,7 +4,6 @@
 #include <set>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "catalogue/catalogue.h"
@@ -34,8 +33,8 @@ class Merging {
 
  private:
   using Values = std::vector<Value>;
-  /// Which fields of a row only one of the projects changed.
-  using Touched = std::unordered_map<std::string, std::unordered_set<std::string>>;
+  /// Which fields of a row only one of the projects changed, and by which event last.
+  using Touched = std::unordered_map<std::string, std::unordered_map<std::string, const Event*>>;
 
   // merging.cpp: rows of any table
   void readAliases();
@@ -52,22 +51,25 @@ class Merging {
   Values canonical(const Table& table, const Row& row) const;
   std::string canonicalId(const std::string& id) const;
   Value stored(const Table& table, std::size_t column, const Value& value) const;
-  /// One thing that a row says, and how the history tells it.
-  struct Said {
-    std::string name, row;
-    std::vector<std::string> fields;
-    std::string a, b;                   ///< for a person
-    std::string field, told_a, told_b;  ///< for the history; told_a = told_b: as a and b
-  };
   /// Whose value holds, by who changed it since both were the same.
   Take decide(const Table* table, Said said);
   Take settle(Conflict conflict);
   const Choice* choiceOf(const std::string& conflict_id) const;
-  std::string labelOf(const std::string& id) const;
-  void label(const Table& table, const std::string& id, const Values& values);
-  std::string shown(const Table& table, const Unit& unit, const Values& values) const;
   Said saidOf(const Table& table, const Unit& unit, const Row& mine, const Values& theirs) const;
   std::string told(const Table& table, std::size_t column, const Value& value) const;
+
+  // versions.cpp: what a person sees of a conflict
+  std::string labelOf(const std::string& id) const;
+  void label(const Table& table, const std::string& id, const Values& values);
+  std::string wholeName(const Table& table, const std::string& id) const;
+  std::string shown(const Table& table, std::size_t column, const Value& value) const;
+  Version versionOf(const Table& table, const Unit& unit, const Values& values) const;
+  Version sherdSeen(const Table& table, const Values& values) const;
+  static Version computed(const Table& batches, const Values& values);
+  std::string initialsOf(const std::string& person) const;
+  void stamp(Version& version, const Touched& touched, const Said& said) const;
+  void stampRow(Version& version, const Table& table, const Values& values, const char* person,
+                const char* at) const;
 
   // events.cpp: the history
   void compareHistories(const std::string& table);
@@ -95,6 +97,8 @@ class Merging {
   void mergeBags();
   void comparePairs();
   void comparePieces();
+  Version decided(std::vector<std::pair<std::string, std::string>> verdicts, const Table& table,
+                  const std::vector<const Row*>& rows) const;
   void withdrawLosers();
   void finishBatches();
   static bool isOfResults(const Table& table, const Values& values,

@@ -45,11 +45,14 @@ bool Merging::takesNumber(const std::string& sherd, const Table& table, Values& 
   // Settled before: B knows the other sherd, and it is called otherwise by now.
   if (b_.table("sherd").by_id.contains(owner) && numberOf(owner) != number) return true;
   const Choice* choice = choiceOf("number/" + sherd);
+  const Row* other = a_.table("sherd").find(owner);
   const Take take = settle({"number/" + sherd,
-                            "number " + number,
-                            "sherd " + owner,
-                            "sherd " + sherd,
-                            {"a", "b", "number"}});
+                            "sherd",
+                            number,
+                            "number",
+                            other ? sherdSeen(table, other->values) : Version(),
+                            sherdSeen(table, values),
+                            {Take::A, Take::B, Take::Number}});
   if (take == Take::Number) {
     const std::string wanted = store::valueOrThrow(store::checkedNumber(choice->number));
     if (wanted.empty() || number_owner_.contains(keyOfNumber(wanted)) ||
@@ -64,7 +67,6 @@ bool Merging::takesNumber(const std::string& sherd, const Table& table, Values& 
     return true;
   }
   if (take == Take::B) {
-    const Row* other = a_.table("sherd").find(owner);
     if (other && other->values[table.column("number")] == number) {
       database_
           .sql(
@@ -156,6 +158,13 @@ void Merging::mergeMeasurements() {
   for (const Row& row : theirs.rows)
     if (row.values[current] == "1")
       counts[{canonicalId(*row.values[sherd]), *row.values[kind]}].second = &row;
+  const auto version = [&](const Row* row) {
+    Version made;
+    if (!row) return made;
+    made.values = {{*row->values[kind], *row->values[value]}, {"method", *row->values[method]}};
+    stampRow(made, theirs, row->values, "person", "at");
+    return made;
+  };
   const auto words = [&](const Row* row) {
     return row ? *row->values[value] + " " + *row->values[unit] + ", " + *row->values[method]
                : std::string();
@@ -179,7 +188,7 @@ void Merging::mergeMeasurements() {
       take = Take::A;
     else if (told || (a && b))
       take = decide(&a_.table("sherd"),
-                    {name, id, {name}, words(a), words(b), name, toldOf(a, b), toldOf(b, a)});
+                    {name, id, {name}, version(a), version(b), name, toldOf(a, b), toldOf(b, a)});
     if (take != Take::B) continue;
     const std::int64_t row = rows_.at(id);
     if (a) database_.sql("UPDATE measurement SET current = 0 WHERE id = ?").with(a->id).run();

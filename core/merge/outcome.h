@@ -7,6 +7,14 @@
 
 namespace ostraka::merge {
 
+/// One thing that a row says in both projects, and how the history tells it.
+struct Said {
+  std::string name, row;
+  std::vector<std::string> fields;
+  Version a, b;                       ///< for a person
+  std::string field, told_a, told_b;  ///< for the history
+};
+
 /// A file of B that A gets.
 struct FileCopy {
   std::string from, to;  ///< relative to their projects
@@ -18,7 +26,8 @@ struct FileCopy {
 
 /// What one merge does, or would do.
 struct Outcome {
-  int added = 0, changed = 0;  ///< rows of A
+  int added = 0, changed = 0;           ///< rows of A
+  std::map<std::string, int> new_rows;  ///< of the added ones, by table
   std::vector<Conflict> conflicts;
   std::map<std::string, std::string> files_of;  ///< folder of B -> folder of A, all of its files
   std::map<std::string, FileCopy> copies;       ///< by where they go: what B's catalogue names

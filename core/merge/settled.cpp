@@ -1,10 +1,19 @@
 #include "merge/settled.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "files/json.h"
 
 namespace ostraka::merge {
+
+const char* nameOf(Take take) {
+  return take == Take::A ? "a" : take == Take::B ? "b" : "number";
+}
+
+bool Conflict::offers(Take take) const {
+  return std::find(takes.begin(), takes.end(), take) != takes.end();
+}
 
 Result<Settled> readSettled(const std::filesystem::path& file) {
   const Result<nlohmann::json> json = readJson(file);

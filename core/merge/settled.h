@@ -1,7 +1,9 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -9,6 +11,7 @@
 namespace ostraka::merge {
 
 enum class Take { A, B, Number };
+const char* nameOf(Take take);  ///< "a", "b", "number"
 
 /// What a person decided of one conflict.
 struct Choice {
@@ -21,13 +24,22 @@ using Settled = std::map<std::string, Choice>;  ///< by the conflict's id
 /// UnusableInput names the file and what is wrong in it.
 Result<Settled> readSettled(const std::filesystem::path& file);
 
+/// What one of the projects has, and who entered it last where that is known.
+struct Version {
+  std::vector<std::pair<std::string, std::string>> values;  ///< field, text; empty: says nothing
+  std::string by = {};                                      ///< initials; empty: not known
+  std::int64_t at_ms = 0;                                   ///< UTC; 0: not known
+};
+
 /// What both projects say differently, side by side.
 struct Conflict {
-  std::string id;       ///< the same as often as it is found: sherd/UUID/ware
-  std::string subject;  ///< for a person: sherd ARM1-T3-0012-0007, ware
-  std::string a, b;
-  std::vector<std::string> takes;  ///< how it can be settled: a, b, number
+  std::string id;           ///< the same as often as it is found: sherd/UUID/ware
+  std::string table, name;  ///< what it is about: sherd, ARM1-T3-0012-0007
+  std::string field;        ///< ware; empty: several fields, which the versions name
+  Version a, b;
+  std::vector<Take> takes;  ///< how it can be settled
   bool settled = false;
+  bool offers(Take take) const;
 };
 
 }  // namespace ostraka::merge

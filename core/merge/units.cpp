@@ -98,6 +98,11 @@ std::vector<std::pair<std::string, std::string>> ownFields(const Value& extra) {
   return fields;
 }
 
+std::string textOf(const std::string& json) {
+  const nlohmann::json parsed = jsonOrDiscarded(json);
+  return parsed.is_string() ? parsed.get<std::string>() : json;
+}
+
 std::string ownFieldsJson(const std::vector<std::pair<std::string, std::string>>& fields) {
   nlohmann::json json = nlohmann::json::object();
   for (const auto& [name, value] : fields) json[name] = jsonOrDiscarded(value);

@@ -18,6 +18,7 @@ std::vector<Unit> unitsOf(const Table& table);
 
 /// The user's own fields of a row, name and value as JSON.
 std::vector<std::pair<std::string, std::string>> ownFields(const Value& extra);
+std::string textOf(const std::string& json);  ///< a string without its quotation marks
 /// The JSON of such fields, in the order of their names.
 std::string ownFieldsJson(const std::vector<std::pair<std::string, std::string>>& fields);
 

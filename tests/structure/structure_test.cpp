@@ -26,10 +26,10 @@ const std::vector<std::string> kOrder = {
     "catalogue",   "sherds",   "upkeep",    "intake",     "cluster",      "archive",
     "tables",      "metadata", "exchange",  "merge",      "api"};
 // The window's folders likewise; all of them may use core.
-const std::vector<std::string> kUiOrder = {"words",    "jobs",      "look",   "widgets",  "frame",
-                                           "viewport", "import",    "wizard", "capture",  "masks",
-                                           "queue",    "pairs",     "review", "map",      "sherds",
-                                           "tables",   "catalogue", "export", "settings", "main"};
+const std::vector<std::string> kUiOrder = {
+    "words",  "jobs",    "look",   "widgets",   "frame",  "viewport", "import",
+    "wizard", "capture", "masks",  "queue",     "pairs",  "review",   "map",
+    "sherds", "merge",   "tables", "catalogue", "export", "settings", "main"};
 constexpr int kMostLines = 500, kMostHeaderLines = 150;
 
 fs::path root() {

@@ -24,6 +24,8 @@
 #include "ui/catalogue/model_pane.h"
 #include "ui/frame/project_session.h"
 #include "ui/look/look.h"
+#include "ui/merge/merge_dialog.h"
+#include "ui/merge/merge_model.h"
 #include "ui/sherds/bulk_edit.h"
 #include "ui/sherds/field_words.h"
 #include "ui/sherds/filter_line.h"
@@ -45,6 +47,7 @@ namespace ostraka::ui {
 CatalogueScreen::CatalogueScreen(QWidget* parent) : Screen(parent) {
   model_ = new SherdTableModel(this);
   import_ = new ImportModel(this);
+  merge_ = new MergeModel(this);
   buildLayout();
   addActions();
   connect(model_, &SherdTableModel::failed, this, &CatalogueScreen::complain);
@@ -70,6 +73,7 @@ CatalogueScreen::CatalogueScreen(QWidget* parent) : Screen(parent) {
             if (report.not_reached > 0) complain(import_->problem());
             emit said(tr("Imported %1: %2").arg(name, import_->summary()));
           });
+  connect(merge_, &MergeModel::entered, this, &CatalogueScreen::tookProject);
   connect(bulk_, &BulkEdit::wanted, this, &CatalogueScreen::changeAll);
   setEnabled(false);
 }
@@ -306,30 +310,13 @@ void CatalogueScreen::openProject(ProjectSession& session) {
   tellOfImports();
 }
 
-void CatalogueScreen::tellOfImports() {
-  QStringList lines;
-  for (const auto& left : tables::unfinishedImports(session_->project().catalogue()))
-    lines << tr("The import of %1 broke off after %2 of %3 rows; these are whole. Import it again "
-                "for the rest.")
-                 .arg(QString::fromStdString(left.source))
-                 .arg(left.entered)
-                 .arg(left.of)
-                 .toHtmlEscaped();
-  if (lines.isEmpty()) return;
-  lines << QStringLiteral("<a href=\"forget\">%1</a>").arg(tr("Dismiss"));
-  complain(lines.join(QStringLiteral("<br>")));
-}
-
-void CatalogueScreen::forgetImports() {
-  const auto done = tables::forgetUnfinishedImports(session_->project().catalogue());
-  complain(done ? QString() : sentenceOf(done.error()));
-}
-
 void CatalogueScreen::closeProject() {
   if (session_) disconnect(session_, nullptr, this, nullptr);
   session_ = nullptr;
   delete import_dialog_.data();
   import_->openProject(nullptr);
+  delete merge_dialog_.data();
+  merge_->openProject(nullptr);
   delete edits_;
   edits_ = nullptr;
   filter_->clear();
@@ -455,17 +442,6 @@ void CatalogueScreen::showModelOf(store::SherdRow row) {
     model_pane_->showSherd(session_->jobs(), whole(sherd->preview_path), whole(sherd->model_path));
   else
     model_pane_->clear();
-}
-
-void CatalogueScreen::openImport() {
-  if (!session_) return;
-  if (!import_dialog_) {
-    import_->openProject(session_);
-    import_dialog_ = new ImportDialog(*import_, this);
-    import_dialog_->setAttribute(Qt::WA_DeleteOnClose);
-  }
-  import_dialog_->show();
-  import_dialog_->activateWindow();
 }
 
 void CatalogueScreen::sherdsChanged(const std::vector<store::SherdRow>& sherds) {

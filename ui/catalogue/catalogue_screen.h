@@ -20,6 +20,8 @@ class EmptyState;
 class FilterLine;
 class ImportDialog;
 class ImportModel;
+class MergeDialog;
+class MergeModel;
 class ModelPane;
 class SherdDetails;
 class SherdEdits;
@@ -69,6 +71,8 @@ class CatalogueScreen final : public Screen {
   void changeAll(const std::vector<records::FieldChange>& changes);
   void giveNumbers();
   void openImport();
+  void openMerge();
+  void tookProject(const QString& sentence);
   void openDetails();
   void sherdsChanged(const std::vector<store::SherdRow>& sherds);
   void tellOfImports();
@@ -94,6 +98,8 @@ class CatalogueScreen final : public Screen {
   int drawing_tab_ = 1;
   ImportModel* import_ = nullptr;
   QPointer<ImportDialog> import_dialog_;
+  MergeModel* merge_ = nullptr;
+  QPointer<MergeDialog> merge_dialog_;
   SherdDetails* details_ = nullptr;
   BulkEdit* bulk_ = nullptr;
   QWidget* many_ = nullptr;  ///< bulk_, scrolled where it has to be

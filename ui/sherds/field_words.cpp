@@ -65,7 +65,37 @@ const char* labelOf(const QString& field) {
       {"front", QT_TRANSLATE_NOOP("Fields", "front")},
       {"back", QT_TRANSLATE_NOOP("Fields", "back")},
       {"scale", QT_TRANSLATE_NOOP("Fields", "scale")},
-      {"note", QT_TRANSLATE_NOOP("Fields", "note")}};
+      {"note", QT_TRANSLATE_NOOP("Fields", "note")},
+      // Not of a sherd.
+      {"place", QT_TRANSLATE_NOOP("Fields", "place")},
+      {"model", QT_TRANSLATE_NOOP("Fields", "model")},
+      {"labels", QT_TRANSLATE_NOOP("Fields", "labels")},
+      {"person", QT_TRANSLATE_NOOP("Fields", "person")},
+      {"name", QT_TRANSLATE_NOOP("Fields", "name")},
+      {"initials", QT_TRANSLATE_NOOP("Fields", "initials")},
+      {"code", QT_TRANSLATE_NOOP("Fields", "code")},
+      {"location", QT_TRANSLATE_NOOP("Fields", "location")},
+      {"kind", QT_TRANSLATE_NOOP("Fields", "kind")},
+      {"excavated_on", QT_TRANSLATE_NOOP("Fields", "excavated on")},
+      {"closed", QT_TRANSLATE_NOOP("Fields", "closed")},
+      {"collected_on", QT_TRANSLATE_NOOP("Fields", "collected on")},
+      {"storage", QT_TRANSLATE_NOOP("Fields", "storage")},
+      {"operator", QT_TRANSLATE_NOOP("Fields", "operator")},
+      {"counted", QT_TRANSLATE_NOOP("Fields", "counted sherds")},
+      {"results", QT_TRANSLATE_NOOP("Fields", "results")},
+      {"program", QT_TRANSLATE_NOOP("Fields", "program")},
+      {"project", QT_TRANSLATE_NOOP("Fields", "project")},
+      {"title", QT_TRANSLATE_NOOP("Fields", "title")},
+      {"institution", QT_TRANSLATE_NOOP("Fields", "institution")},
+      {"licence", QT_TRANSLATE_NOOP("Fields", "licence")},
+      {"rights_holder", QT_TRANSLATE_NOOP("Fields", "rights holder")},
+      {"numbering", QT_TRANSLATE_NOOP("Fields", "numbering")},
+      {"sherd", QT_TRANSLATE_NOOP("Fields", "sherd")},
+      {"photograph", QT_TRANSLATE_NOOP("Fields", "photograph")},
+      {"scan", QT_TRANSLATE_NOOP("Fields", "scan")},
+      {"file", QT_TRANSLATE_NOOP("Fields", "file")},
+      {"vocabulary", QT_TRANSLATE_NOOP("Fields", "term")},
+      {"content", QT_TRANSLATE_NOOP("Fields", "content")}};
   return labels.value(field, nullptr);
 }
 

@@ -69,6 +69,8 @@ void ImportDialog::buildLayout() {
   choose_export_ = iconButton(this, "importExport", "folder", tr("Export folder…"));
   connect(choose_table_, &QPushButton::clicked, this, &ImportDialog::chooseTable);
   connect(choose_export_, &QPushButton::clicked, this, &ImportDialog::chooseExport);
+  merge_ = iconButton(this, "importMerge", "catalogue", tr("Another project…"));
+  connect(merge_, &QPushButton::clicked, this, &ImportDialog::mergeWanted);
   source_ = new QLabel(this);
   source_->setObjectName("importSource");
   source_->setWordWrap(true);
@@ -114,6 +116,7 @@ void ImportDialog::buildLayout() {
   auto* first = new QHBoxLayout;
   first->addWidget(choose_table_);
   first->addWidget(choose_export_);
+  first->addWidget(merge_);
   first->addWidget(source_, 1);
   auto* last = new QHBoxLayout;
   last->addWidget(refusals_);
@@ -226,6 +229,7 @@ void ImportDialog::refresh() {
   places_->setEnabled(!works && state != State::Done);
   choose_table_->setEnabled(state != State::Entering);
   choose_export_->setEnabled(state != State::Entering);
+  merge_->setEnabled(state != State::Entering);
   places_->setVisible(!model_.isOfContexts());  // such a table is there to make them
   summary_->setText(state == State::Looking ? tr("Reading…")
                     : state == State::Done  ? tr("Imported: %1").arg(model_.summary())

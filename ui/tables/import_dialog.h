@@ -24,6 +24,9 @@ class ImportDialog final : public QDialog {
  public:
   explicit ImportDialog(ImportModel& model, QWidget* parent = nullptr);
 
+ signals:
+  void mergeWanted();  ///< of a whole project
+
  private:
   void buildLayout();
   void refresh();
@@ -36,7 +39,7 @@ class ImportDialog final : public QDialog {
   void saveRefusals();
 
   ImportModel& model_;
-  QPushButton *choose_table_ = nullptr, *choose_export_ = nullptr;
+  QPushButton *choose_table_ = nullptr, *choose_export_ = nullptr, *merge_ = nullptr;
   QLabel* source_ = nullptr;
   QCheckBox* places_ = nullptr;
   QLabel* summary_ = nullptr;

@@ -59,7 +59,7 @@ class MergedFiles : public TwoHouses {
 TEST_F(MergedFiles, ABatchWhoseNumberIsTakenGetsTheNextOneWithItsFiles) {
   const std::string bytes_of_b = bytesOf(b_.folder() / "catalogue.sqlite");
   const MergeReport report = merged(*project_, b_);
-  EXPECT_THAT(report.batches, testing::ElementsAre(testing::Pair("B0002", "B0003")));
+  EXPECT_THAT(report.renumbered, testing::ElementsAre(testing::Pair("B0002", "B0003")));
   EXPECT_EQ(bytesOf(b_.folder() / "catalogue.sqlite"), bytes_of_b) << "B is only read";
   const records::BatchRecord batch3 = valueIn(Batches(catalogue()).byNumber("B0003"));
   EXPECT_EQ(batch3.id, there_);
@@ -95,6 +95,23 @@ TEST_F(MergedFiles, AFileThatBHasLostIsNamed) {
   const MergeReport report = merged(*project_, b_);
   EXPECT_TRUE(report.entered);
   EXPECT_THAT(report.missing, testing::ElementsAre("batches/B0002/front/cam0_pos00.jpg"));
+}
+
+TEST_F(MergedFiles, APreviewCountsWhatWouldCome) {
+  fs::remove(b_.folder() / "batches/B0002/front/cam0_pos00.jpg");
+  const std::string before = contentIn(*project_);
+  const MergeReport preview =
+      valueIn(mergeInto(*project_, b_.folder(), MergeMode::Preview, {}, anna, quiet, {}));
+  EXPECT_FALSE(preview.entered);
+  EXPECT_FALSE(fs::exists(project_->folder() / "batches/B0003"));
+  EXPECT_EQ(contentIn(*project_), before);
+  const MergeReport entered = merged(*project_, b_);
+  EXPECT_EQ(preview.batches, 1);
+  EXPECT_EQ(preview.sherds, 1);
+  EXPECT_EQ(preview.files, entered.files);
+  EXPECT_EQ(preview.bytes, entered.bytes);
+  EXPECT_EQ(preview.missing, entered.missing);
+  EXPECT_EQ(preview.renumbered, entered.renumbered);
 }
 
 // As a process leaves it that is killed after the catalogue was saved.

@@ -1,0 +1,51 @@
+#pragma once
+#include <QDialog>
+
+#include "ui/frame/term_words.h"
+#include "ui/merge/merge_model.h"
+
+class QAction;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QTableWidget;
+
+namespace ostraka::ui {
+
+/// Another project comes into the open one: choose it, see what comes, settle what both say
+/// differently side by side, then enter it. Nothing is changed before, nor when it is stopped.
+class MergeDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit MergeDialog(MergeModel& model, QWidget* parent = nullptr);
+
+ private:
+  void buildLayout();
+  void buildTable();
+  QWidget* buildSettling();
+  void refresh();
+  void fill();
+  void showDecisions();
+  std::vector<int> selected() const;
+  void settle(merge::Take take);
+  void selectNext(int after);
+  void chooseFolder();
+  void leave();
+
+  MergeModel& model_;
+  TermWords terms_;
+  QPushButton* choose_ = nullptr;
+  QLabel *source_ = nullptr, *summary_ = nullptr, *notes_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QWidget* settling_ = nullptr;
+  QAction *this_ = nullptr, *other_ = nullptr, *renumber_ = nullptr, *undo_ = nullptr;
+  QPushButton *number_ = nullptr, *rest_ = nullptr;
+  QLineEdit* new_number_ = nullptr;
+  QProgressBar* bar_ = nullptr;
+  QPushButton *cancel_ = nullptr, *enter_ = nullptr;
+  const void* filled_ = nullptr;  ///< conflicts that the table shows
+};
+
+}  // namespace ostraka::ui

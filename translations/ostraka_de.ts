@@ -8366,6 +8366,21 @@
       <translation>Scherbe %1 hat keine Textur aus Fotos: %2</translation>
     </message>
     <message>
+      <source>The colour chart is overexposed or underexposed (clipped patches: %1), so it is not used and colours stay as photographed; reshoot it at another exposure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Farbtafel ist über- oder unterbelichtet (abgeschnittene Felder: %1); sie wird nicht verwendet, und die Farben bleiben wie fotografiert. Die Tafel mit anderer Belichtung neu fotografieren.</translation>
+    </message>
+    <message>
+      <source>The colour chart is shaded, bent or partly hidden, so it is not used and colours stay as photographed; reshoot it flat, whole and evenly lit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Farbtafel ist beschattet, gebogen oder teilweise verdeckt; sie wird nicht verwendet, und die Farben bleiben wie fotografiert. Die Tafel flach, ganz und gleichmäßig beleuchtet neu fotografieren.</translation>
+    </message>
+    <message>
+      <source>colours: corrected by the colour chart in %1 photographs; its patches differ from their reference by %2 (median) and %3 (95 %), CIEDE2000</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Farben: nach der Farbtafel in %1 Fotos korrigiert; ihre Felder weichen um %2 (Median) und %3 (95 %) von ihren Sollwerten ab, CIEDE2000</translation>
+    </message>
+    <message>
       <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das gewählte Verfahren zum Fügen der Seiten hat keine Lage gefunden; das Standardverfahren verwenden oder die Rückseite von Hand ausrichten.</translation>

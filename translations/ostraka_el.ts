@@ -8361,6 +8361,21 @@
       <translation>Το όστρακο %1 δεν έχει φωτογραφική υφή: %2</translation>
     </message>
     <message>
+      <source>The colour chart is overexposed or underexposed (clipped patches: %1), so it is not used and colours stay as photographed; reshoot it at another exposure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο χρωματικός πίνακας είναι υπερεκτεθειμένος ή υποεκτεθειμένος (κορεσμένα πεδία: %1)· δεν χρησιμοποιείται και τα χρώματα μένουν όπως φωτογραφήθηκαν· φωτογραφίστε τον ξανά με άλλη έκθεση.</translation>
+    </message>
+    <message>
+      <source>The colour chart is shaded, bent or partly hidden, so it is not used and colours stay as photographed; reshoot it flat, whole and evenly lit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο χρωματικός πίνακας είναι σκιασμένος, λυγισμένος ή εν μέρει καλυμμένος· δεν χρησιμοποιείται και τα χρώματα μένουν όπως φωτογραφήθηκαν· φωτογραφίστε τον ξανά επίπεδο, ολόκληρο και ομοιόμορφα φωτισμένο.</translation>
+    </message>
+    <message>
+      <source>colours: corrected by the colour chart in %1 photographs; its patches differ from their reference by %2 (median) and %3 (95 %), CIEDE2000</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>χρώματα: διορθώθηκαν με τον χρωματικό πίνακα σε %1 φωτογραφίες· τα πεδία του διαφέρουν από τις τιμές αναφοράς κατά %2 (διάμεσος) και %3 (95 %), CIEDE2000</translation>
+    </message>
+    <message>
       <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η επιλεγμένη μέθοδος ένωσης δεν συνέκλινε· χρησιμοποιήστε την προεπιλεγμένη μέθοδο ή ευθυγραμμίστε την πίσω πλευρά με το χέρι.</translation>

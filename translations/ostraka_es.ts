@@ -8361,6 +8361,21 @@
       <translation>El fragmento %1 no tiene textura fotográfica: %2</translation>
     </message>
     <message>
+      <source>The colour chart is overexposed or underexposed (clipped patches: %1), so it is not used and colours stay as photographed; reshoot it at another exposure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carta de color está sobreexpuesta o subexpuesta (parches recortados: %1), así que no se usa y los colores quedan como se fotografiaron; vuelva a fotografiarla con otra exposición.</translation>
+    </message>
+    <message>
+      <source>The colour chart is shaded, bent or partly hidden, so it is not used and colours stay as photographed; reshoot it flat, whole and evenly lit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carta de color está en sombra, doblada o parcialmente tapada, así que no se usa y los colores quedan como se fotografiaron; vuelva a fotografiarla plana, entera y con luz uniforme.</translation>
+    </message>
+    <message>
+      <source>colours: corrected by the colour chart in %1 photographs; its patches differ from their reference by %2 (median) and %3 (95 %), CIEDE2000</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>colores: corregidos según la carta de color en %1 fotografías; sus parches difieren de su referencia en %2 (mediana) y %3 (95 %), CIEDE2000</translation>
+    </message>
+    <message>
       <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El método de registro elegido no convergió; use el método predeterminado o alinee el reverso a mano.</translation>

@@ -8361,6 +8361,21 @@
       <translation>Le tesson %1 n’a pas de texture photographique : %2</translation>
     </message>
     <message>
+      <source>The colour chart is overexposed or underexposed (clipped patches: %1), so it is not used and colours stay as photographed; reshoot it at another exposure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La charte de couleurs est surexposée ou sous-exposée (plages écrêtées : %1) ; elle n’est pas utilisée et les couleurs restent telles que photographiées ; la rephotographier avec une autre exposition.</translation>
+    </message>
+    <message>
+      <source>The colour chart is shaded, bent or partly hidden, so it is not used and colours stay as photographed; reshoot it flat, whole and evenly lit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La charte de couleurs est dans l’ombre, courbée ou en partie cachée ; elle n’est pas utilisée et les couleurs restent telles que photographiées ; la rephotographier à plat, entière et éclairée uniformément.</translation>
+    </message>
+    <message>
+      <source>colours: corrected by the colour chart in %1 photographs; its patches differ from their reference by %2 (median) and %3 (95 %), CIEDE2000</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>couleurs : corrigées d’après la charte de couleurs dans %1 photographies ; ses plages s’écartent de leur référence de %2 (médiane) et %3 (95 %), CIEDE2000</translation>
+    </message>
+    <message>
       <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La méthode d’assemblage choisie n’a pas convergé ; utilisez la méthode par défaut ou alignez le revers à la main.</translation>

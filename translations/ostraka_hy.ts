@@ -8361,6 +8361,21 @@
       <translation>%1 բեկորը լուսանկարային հյուսվածք չունի՝ %2</translation>
     </message>
     <message>
+      <source>The colour chart is overexposed or underexposed (clipped patches: %1), so it is not used and colours stay as photographed; reshoot it at another exposure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գունային քարտը գերլուսավորված կամ թերլուսավորված է (կտրված դաշտեր՝ %1). այն չի օգտագործվում, և գույները մնում են այնպես, ինչպես լուսանկարված են. նորից լուսանկարեք այլ լուսակայումով։</translation>
+    </message>
+    <message>
+      <source>The colour chart is shaded, bent or partly hidden, so it is not used and colours stay as photographed; reshoot it flat, whole and evenly lit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գունային քարտը ստվերում է, ծռված կամ մասամբ ծածկված. այն չի օգտագործվում, և գույները մնում են այնպես, ինչպես լուսանկարված են. նորից լուսանկարեք այն հարթ, ամբողջական և հավասար լուսավորված։</translation>
+    </message>
+    <message>
+      <source>colours: corrected by the colour chart in %1 photographs; its patches differ from their reference by %2 (median) and %3 (95 %), CIEDE2000</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>գույներ՝ ուղղված են ըստ գունային քարտի %1 լուսանկարում. դրա դաշտերը հղման արժեքներից տարբերվում են %2-ով (միջնարժեք) և %3-ով (95 %), CIEDE2000</translation>
+    </message>
+    <message>
       <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ընտրված միացման եղանակը չզուգամիտեց. օգտագործեք լռելյայն եղանակը կամ հետևի կողմը հավասարեցրեք ձեռքով։</translation>

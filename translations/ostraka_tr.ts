@@ -8314,6 +8314,21 @@
       <translation>%1 numaralı parçanın fotoğraf dokusu yok: %2</translation>
     </message>
     <message>
+      <source>The colour chart is overexposed or underexposed (clipped patches: %1), so it is not used and colours stay as photographed; reshoot it at another exposure.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Renk kartı fazla veya az pozlanmış (kırpılmış kareler: %1); kullanılmıyor ve renkler fotoğraftaki gibi kalıyor; başka bir pozlamayla yeniden çekin.</translation>
+    </message>
+    <message>
+      <source>The colour chart is shaded, bent or partly hidden, so it is not used and colours stay as photographed; reshoot it flat, whole and evenly lit.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Renk kartı gölgede, bükülmüş veya kısmen örtülü; kullanılmıyor ve renkler fotoğraftaki gibi kalıyor; düz, bütün ve eşit aydınlatılmış olarak yeniden çekin.</translation>
+    </message>
+    <message>
+      <source>colours: corrected by the colour chart in %1 photographs; its patches differ from their reference by %2 (median) and %3 (95 %), CIEDE2000</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>renkler: %1 fotoğraftaki renk kartına göre düzeltildi; kartın kareleri referanslarından %2 (medyan) ve %3 (% 95) farklı, CIEDE2000</translation>
+    </message>
+    <message>
       <source>The chosen registration method did not converge; use the default method, or align the back by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seçilen birleştirme yöntemi yakınsamadı; varsayılan yöntemi kullanın veya arka yüzü elle hizalayın.</translation>

@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 #include "batch/batch.h"
+#include "colour/correction.h"
 #include "decisions/decisions.h"
 #include "decisions/pair_sides.h"
 #include "decisions/scan_folder.h"
@@ -22,6 +23,13 @@
 
 namespace ostraka::pipeline {
 
+/// A stage's outcome: what it left, as read back from its files, and its record.
+template <class T>
+struct Staged {
+  T value;
+  stages::StageRecord record;
+};
+
 /// What all stages of one run share.
 struct Run {
   const ProcessOptions& options;
@@ -34,6 +42,7 @@ struct Run {
   const decisions::Decisions& decisions;   ///< of people, those that hold
   Progress& progress;
   std::stop_token stop;
+  Staged<std::optional<colour::Correction>> colours = {};  ///< by a chart, where there is one
 
   /// Those that may each have a whole photograph.
   int threadsForOriginals() const {
@@ -42,13 +51,6 @@ struct Run {
   const std::string& photographsOf(batch::Side side) const {
     return photographs[side == batch::Side::Front ? 0 : 1];
   }
-};
-
-/// A stage's outcome: what it left, as read back from its files, and its record.
-template <class T>
-struct Staged {
-  T value;
-  stages::StageRecord record;
 };
 
 struct Poses {
@@ -101,6 +103,7 @@ const batch::Shot* findShot(const batch::Batch& batch, const rig::PosedImage& im
 
 /// The chain, one call per step. Each runs its stage or finds it whole.
 Result<Staged<Poses>> poseStage(const Run& run);
+Result<Staged<std::optional<colour::Correction>>> colourStage(const Run& run);
 Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses);
 /// The masks as people edited them (mask_strokes.h); without strokes on this side as they were
 /// found. The program's own stay where they are.

@@ -228,6 +228,7 @@ Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
   std::string inputs = poses.record.outputs_hash;
   for (const Sides* side : {&front, &back})
     inputs += side->masks.record.outputs_hash + side->scans.record.outputs_hash;
+  if (run.colours.value) inputs += run.colours.record.outputs_hash;
   texture::SherdViews views = viewsOf(run, poses.value, front.masks.value, back.masks.value,
                                       decided, front.scans.value, back.scans.value);
   for (std::size_t i = 0; i < decided.size(); ++i) {
@@ -236,8 +237,8 @@ Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
     const scan::Scan& b = back.scans.value[static_cast<std::size_t>(decided[i].back)];
     const std::string number = decisions::sherdNumber(f.id);
     PartProgress progress(run.progress, i, decided.size());
-    const Run one{run.options,    run.batch,       run.held,      run.work, run.inputs,
-                  run.batch_hash, run.photographs, run.decisions, progress, run.stop};
+    const Run one{run.options,     run.batch,     run.held, run.work, run.inputs, run.batch_hash,
+                  run.photographs, run.decisions, progress, run.stop, run.colours};
     ViewsOfSherd shown;
     if (!poses.value.images.empty()) shown = [&, i] { return views.of(i, run.stop); };
     const Result<stages::StageRecord> record =
@@ -345,12 +346,18 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
   return summary;
 }
 
-Result<ProcessSummary> runChain(const Run& run, const std::vector<Message>& reading) {
+Result<ProcessSummary> runChain(Run run, const std::vector<Message>& reading) {
   ReportInput report;
   run.progress.begin("cameras", 0.05);
   Result<Staged<Poses>> poses = poseStage(run);
   if (!poses) return poses.error();
   report.stages.push_back({"cameras", poses->record});
+  Result<Staged<std::optional<colour::Correction>>> colours = colourStage(run);
+  if (!colours) return colours.error();
+  run.colours = std::move(*colours);
+  const stages::StageNotes& said = run.colours.record.notes;
+  if (run.colours.value || !said.warnings.empty())  // without a chart the report is as ever
+    report.stages.push_back({"colours", run.colours.record});
   const Result<Sides> front = processSide(run, batch::Side::Front, *poses, report.stages);
   if (!front) return front.error();
   Result<Sides> back = processSide(run, batch::Side::Back, *poses, report.stages);

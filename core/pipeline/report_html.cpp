@@ -261,6 +261,18 @@ std::string pairTable(const ReportInput& input) {
   return html;
 }
 
+std::string colourLine(const ReportInput& input) {
+  for (const ReportStage& stage : input.stages) {
+    const nlohmann::ordered_json& figures = stage.record.notes.figures;
+    if (figures.contains("ciede2000_median"))
+      return "<p>Colours are corrected by the colour chart; its patches differ from their "
+             "reference by " +
+             fixed(figures["ciede2000_median"], 1) + " (median) and " +
+             fixed(figures["ciede2000_95"], 1) + " (95 %), CIEDE2000.</p>";
+  }
+  return {};
+}
+
 std::string stageTable(const ReportInput& input) {
   std::string html =
       "<table><tr><th class=\"words\">Stage</th><th>Seconds</th><th>Peak memory MB</th></tr>";
@@ -299,7 +311,7 @@ std::string reportHtml(const ReportInput& input) {
   }
   html += "<h2>The plate</h2><div class=\"sides\">" + sidePicture(input, batch::Side::Front) +
           sidePicture(input, batch::Side::Back) + "</div>";
-  html += "<h2>Pairs</h2>" + pairTable(input) + "<h2>Sherds</h2>";
+  html += "<h2>Pairs</h2>" + pairTable(input) + "<h2>Sherds</h2>" + colourLine(input);
   for (const ReportSherd& sherd : input.sherds) html += sherdSection(sherd);
   return html + "<h2>Processing time</h2>" + stageTable(input) + "</html>\n";
 }

@@ -86,6 +86,8 @@ Result<std::optional<texture::TexturedMesh>> texturedOf(const Run& run, const Tr
   Result<texture::TexturedMesh> textured =
       texture::textured(mesh, shown->views, run.options.threads, progress, run.stop);
   if (!textured) return plainly(textured.error());
+  if (run.colours.value)
+    textured->texture.picture = run.colours.value->of(textured->texture.picture);
   for (const Error& error : shown->unread)
     notes.warnings.push_back(
         message("The texture of sherd %1 lacks a photograph: %2", number, error.sentence()));

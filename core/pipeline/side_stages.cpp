@@ -247,6 +247,15 @@ Result<PointCloud> denseCloud(const Run& run, batch::Side side, const std::strin
   return cloud;
 }
 
+// All that is made of the points has their colours.
+Staged<PointCloud> inTrueColours(const Run& run, PointCloud cloud, stages::StageRecord record) {
+  if (run.colours.value) {
+    for (Color& c : cloud.colors) c = run.colours.value->of(c);
+    record.outputs_hash = sha256(record.outputs_hash + run.colours.record.outputs_hash);
+  }
+  return {std::move(cloud), std::move(record)};
+}
+
 }  // namespace
 
 Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const Staged<Poses>& poses,
@@ -311,7 +320,7 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
   if (!record) return record.error();
   Result<PointCloud> cloud = readPlyCloud(run.work / name / "cloud.ply");
   if (!cloud) return cloud.error();
-  return Staged<PointCloud>{std::move(*cloud), *record};
+  return inTrueColours(run, std::move(*cloud), *record);
 }
 
 }  // namespace ostraka::pipeline

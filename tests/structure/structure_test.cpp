@@ -20,7 +20,7 @@ const std::vector<std::string> kOrder = {
     "base",        "files",    "paper",     "cloud",      "batch",        "rig",
     "calibration", "colmap",   "ground",    "hull",       "segmentation", "mask",
     "stereo",      "scan",     "pairing",   "baselines",  "registration", "model",
-    "texture",     "drawing",  "decisions", "checks",     "stages",       "pipeline",
+    "colour", "texture",     "drawing",  "decisions", "checks",     "stages",       "pipeline",
     "scansets",    "review",   "evaluate",  "devices",    "cameras",      "turntables",
     "capture",     "vessels",  "rendering", "virtualrig", "store",        "records",
     "catalogue",   "sherds",   "upkeep",    "intake",     "cluster",      "archive",

@@ -11,7 +11,6 @@
 #include "catalogue/batches.h"
 #include "catalogue_commands.h"
 #include "command.h"
-#include "damage.h"
 #include "exchange/export_folder.h"
 #include "intake/enter_results.h"
 #include "sherds/filter.h"
@@ -134,6 +133,22 @@ int runEnter(const Options& options, Session& session) {
                     " to review.");
 }
 
+void printDamage(const std::vector<upkeep::DamagedFile>& damaged) {
+  for (const upkeep::DamagedFile& file : damaged) show(stderr, "%s\n", sentenceOf(file).c_str());
+}
+
+nlohmann::ordered_json damageJson(const std::vector<upkeep::DamagedFile>& damaged) {
+  constexpr const char* kWords[] = {"missing", "changed", "unreadable"};
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [file, damage] : damaged)
+    list.push_back({{"path", file.path},
+                    {"damage", kWords[static_cast<int>(damage)]},
+                    {"role", file.role},
+                    {"sherd", file.sherd},
+                    {"batch", file.batch}});
+  return list;
+}
+
 int runArchive(const Options& options, Session& session) {
   const Result<Project> project =
       Project::open(options.project, {}, {session.stop, &session.progress});
@@ -224,18 +239,6 @@ int runCheck(const Options& options, Session& session) {
                                     : "a backup was made: " + backup));
 }
 
-// One line for each row: what it is, and where it came from.
-std::string wordsOf(const upkeep::RepairedRow& row, const std::string& backup) {
-  using From = upkeep::RepairedRow::From;
-  std::string words = row.table;
-  if (row.row > 0) words += " " + std::to_string(row.row);
-  if (!row.name.empty()) words += " (" + row.name + ")";
-  if (!row.field.empty()) words += ", " + row.field;
-  return words + (row.from == From::Backup    ? ": from " + backup
-                  : row.from == From::History ? ": from the history"
-                                              : ": not restored");
-}
-
 int runRepair(const Options& options, Session& session) {
   session.progress.begin("repair", 1.0);
   const auto report = upkeep::repairCatalogue(options.project, session.progress, session.stop);
@@ -245,7 +248,7 @@ int runRepair(const Options& options, Session& session) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   int lost = 0;
   for (const upkeep::RepairedRow& row : report->rows) {
-    const std::string words = wordsOf(row, backup);
+    const std::string words = row.words(backup).english();
     rows.push_back(words);
     lost += row.from == upkeep::RepairedRow::From::Nowhere ? 1 : 0;
     if (!session.json) show(stdout, "%s\n", words.c_str());
@@ -299,9 +302,7 @@ void addCatalogue(CLI::App& root, Command& chosen) {
   auto options = std::make_shared<Options>();
   const auto add = [&](const char* name, const char* words, int (*run)(const Options&, Session&)) {
     CLI::App* command = catalogue->add_subcommand(name, words);
-    command->callback([options, run, &chosen] {
-      chosen = [options, run](Session& session) { return run(*options, session); };
-    });
+    workOf(*command, chosen, options, run);
     return command;
   };
   CLI::App* fresh = add("new", "Make an empty project", runNew);

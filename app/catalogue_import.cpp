@@ -6,13 +6,15 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "base/limits.h"
 #include "base/text.h"
 #include "catalogue_commands.h"
 #include "exchange/read_back.h"
 #include "files/files.h"
-#include "refusals_file.h"
+#include "files/input_file.h"
+#include "files/output_place.h"
 #include "shown.h"
 #include "tables/column_names.h"
 #include "upkeep/project.h"
@@ -213,6 +215,42 @@ Result<tables::ImportOptions> importOptions(const ImportArguments& arguments) {
   return how;
 }
 
+Result<void> checkReplaced(const fs::path& file) {
+  const std::string head = tables::refusalsCsv({});
+  Result<InputFile> there = InputFile::open(file);
+  if (!there) return there.error();
+  const Result<std::string> begin = there->read(head.size());
+  if (!begin) return begin.error();
+  if (*begin == head) return {};
+  return Error::unusable(
+      "This file already exists and is not a table of refusals; choose another name.",
+      file.string());
+}
+
+// A new file in a folder that is there, or in the place of an earlier table of refusals; never in a
+// project or a sealed folder. An empty path is none.
+Result<void> checkRefusalsFile(const fs::path& file) {
+  if (file.empty()) return {};
+  if (Result<void> good = checkOutputPlace(file); !good) return good;
+  std::error_code failed;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, failed))
+    return Error::unusable("There is no such folder; create it, or choose another location.",
+                           folder.string());
+  if (!file.has_filename())
+    return Error::unusable("This is a folder, not a file; add the name of the table.",
+                           file.string());
+  if (Message other = otherThanAFile(file); !other.empty())
+    return Error::unusable(std::move(other), file.string());
+  if (fs::exists(fs::symlink_status(file, failed)))
+    if (Result<void> good = checkReplaced(file); !good) return good;
+  if (!mayBeWritten(folder))
+    return Error::unusable(
+        "The folder cannot be written to; check its permissions, or choose another location.",
+        folder.string());
+  return {};
+}
+
 int runImport(const ImportArguments& arguments, Session& session) {
   if (const Result<void> good = checkRefusalsFile(arguments.refusals); !good)
     return fail(session, good.error());
@@ -242,9 +280,7 @@ void addCatalogueImport(CLI::App& catalogue, Command& chosen) {
   CLI::App* command = catalogue.add_subcommand(
       "import", "Read a CSV table or an export folder; a preview without --enter");
   const auto arguments = std::make_shared<ImportArguments>();
-  command->callback([arguments, &chosen] {
-    chosen = [arguments](Session& session) { return runImport(*arguments, session); };
-  });
+  workOf(*command, chosen, arguments, runImport);
   command->add_option("PROJECT", arguments->project, "Folder of the project")
       ->required()
       ->check(CLI::ExistingDirectory);

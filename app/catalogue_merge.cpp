@@ -124,9 +124,7 @@ void addCatalogueMerge(CLI::App& catalogue, Command& chosen) {
   CLI::App* command = catalogue.add_subcommand(
       "merge", "Bring what project B holds into project A; B is only read");
   const auto arguments = std::make_shared<MergeArguments>();
-  command->callback([arguments, &chosen] {
-    chosen = [arguments](Session& session) { return runMerge(*arguments, session); };
-  });
+  workOf(*command, chosen, arguments, runMerge);
   command->add_option("A", arguments->a, "Folder of the project that is changed")
       ->required()
       ->check(CLI::ExistingDirectory);

@@ -177,9 +177,7 @@ void addCluster(CLI::App& root, Command& chosen) {
     one->add_option("PROJECT", options->project, "Folder of the project")
         ->required()
         ->check(CLI::ExistingDirectory);
-    one->callback([options, run, &chosen] {
-      chosen = [options, run](Session& session) { return run(*options, session); };
-    });
+    workOf(*one, chosen, options, run);
     return one;
   };
   CLI::App* submit = add("submit", "Submit the waiting batches", runSubmit);

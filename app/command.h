@@ -41,6 +41,8 @@ void addRegister(CLI::App& root, Command& chosen);
 void addDense(CLI::App& root, Command& chosen);
 void addEvaluate(CLI::App& root, Command& chosen);
 void addRig(CLI::App& root, Command& chosen);
+void addRigCalibrate(CLI::App& rig, Command& chosen);
+void addRigPredict(CLI::App& rig, Command& chosen);
 void addCapture(CLI::App& root, Command& chosen);
 void addDevices(CLI::App& root, Command& chosen);
 void addDoctor(CLI::App& root, Command& chosen);
@@ -50,6 +52,13 @@ void addCatalogue(CLI::App& root, Command& chosen);
 void addCluster(CLI::App& root, Command& chosen);
 void addCompletion(CLI::App& root, Command& chosen);
 void addManPages(CLI::App& root, Command& chosen);
+
+/// When the command is chosen on the command line, its work is to run with what was read.
+void workOf(auto& command, Command& chosen, auto arguments, auto run) {
+  command.callback([&chosen, arguments, run] {
+    chosen = [arguments, run](Session& session) { return run(*arguments, session); };
+  });
+}
 
 /// Options that several commands have.
 void addThreads(CLI::App& command, int& threads);

@@ -27,11 +27,6 @@ struct Node {
   std::vector<std::pair<std::string, std::string>> commands;  // name, description
 };
 
-std::string firstLine(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
-
-// Commands that are not shown in the help are for packagers.
 void collect(const CLI::App& app, const std::string& path, std::vector<Node>& nodes) {
   Node node{path, firstLine(app.get_description()), {}, {}, {}};
   for (const CLI::Option* option : app.get_options()) {
@@ -42,8 +37,7 @@ void collect(const CLI::App& app, const std::string& path, std::vector<Node>& no
                               values});
     if (option->get_positional() && node.first_words.empty()) node.first_words = values;
   }
-  const auto commands =
-      app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); });
+  const auto commands = listedCommands(app);
   for (const CLI::App* command : commands)
     node.commands.emplace_back(command->get_name(), firstLine(command->get_description()));
   nodes.push_back(node);

@@ -274,9 +274,7 @@ void addDense(CLI::App& root, Command& chosen) {
                    "more memory and time")
       ->check(CLI::Range(0.3, 1000.0))
       ->capture_default_str();
-  command->callback([arguments, &chosen] {
-    chosen = [arguments](Session& session) { return runDense(*arguments, session); };
-  });
+  workOf(*command, chosen, arguments, runDense);
 }
 
 }  // namespace ostraka::app

@@ -109,9 +109,7 @@ void addDevices(CLI::App& root, Command& chosen) {
                     "First make the desktop let go of cameras that it holds");
   command->add_flag("--watch", arguments->watch,
                     "List them again whenever one is plugged in or out, until Ctrl-C");
-  command->callback([arguments, &chosen] {
-    chosen = [arguments](Session& session) { return runDevices(*arguments, session); };
-  });
+  workOf(*command, chosen, arguments, runDevices);
 }
 
 }  // namespace ostraka::app

@@ -201,9 +201,7 @@ void addDoctor(CLI::App& root, Command& chosen) {
   command->add_option("FOLDER", *folder, "Where projects are kept: its disk is looked at")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
-  command->callback([folder, &chosen] {
-    chosen = [folder](Session& session) { return runDoctor(*folder, session); };
-  });
+  workOf(*command, chosen, folder, runDoctor);
 }
 
 }  // namespace ostraka::app

@@ -138,8 +138,7 @@ void addDraw(CLI::App& root, Command& chosen) {
       ->default_str("a4");
   command->add_option("--id", a->ids, "Name of each sherd, in the order of the models");
   command->add_option("--title", a->sheets.title, "At the foot of each sheet");
-  command->callback(
-      [a, &chosen] { chosen = [a](Session& session) { return runDraw(*a, session); }; });
+  workOf(*command, chosen, a, runDraw);
 }
 
 }  // namespace ostraka::app

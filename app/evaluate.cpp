@@ -280,9 +280,7 @@ void addEvaluate(CLI::App& root, Command& chosen) {
       ->default_str("none");
   addThreads(*command, arguments->threads);
   command->add_flag("--gate", arguments->gate, "Exit status 1 when a goal is missed");
-  command->callback([arguments, &chosen] {
-    chosen = [arguments](Session& session) { return runEvaluate(*arguments, session); };
-  });
+  workOf(*command, chosen, arguments, runEvaluate);
 }
 
 }  // namespace ostraka::app

@@ -65,8 +65,7 @@ std::string commandOf(const CLI::App& root, const CLI::App*& app) {
 
 std::vector<std::string> commandsOf(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
-    if (!one->get_group().empty()) names.push_back(one->get_name());
+  for (const CLI::App* one : listedCommands(app)) names.push_back(one->get_name());
   return names;
 }
 
@@ -187,6 +186,14 @@ std::string valueWord(const CLI::Option& option) {
   for (const char* number : {"INT", "UINT", "FLOAT"})
     if (type.starts_with(number)) return "NUMBER";
   return type.empty() ? "" : "TEXT";
+}
+
+std::vector<const CLI::App*> listedCommands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); });
+}
+
+std::string firstLine(const std::string& text) {
+  return text.substr(0, text.find('\n'));
 }
 
 std::shared_ptr<CLI::FormatterBase> plainHelp() {

@@ -24,6 +24,12 @@ std::vector<std::string> choicesOf(const CLI::Option& option);
 /// for an option without a value.
 std::string valueWord(const CLI::Option& option);
 
+/// Its commands that the help lists; the others are for packagers.
+std::vector<const CLI::App*> listedCommands(const CLI::App& app);
+
+/// The first line of a description.
+std::string firstLine(const std::string& text);
+
 /// Help in the words of people instead of the parser's.
 std::shared_ptr<CLI::FormatterBase> plainHelp();
 

@@ -36,10 +36,6 @@ std::string upper(std::string text) {
   return text;
 }
 
-std::string sentence(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
-
 void addOptions(const CLI::App& app, std::string& page) {
   for (const CLI::Option* option : app.get_options()) {
     std::string name = option->get_name(false, true);
@@ -75,7 +71,7 @@ std::string pageOf(const CLI::App& app, const CLI::App& root, const std::string&
                    const std::string& command) {
   std::string page = ".TH " + upper(roff(name)) +
                      " 1 \"\" \"ostraka " OSTRAKA_VERSION "\" \"Ostraka\"\n.SH NAME\n" +
-                     roff(name) + " \\- " + roff(sentence(app.get_description())) +
+                     roff(name) + " \\- " + roff(firstLine(app.get_description())) +
                      "\n.SH SYNOPSIS\n.B " + roff(command) + "\n";
   for (const CLI::Option* option : app.get_options()) {
     if (!option->get_positional()) continue;
@@ -83,12 +79,11 @@ std::string pageOf(const CLI::App& app, const CLI::App& root, const std::string&
     page += option->get_required() ? word + "\n" : "[" + word + "]\n";
   }
   page += "[OPTIONS]\n.SH DESCRIPTION\n" + roff(app.get_description()) + "\n";
-  const auto commands =
-      app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); });
+  const auto commands = listedCommands(app);
   if (!commands.empty()) page += ".SH COMMANDS\n";
   for (const CLI::App* one : commands)
     page += ".TP\n.B " + roff(command + " " + one->get_name()) + "\n" +
-            roff(sentence(one->get_description())) + "\n";
+            roff(firstLine(one->get_description())) + "\n";
   page += ".SH OPTIONS\n";
   addOptions(app, page);
   if (&app != &root) {
@@ -108,8 +103,7 @@ Result<int> writePages(const CLI::App& app, const CLI::App& root, const std::str
       !written)
     return written.error();
   int pages = 1;
-  for (const CLI::App* one :
-       app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); })) {
+  for (const CLI::App* one : listedCommands(app)) {
     const Result<int> below = writePages(*one, root, name + "-" + one->get_name(),
                                          command + " " + one->get_name(), folder);
     if (!below) return below.error();

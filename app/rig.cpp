@@ -5,7 +5,6 @@
 #include <string>
 
 #include "command.h"
-#include "rig_commands.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::app {

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "calibration/calibration_report.h"
+#include "command.h"
 #include "files/output_place.h"
-#include "rig_commands.h"
 #include "shown.h"
 
 namespace ostraka::app {

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "batch/batch.h"
+#include "command.h"
 #include "files/output_place.h"
 #include "files/scratch_folder.h"
-#include "rig_commands.h"
 #include "shown.h"
 #include "virtualrig/predict.h"
 

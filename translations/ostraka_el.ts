@@ -1078,11 +1078,6 @@
       <translation>%1: %2</translation>
     </message>
     <message>
-      <source>Batch %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Παρτίδα %1</translation>
-    </message>
-    <message>
       <source>Warning: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Προσοχή: %1</translation>
@@ -1353,11 +1348,6 @@
       <source>Type a value to see what would change.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Γράψτε μια τιμή για να δείτε τι θα άλλαζε.</translation>
-    </message>
-    <message>
-      <source>Preview of a change</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Προεπισκόπηση αλλαγής</translation>
     </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
@@ -1638,11 +1628,6 @@
       <translation>Άνοιγμα της διάταξης</translation>
     </message>
     <message>
-      <source>Photographs of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Φωτογραφίες του %1</translation>
-    </message>
-    <message>
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πατήστε το κλείστρο της κάμερας %1.</translation>
@@ -1651,16 +1636,6 @@
       <source>%1 %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 %2</translation>
-    </message>
-    <message>
-      <source>Live picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ζωντανή εικόνα</translation>
-    </message>
-    <message>
-      <source>Front picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εικόνα μπροστινών όψεων</translation>
     </message>
     <message>
       <source>No rig yet</source>
@@ -1812,11 +1787,6 @@
       </translation>
     </message>
     <message>
-      <source>Looking for what holds the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αναζήτηση του τι κρατά την κάμερα</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρήσατε %1 όστρακα, οι φωτογραφίες δείχνουν %2: ψάξτε ένα που κρύβεται, αγγίζει άλλο ή δεν τοποθετήθηκε.</translation>
@@ -1961,11 +1931,6 @@
       <source>Markers %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δείκτες %1 από %2</translation>
-    </message>
-    <message>
-      <source>Releasing the camera from the desktop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η επιφάνεια εργασίας αφήνει την κάμερα</translation>
     </message>
     <message>
       <source>Release camera</source>
@@ -2114,11 +2079,6 @@
         <translation>Τα όστρακα εμφανίζονται εδώ όταν επεξεργαστεί μια παρτίδα.</translation>
     </message>
     <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Λήψη παρτίδας</translation>
-    </message>
-    <message>
         <source>No sherds match this filter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Κανένα όστρακο δεν ταιριάζει στο φίλτρο</translation>
@@ -2237,16 +2197,6 @@
       <translation>Τι λέει το σχέδιο</translation>
     </message>
     <message>
-      <source>Drawings</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σχέδια</translation>
-    </message>
-    <message>
-      <source>A sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα φύλλο</translation>
-    </message>
-    <message>
       <source>Choose a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Επιλέξτε όστρακο.</translation>
@@ -2290,19 +2240,9 @@
       <translation>PDF, όλα τα φύλλα (*.pdf);;SVG, ένα αρχείο ανά φύλλο (*.svg)</translation>
     </message>
     <message>
-      <source>Saving a drawing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αποθήκευση σχεδίου</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε: %1</translation>
-    </message>
-    <message>
-      <source>Printing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εκτύπωση</translation>
     </message>
     <message>
       <source>The drawing is sent to the printer; print it at 100 %.</source>
@@ -2366,11 +2306,6 @@
 <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
-      <source>Size of the export</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μέγεθος της εξαγωγής</translation>
-    </message>
-    <message>
       <source>less than a minute</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>λιγότερο από ένα λεπτό</translation>
@@ -2424,11 +2359,6 @@
         <numerusform>%n όστρακο, %1, ο κατάλογος αρχείων ελέγχθηκε</numerusform>
         <numerusform>%n όστρακα, %1, ο κατάλογος αρχείων ελέγχθηκε</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Export</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εξαγωγή</translation>
     </message>
     <message>
       <source>Counting…</source>
@@ -2979,16 +2909,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 «%2»: %3</translation>
     </message>
-    <message>
-      <source>Preview of an import</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Προεπισκόπηση εισαγωγής</translation>
-    </message>
-    <message>
-      <source>Import</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εισαγωγή</translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3107,11 +3027,6 @@
       <translation>Παντού</translation>
     </message>
     <message>
-      <source>Room on the disk</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Χώρος στον δίσκο</translation>
-    </message>
-    <message>
       <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο υπολογισμός σταματά· συνεχίζει όταν ανοίξει ξανά το έργο. Το παράθυρο κλείνει σε λίγο.</translation>
@@ -3120,11 +3035,6 @@
       <source>Undo: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αναίρεση: %1</translation>
-    </message>
-    <message>
-      <source>Copy of the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αντίγραφο του καταλόγου</translation>
     </message>
     <message>
       <source>The catalogue could not be copied: %1</source>
@@ -3160,11 +3070,6 @@
 <context>
     <name>ostraka::ui::MapScreen</name>
     <message>
-      <source>Batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Παρτίδα</translation>
-    </message>
-    <message>
       <source>Print map and labels</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εκτύπωση χάρτη και ετικετών</translation>
@@ -3173,11 +3078,6 @@
       <source>Sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Όστρακο %1</translation>
-    </message>
-    <message>
-      <source>Map of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Χάρτης της %1</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -3255,11 +3155,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Φωτογραφίστε ή εισαγάγετε μια παρτίδα. Μετά την επεξεργασία, ο χάρτης δείχνει πού ήταν κάθε όστρακο.</translation>
     </message>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Λήψη παρτίδας</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
@@ -3323,16 +3218,6 @@
       <source>From above</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Από πάνω</translation>
-    </message>
-    <message>
-      <source>Picture of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εικόνα ενός οστράκου</translation>
-    </message>
-    <message>
-      <source>Model of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μοντέλο ενός οστράκου</translation>
     </message>
 </context>
 <context>
@@ -3409,11 +3294,6 @@
       <translation>επιλογή του %1</translation>
     </message>
     <message>
-      <source>Comparing two sides</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σύγκριση δύο όψεων</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>αρχικό σημείο</translation>
@@ -3422,16 +3302,6 @@
       <source>turning by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>στροφή με το χέρι</translation>
-    </message>
-    <message>
-      <source>Closed model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Κλειστό μοντέλο</translation>
-    </message>
-    <message>
-      <source>Picture of a pair</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εικόνα ενός ζεύγους</translation>
     </message>
     <message>
       <source>A back alone has no closed model.</source>
@@ -3495,11 +3365,6 @@
 <context>
     <name>ostraka::ui::PairReview</name>
     <message>
-      <source>Small pictures of the sherds</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μικρές εικόνες των οστράκων</translation>
-    </message>
-    <message>
       <source>Choose a back first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Επιλέξτε πρώτα πίσω όψη.</translation>
@@ -3518,11 +3383,6 @@
       <source>setting aside %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>το %1 στην άκρη</translation>
-    </message>
-    <message>
-      <source>More candidates</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Περισσότερα υποψήφια</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3763,11 +3623,6 @@
         <translation>Ό,τι φωτογραφίζετε ή εισάγετε επεξεργάζεται εδώ, μία παρτίδα τη φορά, ενώ συνεχίζετε.</translation>
     </message>
     <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Λήψη παρτίδας</translation>
-    </message>
-    <message>
         <source>Batch</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Παρτίδα</translation>
@@ -4002,11 +3857,6 @@
 <context>
     <name>ostraka::ui::ReviewScreen</name>
     <message>
-      <source>Batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Παρτίδα</translation>
-    </message>
-    <message>
       <source>Your &amp;initials</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα &amp;αρχικά σας</translation>
@@ -4017,11 +3867,6 @@
       <translation>Τα αρχικά σας</translation>
     </message>
     <message>
-      <source>Opening %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Άνοιγμα της %1</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε, με το όνομά σας.</translation>
@@ -4030,11 +3875,6 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Έλεγχος</translation>
-    </message>
-    <message>
-      <source>Models of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μοντέλα της %1</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -4055,11 +3895,6 @@
         <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Φωτογραφίστε ή εισαγάγετε μια παρτίδα. Τα ζεύγη εμφανίζονται εδώ μετά την επεξεργασία.</translation>
-    </message>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Λήψη παρτίδας</translation>
     </message>
     <message>
         <source>Show report</source>
@@ -4532,11 +4367,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα επιλεγμένα όστρακα έχουν τους αριθμούς τους.</translation>
     </message>
-    <message>
-      <source>Numbers</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αριθμοί</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4561,11 +4391,6 @@
 </context>
 <context>
     <name>ostraka::ui::SherdTableModel</name>
-    <message>
-      <source>Picture of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εικόνα ενός οστράκου</translation>
-    </message>
     <message>
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4771,14 +4596,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Thumbnails</name>
-    <message>
-      <source>Picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εικόνα</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4851,16 +4668,6 @@
 </context>
 <context>
     <name>ostraka::ui::MaskModel</name>
-    <message>
-      <source>Mask</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μάσκα</translation>
-    </message>
-    <message>
-      <source>Masks of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μάσκες του %1</translation>
-    </message>
     <message>
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5055,11 +4862,6 @@
       <translation>%1: %2</translation>
     </message>
     <message>
-      <source>Numbers left out</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αριθμοί που παραλείφθηκαν</translation>
-    </message>
-    <message>
       <source>Sherds of %1 get no number so: it lacks a part that the numbering names.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα όστρακα του %1 δεν παίρνουν έτσι αριθμό: του λείπει ένα μέρος που αναφέρει η αρίθμηση.</translation>
@@ -5174,14 +4976,6 @@
       <source>Count them if you like: you are asked when the photographs show another number (S)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρήστε τα αν θέλετε: ερωτάστε όταν οι φωτογραφίες δείχνουν άλλον αριθμό (S)</translation>
-    </message>
-</context>
-<context>
-    <name>ostraka::ui::RigRenewal</name>
-    <message>
-      <source>Calibration by %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Βαθμονόμηση από το %1</translation>
     </message>
 </context>
 <context>
@@ -9995,14 +9789,24 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Κάμερα %1, στάση %2</translation>
     </message>
+    <message>
+        <source>%1: from %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: από %2</translation>
+    </message>
+    <message>
+        <source>%1: from the history</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: από το ιστορικό</translation>
+    </message>
+    <message>
+        <source>%1: not restored</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: δεν αποκαταστάθηκε</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
-    <message>
-      <source>Check of the files</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Έλεγχος των αρχείων</translation>
-    </message>
     <message numerus="yes">
       <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -10148,11 +9952,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φάκελος παρτίδας ή με φωτογραφίες</translation>
     </message>
-    <message>
-      <source>Photographs of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Φωτογραφίες από %1</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10258,21 +10057,6 @@
 <context>
     <name>ostraka::ui::CatalogueRepair</name>
     <message>
-        <source>%1: from %2</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1: από %2</translation>
-    </message>
-    <message>
-        <source>%1: from the history</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1: από το ιστορικό</translation>
-    </message>
-    <message>
-        <source>%1: not restored</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1: δεν αποκαταστάθηκε</translation>
-    </message>
-    <message>
         <source>It is whole; nothing was changed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Είναι ακέραιος· τίποτα δεν άλλαξε.</translation>
@@ -10311,11 +10095,6 @@
         <source>The catalogue is being repaired …</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο κατάλογος επισκευάζεται …</translation>
-    </message>
-    <message>
-        <source>Repair of the catalogue</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Επισκευή του καταλόγου</translation>
     </message>
     <message>
         <source>The catalogue could not be repaired.</source>
@@ -10541,6 +10320,22 @@
       <source>fragments: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>θραύσματα: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::Screen</name>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Λήψη παρτίδας</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlateScreen</name>
+    <message>
+      <source>Batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παρτίδα</translation>
     </message>
 </context>
 </TS>

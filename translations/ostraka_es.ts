@@ -1078,11 +1078,6 @@
       <translation>%1: %2</translation>
     </message>
     <message>
-      <source>Batch %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tanda %1</translation>
-    </message>
-    <message>
       <source>Warning: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aviso: %1</translation>
@@ -1353,11 +1348,6 @@
       <source>Type a value to see what would change.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escriba un valor para ver lo que cambiaría.</translation>
-    </message>
-    <message>
-      <source>Preview of a change</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vista previa de un cambio</translation>
     </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
@@ -1638,11 +1628,6 @@
       <translation>Abriendo el equipo</translation>
     </message>
     <message>
-      <source>Photographs of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotografías de %1</translation>
-    </message>
-    <message>
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pulse el disparador de la cámara %1.</translation>
@@ -1651,16 +1636,6 @@
       <source>%1 %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 %2</translation>
-    </message>
-    <message>
-      <source>Live picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imagen en vivo</translation>
-    </message>
-    <message>
-      <source>Front picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imagen de los anversos</translation>
     </message>
     <message>
       <source>No rig yet</source>
@@ -1812,11 +1787,6 @@
       </translation>
     </message>
     <message>
-      <source>Looking for what holds the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Buscando qué retiene la cámara</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ha contado %1 fragmentos, las fotos muestran %2: busque uno que esté oculto, toque a otro o no se haya colocado.</translation>
@@ -1961,11 +1931,6 @@
       <source>Markers %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Marcas %1 de %2</translation>
-    </message>
-    <message>
-      <source>Releasing the camera from the desktop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Haciendo que el escritorio suelte la cámara</translation>
     </message>
     <message>
       <source>Release camera</source>
@@ -2114,11 +2079,6 @@
         <translation>Los fragmentos aparecen aquí cuando se procesa una tanda.</translation>
     </message>
     <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Capturar una tanda</translation>
-    </message>
-    <message>
         <source>No sherds match this filter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ningún fragmento cumple este filtro</translation>
@@ -2237,16 +2197,6 @@
       <translation>Lo que dice el dibujo</translation>
     </message>
     <message>
-      <source>Drawings</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dibujos</translation>
-    </message>
-    <message>
-      <source>A sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una hoja</translation>
-    </message>
-    <message>
       <source>Choose a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Elija un fragmento.</translation>
@@ -2290,19 +2240,9 @@
       <translation>PDF, todas las hojas (*.pdf);;SVG, un archivo por hoja (*.svg)</translation>
     </message>
     <message>
-      <source>Saving a drawing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Guardando un dibujo</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado: %1</translation>
-    </message>
-    <message>
-      <source>Printing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imprimiendo</translation>
     </message>
     <message>
       <source>The drawing is sent to the printer; print it at 100 %.</source>
@@ -2366,11 +2306,6 @@
 <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
-      <source>Size of the export</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tamaño de la exportación</translation>
-    </message>
-    <message>
       <source>less than a minute</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>menos de un minuto</translation>
@@ -2424,11 +2359,6 @@
         <numerusform>%n fragmento, %1, manifiesto comprobado</numerusform>
         <numerusform>%n fragmentos, %1, manifiesto comprobado</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Export</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Exportación</translation>
     </message>
     <message>
       <source>Counting…</source>
@@ -2979,16 +2909,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 «%2»: %3</translation>
     </message>
-    <message>
-      <source>Preview of an import</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vista previa de una importación</translation>
-    </message>
-    <message>
-      <source>Import</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importar</translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3107,11 +3027,6 @@
       <translation>En todas partes</translation>
     </message>
     <message>
-      <source>Room on the disk</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sitio en el disco</translation>
-    </message>
-    <message>
       <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se está deteniendo el cálculo; continúa cuando el proyecto se abra otra vez. La ventana se cierra en un momento.</translation>
@@ -3120,11 +3035,6 @@
       <source>Undo: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deshacer: %1</translation>
-    </message>
-    <message>
-      <source>Copy of the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Copia del catálogo</translation>
     </message>
     <message>
       <source>The catalogue could not be copied: %1</source>
@@ -3160,11 +3070,6 @@
 <context>
     <name>ostraka::ui::MapScreen</name>
     <message>
-      <source>Batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tanda</translation>
-    </message>
-    <message>
       <source>Print map and labels</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Imprimir plano y etiquetas</translation>
@@ -3173,11 +3078,6 @@
       <source>Sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fragmento %1</translation>
-    </message>
-    <message>
-      <source>Map of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Plano de %1</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -3255,11 +3155,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Fotografíe o importe una tanda. Cuando se procese, su plano muestra dónde estaba cada fragmento.</translation>
     </message>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Capturar una tanda</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
@@ -3323,16 +3218,6 @@
       <source>From above</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Desde arriba</translation>
-    </message>
-    <message>
-      <source>Picture of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imagen de un fragmento</translation>
-    </message>
-    <message>
-      <source>Model of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Modelo de un fragmento</translation>
     </message>
 </context>
 <context>
@@ -3409,11 +3294,6 @@
       <translation>elección de %1</translation>
     </message>
     <message>
-      <source>Comparing two sides</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comparando dos lados</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>punto inicial</translation>
@@ -3422,16 +3302,6 @@
       <source>turning by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>giro a mano</translation>
-    </message>
-    <message>
-      <source>Closed model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Modelo cerrado</translation>
-    </message>
-    <message>
-      <source>Picture of a pair</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imagen de una pareja</translation>
     </message>
     <message>
       <source>A back alone has no closed model.</source>
@@ -3495,11 +3365,6 @@
 <context>
     <name>ostraka::ui::PairReview</name>
     <message>
-      <source>Small pictures of the sherds</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imágenes pequeñas de los fragmentos</translation>
-    </message>
-    <message>
       <source>Choose a back first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Elija primero un reverso.</translation>
@@ -3518,11 +3383,6 @@
       <source>setting aside %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>apartar %1</translation>
-    </message>
-    <message>
-      <source>More candidates</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Más candidatos</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3763,11 +3623,6 @@
         <translation>Lo que fotografíe o importe se procesa aquí, una tanda tras otra, mientras sigue trabajando.</translation>
     </message>
     <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Capturar una tanda</translation>
-    </message>
-    <message>
         <source>Batch</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Tanda</translation>
@@ -4002,11 +3857,6 @@
 <context>
     <name>ostraka::ui::ReviewScreen</name>
     <message>
-      <source>Batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tanda</translation>
-    </message>
-    <message>
       <source>Your &amp;initials</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sus &amp;iniciales</translation>
@@ -4017,11 +3867,6 @@
       <translation>Sus iniciales</translation>
     </message>
     <message>
-      <source>Opening %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Abriendo %1</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado, con su nombre.</translation>
@@ -4030,11 +3875,6 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Revisión</translation>
-    </message>
-    <message>
-      <source>Models of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Modelos de %1</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -4055,11 +3895,6 @@
         <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Fotografíe o importe una tanda. Sus parejas aparecen aquí cuando se procese.</translation>
-    </message>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Capturar una tanda</translation>
     </message>
     <message>
         <source>Show report</source>
@@ -4532,11 +4367,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los fragmentos elegidos tienen sus números.</translation>
     </message>
-    <message>
-      <source>Numbers</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Números</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4561,11 +4391,6 @@
 </context>
 <context>
     <name>ostraka::ui::SherdTableModel</name>
-    <message>
-      <source>Picture of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imagen de un fragmento</translation>
-    </message>
     <message>
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4771,14 +4596,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Thumbnails</name>
-    <message>
-      <source>Picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Imagen</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4851,16 +4668,6 @@
 </context>
 <context>
     <name>ostraka::ui::MaskModel</name>
-    <message>
-      <source>Mask</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Máscara</translation>
-    </message>
-    <message>
-      <source>Masks of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Máscaras de %1</translation>
-    </message>
     <message>
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5055,11 +4862,6 @@
       <translation>%1: %2</translation>
     </message>
     <message>
-      <source>Numbers left out</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Números omitidos</translation>
-    </message>
-    <message>
       <source>Sherds of %1 get no number so: it lacks a part that the numbering names.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los fragmentos de %1 no reciben así número: le falta una parte que nombra la numeración.</translation>
@@ -5174,14 +4976,6 @@
       <source>Count them if you like: you are asked when the photographs show another number (S)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cuéntelos si quiere: se le pregunta cuando las fotos muestran otro número (S)</translation>
-    </message>
-</context>
-<context>
-    <name>ostraka::ui::RigRenewal</name>
-    <message>
-      <source>Calibration by %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calibración según %1</translation>
     </message>
 </context>
 <context>
@@ -9995,14 +9789,24 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cámara %1, posición %2</translation>
     </message>
+    <message>
+        <source>%1: from %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: de %2</translation>
+    </message>
+    <message>
+        <source>%1: from the history</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: del historial</translation>
+    </message>
+    <message>
+        <source>%1: not restored</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: no restaurado</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
-    <message>
-      <source>Check of the files</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comprobación de los archivos</translation>
-    </message>
     <message numerus="yes">
       <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -10148,11 +9952,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Carpeta de una tanda, o con fotos</translation>
     </message>
-    <message>
-      <source>Photographs of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotos de %1</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10258,21 +10057,6 @@
 <context>
     <name>ostraka::ui::CatalogueRepair</name>
     <message>
-        <source>%1: from %2</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1: de %2</translation>
-    </message>
-    <message>
-        <source>%1: from the history</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1: del historial</translation>
-    </message>
-    <message>
-        <source>%1: not restored</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1: no restaurado</translation>
-    </message>
-    <message>
         <source>It is whole; nothing was changed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Está íntegro; no se cambió nada.</translation>
@@ -10311,11 +10095,6 @@
         <source>The catalogue is being repaired …</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Se está reparando el catálogo …</translation>
-    </message>
-    <message>
-        <source>Repair of the catalogue</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Reparación del catálogo</translation>
     </message>
     <message>
         <source>The catalogue could not be repaired.</source>
@@ -10541,6 +10320,22 @@
       <source>fragments: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>trozos: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::Screen</name>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Capturar una tanda</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlateScreen</name>
+    <message>
+      <source>Batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tanda</translation>
     </message>
 </context>
 </TS>

@@ -1078,11 +1078,6 @@
       <translation>%1: %2</translation>
     </message>
     <message>
-      <source>Batch %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lot %1</translation>
-    </message>
-    <message>
       <source>Warning: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Attention : %1</translation>
@@ -1353,11 +1348,6 @@
       <source>Type a value to see what would change.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entrez une valeur pour voir ce qui changerait.</translation>
-    </message>
-    <message>
-      <source>Preview of a change</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aperçu d’une modification</translation>
     </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
@@ -1638,11 +1628,6 @@
       <translation>Ouverture du banc</translation>
     </message>
     <message>
-      <source>Photographs of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Photographies de %1</translation>
-    </message>
-    <message>
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appuyez sur le déclencheur de l’appareil %1.</translation>
@@ -1651,16 +1636,6 @@
       <source>%1 %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 %2</translation>
-    </message>
-    <message>
-      <source>Live picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Image en direct</translation>
-    </message>
-    <message>
-      <source>Front picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Image des faces avant</translation>
     </message>
     <message>
       <source>No rig yet</source>
@@ -1812,11 +1787,6 @@
       </translation>
     </message>
     <message>
-      <source>Looking for what holds the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Recherche de ce qui retient l’appareil</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous avez compté %1 tessons, les photos en montrent %2 : cherchez celui qui est caché, qui en touche un autre ou qui n'a pas été posé.</translation>
@@ -1961,11 +1931,6 @@
       <source>Markers %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Marques %1 sur %2</translation>
-    </message>
-    <message>
-      <source>Releasing the camera from the desktop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le bureau doit libérer l’appareil</translation>
     </message>
     <message>
       <source>Release camera</source>
@@ -2114,11 +2079,6 @@
         <translation>Les tessons apparaissent ici quand un lot est traité.</translation>
     </message>
     <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Photographier un lot</translation>
-    </message>
-    <message>
         <source>No sherds match this filter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Aucun tesson ne correspond à ce filtre</translation>
@@ -2237,16 +2197,6 @@
       <translation>Ce que dit le dessin</translation>
     </message>
     <message>
-      <source>Drawings</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dessins</translation>
-    </message>
-    <message>
-      <source>A sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une feuille</translation>
-    </message>
-    <message>
       <source>Choose a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Choisissez un tesson.</translation>
@@ -2290,19 +2240,9 @@
       <translation>PDF, toutes les feuilles (*.pdf);;SVG, un fichier par feuille (*.svg)</translation>
     </message>
     <message>
-      <source>Saving a drawing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Enregistrement d’un dessin</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré : %1</translation>
-    </message>
-    <message>
-      <source>Printing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Impression</translation>
     </message>
     <message>
       <source>The drawing is sent to the printer; print it at 100 %.</source>
@@ -2366,11 +2306,6 @@
 <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
-      <source>Size of the export</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Taille de l’exportation</translation>
-    </message>
-    <message>
       <source>less than a minute</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>moins d’une minute</translation>
@@ -2424,11 +2359,6 @@
         <numerusform>%n tesson, %1, manifeste vérifié</numerusform>
         <numerusform>%n tessons, %1, manifeste vérifié</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Export</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Exportation</translation>
     </message>
     <message>
       <source>Counting…</source>
@@ -2979,16 +2909,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 « %2 » : %3</translation>
     </message>
-    <message>
-      <source>Preview of an import</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aperçu d’une importation</translation>
-    </message>
-    <message>
-      <source>Import</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Importation</translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3107,11 +3027,6 @@
       <translation>Partout</translation>
     </message>
     <message>
-      <source>Room on the disk</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Place sur le disque</translation>
-    </message>
-    <message>
       <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le calcul s’arrête ; il reprendra à la réouverture du projet. La fenêtre se ferme dans un instant.</translation>
@@ -3120,11 +3035,6 @@
       <source>Undo: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Annuler : %1</translation>
-    </message>
-    <message>
-      <source>Copy of the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Copie du catalogue</translation>
     </message>
     <message>
       <source>The catalogue could not be copied: %1</source>
@@ -3160,11 +3070,6 @@
 <context>
     <name>ostraka::ui::MapScreen</name>
     <message>
-      <source>Batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lot</translation>
-    </message>
-    <message>
       <source>Print map and labels</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Imprimer plan et étiquettes</translation>
@@ -3173,11 +3078,6 @@
       <source>Sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tesson %1</translation>
-    </message>
-    <message>
-      <source>Map of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Plan de %1</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -3255,11 +3155,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Photographiez ou importez un lot. Une fois traité, son plan montre où était chaque tesson.</translation>
     </message>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Photographier un lot</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
@@ -3323,16 +3218,6 @@
       <source>From above</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>De dessus</translation>
-    </message>
-    <message>
-      <source>Picture of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Image d’un tesson</translation>
-    </message>
-    <message>
-      <source>Model of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Modèle d’un tesson</translation>
     </message>
 </context>
 <context>
@@ -3409,11 +3294,6 @@
       <translation>choix de %1</translation>
     </message>
     <message>
-      <source>Comparing two sides</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Comparaison de deux faces</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>point de départ</translation>
@@ -3422,16 +3302,6 @@
       <source>turning by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>rotation à la main</translation>
-    </message>
-    <message>
-      <source>Closed model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Modèle fermé</translation>
-    </message>
-    <message>
-      <source>Picture of a pair</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Image d’une paire</translation>
     </message>
     <message>
       <source>A back alone has no closed model.</source>
@@ -3495,11 +3365,6 @@
 <context>
     <name>ostraka::ui::PairReview</name>
     <message>
-      <source>Small pictures of the sherds</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Petites images des tessons</translation>
-    </message>
-    <message>
       <source>Choose a back first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Choisissez d’abord une face arrière.</translation>
@@ -3518,11 +3383,6 @@
       <source>setting aside %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>mise de côté de %1</translation>
-    </message>
-    <message>
-      <source>More candidates</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Autres candidats</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3763,11 +3623,6 @@
         <translation>Ce que vous photographiez ou importez est traité ici, un lot après l&apos;autre, pendant que vous continuez.</translation>
     </message>
     <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Photographier un lot</translation>
-    </message>
-    <message>
         <source>Batch</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Lot</translation>
@@ -4002,11 +3857,6 @@
 <context>
     <name>ostraka::ui::ReviewScreen</name>
     <message>
-      <source>Batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Lot</translation>
-    </message>
-    <message>
       <source>Your &amp;initials</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vos &amp;initiales</translation>
@@ -4017,11 +3867,6 @@
       <translation>Vos initiales</translation>
     </message>
     <message>
-      <source>Opening %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ouverture de %1</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré, avec votre nom.</translation>
@@ -4030,11 +3875,6 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Examen</translation>
-    </message>
-    <message>
-      <source>Models of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Modèles de %1</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -4055,11 +3895,6 @@
         <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Photographiez ou importez un lot. Ses paires apparaissent ici une fois traité.</translation>
-    </message>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Photographier un lot</translation>
     </message>
     <message>
         <source>Show report</source>
@@ -4532,11 +4367,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les tessons choisis ont leurs numéros.</translation>
     </message>
-    <message>
-      <source>Numbers</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Numéros</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4561,11 +4391,6 @@
 </context>
 <context>
     <name>ostraka::ui::SherdTableModel</name>
-    <message>
-      <source>Picture of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Image d’un tesson</translation>
-    </message>
     <message>
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4771,14 +4596,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Thumbnails</name>
-    <message>
-      <source>Picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Image</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4851,16 +4668,6 @@
 </context>
 <context>
     <name>ostraka::ui::MaskModel</name>
-    <message>
-      <source>Mask</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masque</translation>
-    </message>
-    <message>
-      <source>Masks of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masques de %1</translation>
-    </message>
     <message>
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5055,11 +4862,6 @@
       <translation>%1: %2</translation>
     </message>
     <message>
-      <source>Numbers left out</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Numéros omis</translation>
-    </message>
-    <message>
       <source>Sherds of %1 get no number so: it lacks a part that the numbering names.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les tessons de %1 n’obtiennent ainsi aucun numéro : il lui manque une partie que nomme la numérotation.</translation>
@@ -5174,14 +4976,6 @@
       <source>Count them if you like: you are asked when the photographs show another number (S)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comptez-les si vous voulez : on vous interroge quand les photos montrent un autre nombre (S)</translation>
-    </message>
-</context>
-<context>
-    <name>ostraka::ui::RigRenewal</name>
-    <message>
-      <source>Calibration by %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Calibration d'après %1</translation>
     </message>
 </context>
 <context>
@@ -9995,14 +9789,24 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Appareil %1, position %2</translation>
     </message>
+    <message>
+        <source>%1: from %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 : de %2</translation>
+    </message>
+    <message>
+        <source>%1: from the history</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 : de l’historique</translation>
+    </message>
+    <message>
+        <source>%1: not restored</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 : non restauré</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
-    <message>
-      <source>Check of the files</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Vérification des fichiers</translation>
-    </message>
     <message numerus="yes">
       <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -10148,11 +9952,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dossier d’un lot, ou avec des photos</translation>
     </message>
-    <message>
-      <source>Photographs of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Photos de %1</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10258,21 +10057,6 @@
 <context>
     <name>ostraka::ui::CatalogueRepair</name>
     <message>
-        <source>%1: from %2</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 : de %2</translation>
-    </message>
-    <message>
-        <source>%1: from the history</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 : de l’historique</translation>
-    </message>
-    <message>
-        <source>%1: not restored</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1 : non restauré</translation>
-    </message>
-    <message>
         <source>It is whole; nothing was changed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Il est entier ; rien n’a été modifié.</translation>
@@ -10311,11 +10095,6 @@
         <source>The catalogue is being repaired …</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le catalogue est en cours de réparation …</translation>
-    </message>
-    <message>
-        <source>Repair of the catalogue</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Réparation du catalogue</translation>
     </message>
     <message>
         <source>The catalogue could not be repaired.</source>
@@ -10541,6 +10320,22 @@
       <source>fragments: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>fragments : %1</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::Screen</name>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photographier un lot</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlateScreen</name>
+    <message>
+      <source>Batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lot</translation>
     </message>
 </context>
 </TS>

@@ -1078,11 +1078,6 @@
       <translation>%1: %2</translation>
     </message>
     <message>
-      <source>Batch %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակ %1</translation>
-    </message>
-    <message>
       <source>Warning: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զգուշացում՝ %1</translation>
@@ -1353,11 +1348,6 @@
       <source>Type a value to see what would change.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գրեք արժեք՝ տեսնելու, թե ինչ կփոխվի։</translation>
-    </message>
-    <message>
-      <source>Preview of a change</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փոփոխության նախադիտում</translation>
     </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
@@ -1638,11 +1628,6 @@
       <translation>Սարքակազմը բացվում է</translation>
     </message>
     <message>
-      <source>Photographs of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ի լուսանկարները</translation>
-    </message>
-    <message>
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սեղմեք %1 տեսախցիկի կոճակը։</translation>
@@ -1651,16 +1636,6 @@
       <source>%1 %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 %2</translation>
-    </message>
-    <message>
-      <source>Live picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կենդանի պատկեր</translation>
-    </message>
-    <message>
-      <source>Front picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Առջևի երեսի պատկեր</translation>
     </message>
     <message>
       <source>No rig yet</source>
@@ -1812,11 +1787,6 @@
       </translation>
     </message>
     <message>
-      <source>Looking for what holds the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Որոնվում է, թե ինչն է պահում տեսախցիկը</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք հաշվել եք %1 բեկոր, լուսանկարները ցույց են տալիս %2. փնտրեք մեկը, որ թաքնված է, դիպչում է մյուսին կամ չի դրվել։</translation>
@@ -1961,11 +1931,6 @@
       <source>Markers %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նշիչներ՝ %1 %2-ից</translation>
-    </message>
-    <message>
-      <source>Releasing the camera from the desktop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Աշխատասեղանը ազատում է տեսախցիկը</translation>
     </message>
     <message>
       <source>Release camera</source>
@@ -2114,11 +2079,6 @@
         <translation>Բեկորները կհայտնվեն այստեղ, երբ խմբաքանակը մշակվի։</translation>
     </message>
     <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Նկարել խմբաքանակ</translation>
-    </message>
-    <message>
         <source>No sherds match this filter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Այս զտիչին համապատասխան բեկոր չկա</translation>
@@ -2237,16 +2197,6 @@
       <translation>Ինչ է ասում գծանկարը</translation>
     </message>
     <message>
-      <source>Drawings</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Գծանկարներ</translation>
-    </message>
-    <message>
-      <source>A sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Մեկ թերթ</translation>
-    </message>
-    <message>
       <source>Choose a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ընտրեք բեկոր։</translation>
@@ -2290,19 +2240,9 @@
       <translation>PDF, բոլոր թերթերը (*.pdf);;SVG, մեկ ֆայլ ամեն թերթի համար (*.svg)</translation>
     </message>
     <message>
-      <source>Saving a drawing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Գծանկարը պահվում է</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է՝ %1</translation>
-    </message>
-    <message>
-      <source>Printing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տպվում է</translation>
     </message>
     <message>
       <source>The drawing is sent to the printer; print it at 100 %.</source>
@@ -2366,11 +2306,6 @@
 <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
-      <source>Size of the export</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Արտահանման չափը</translation>
-    </message>
-    <message>
       <source>less than a minute</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>մեկ րոպեից պակաս</translation>
@@ -2424,11 +2359,6 @@
         <numerusform>%n բեկոր, %1, ցուցակը ստուգված է</numerusform>
         <numerusform>%n բեկոր, %1, ցուցակը ստուգված է</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Export</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Արտահանում</translation>
     </message>
     <message>
       <source>Counting…</source>
@@ -2979,16 +2909,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 «%2»՝ %3</translation>
     </message>
-    <message>
-      <source>Preview of an import</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ներմուծման նախադիտում</translation>
-    </message>
-    <message>
-      <source>Import</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ներմուծում</translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3107,11 +3027,6 @@
       <translation>Ամենուր</translation>
     </message>
     <message>
-      <source>Room on the disk</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեղ սկավառակի վրա</translation>
-    </message>
-    <message>
       <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հաշվարկը կանգնեցվում է. կշարունակվի, երբ նախագիծը նորից բացվի։ Պատուհանը շուտով կփակվի։</translation>
@@ -3120,11 +3035,6 @@
       <source>Undo: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետարկել՝ %1</translation>
-    </message>
-    <message>
-      <source>Copy of the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Կատալոգի պատճեն</translation>
     </message>
     <message>
       <source>The catalogue could not be copied: %1</source>
@@ -3160,11 +3070,6 @@
 <context>
     <name>ostraka::ui::MapScreen</name>
     <message>
-      <source>Batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակ</translation>
-    </message>
-    <message>
       <source>Print map and labels</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տպել քարտեզն ու պիտակները</translation>
@@ -3173,11 +3078,6 @@
       <source>Sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Բեկոր %1</translation>
-    </message>
-    <message>
-      <source>Map of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ի քարտեզ</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -3255,11 +3155,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Լուսանկարեք կամ ներմուծեք խմբաքանակ։ Մշակումից հետո քարտեզը ցույց կտա, թե որ բեկորը որտեղ էր։</translation>
     </message>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Նկարել խմբաքանակ</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
@@ -3323,16 +3218,6 @@
       <source>From above</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վերևից</translation>
-    </message>
-    <message>
-      <source>Picture of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորի պատկեր</translation>
-    </message>
-    <message>
-      <source>Model of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորի մոդել</translation>
     </message>
 </context>
 <context>
@@ -3409,11 +3294,6 @@
       <translation>%1-ի ընտրություն</translation>
     </message>
     <message>
-      <source>Comparing two sides</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Երկու երես համեմատվում են</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>սկզբնակետ</translation>
@@ -3422,16 +3302,6 @@
       <source>turning by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ձեռքով շրջում</translation>
-    </message>
-    <message>
-      <source>Closed model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Փակ մոդել</translation>
-    </message>
-    <message>
-      <source>Picture of a pair</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Զույգի պատկեր</translation>
     </message>
     <message>
       <source>A back alone has no closed model.</source>
@@ -3495,11 +3365,6 @@
 <context>
     <name>ostraka::ui::PairReview</name>
     <message>
-      <source>Small pictures of the sherds</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորների փոքր պատկերներ</translation>
-    </message>
-    <message>
       <source>Choose a back first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նախ ընտրեք հետևի երես։</translation>
@@ -3518,11 +3383,6 @@
       <source>setting aside %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը մի կողմ դնել</translation>
-    </message>
-    <message>
-      <source>More candidates</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այլ թեկնածուներ</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3763,11 +3623,6 @@
         <translation>Լուսանկարվածն ու ներմուծվածը մշակվում է այստեղ, խմբաքանակ առ խմբաքանակ, մինչ դուք շարունակում եք աշխատել:</translation>
     </message>
     <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Նկարել խմբաքանակ</translation>
-    </message>
-    <message>
         <source>Batch</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Խմբաքանակ</translation>
@@ -4002,11 +3857,6 @@
 <context>
     <name>ostraka::ui::ReviewScreen</name>
     <message>
-      <source>Batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Խմբաքանակ</translation>
-    </message>
-    <message>
       <source>Your &amp;initials</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ձեր &amp;սկզբնատառերը</translation>
@@ -4017,11 +3867,6 @@
       <translation>Ձեր սկզբնատառերը</translation>
     </message>
     <message>
-      <source>Opening %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բացվում է %1-ը</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է ձեր անունով։</translation>
@@ -4030,11 +3875,6 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ստուգում</translation>
-    </message>
-    <message>
-      <source>Models of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ի մոդելները</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -4055,11 +3895,6 @@
         <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Լուսանկարեք կամ ներմուծեք խմբաքանակ: Դրա զույգերը կհայտնվեն այստեղ մշակումից հետո:</translation>
-    </message>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Նկարել խմբաքանակ</translation>
     </message>
     <message>
         <source>Show report</source>
@@ -4532,11 +4367,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ընտրված բեկորներն ունեն իրենց համարները։</translation>
     </message>
-    <message>
-      <source>Numbers</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Համարներ</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4561,11 +4391,6 @@
 </context>
 <context>
     <name>ostraka::ui::SherdTableModel</name>
-    <message>
-      <source>Picture of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բեկորի պատկեր</translation>
-    </message>
     <message>
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4771,14 +4596,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Thumbnails</name>
-    <message>
-      <source>Picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պատկեր</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4851,16 +4668,6 @@
 </context>
 <context>
     <name>ostraka::ui::MaskModel</name>
-    <message>
-      <source>Mask</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դիմակ</translation>
-    </message>
-    <message>
-      <source>Masks of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ի դիմակները</translation>
-    </message>
     <message>
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5055,11 +4862,6 @@
       <translation>%1: %2</translation>
     </message>
     <message>
-      <source>Numbers left out</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բաց թողնված համարներ</translation>
-    </message>
-    <message>
       <source>Sherds of %1 get no number so: it lacks a part that the numbering names.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի բեկորներն այսպես համար չեն ստանում. դրան պակասում է մի մաս, որը նշում է համարակալումը։</translation>
@@ -5174,14 +4976,6 @@
       <source>Count them if you like: you are asked when the photographs show another number (S)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հաշվեք, եթե ուզում եք. ձեզ կհարցնեն, երբ լուսանկարները այլ թիվ ցույց տան (S)</translation>
-    </message>
-</context>
-<context>
-    <name>ostraka::ui::RigRenewal</name>
-    <message>
-      <source>Calibration by %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տրամաչափում ըստ %1-ի</translation>
     </message>
 </context>
 <context>
@@ -9995,14 +9789,24 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկ %1, դիրք %2</translation>
     </message>
+    <message>
+        <source>%1: from %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1. %2-ից</translation>
+    </message>
+    <message>
+        <source>%1: from the history</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1. պատմությունից</translation>
+    </message>
+    <message>
+        <source>%1: not restored</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1. չվերականգնվեց</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
-    <message>
-      <source>Check of the files</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ֆայլերի ստուգում</translation>
-    </message>
     <message numerus="yes">
       <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -10148,11 +9952,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակի կամ լուսանկարներով պանակ</translation>
     </message>
-    <message>
-      <source>Photographs of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ի լուսանկարները</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10258,21 +10057,6 @@
 <context>
     <name>ostraka::ui::CatalogueRepair</name>
     <message>
-        <source>%1: from %2</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1. %2-ից</translation>
-    </message>
-    <message>
-        <source>%1: from the history</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1. պատմությունից</translation>
-    </message>
-    <message>
-        <source>%1: not restored</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1. չվերականգնվեց</translation>
-    </message>
-    <message>
         <source>It is whole; nothing was changed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Այն ամբողջական է. ոչինչ չի փոխվել։</translation>
@@ -10311,11 +10095,6 @@
         <source>The catalogue is being repaired …</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Կատալոգը վերականգնվում է …</translation>
-    </message>
-    <message>
-        <source>Repair of the catalogue</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Կատալոգի վերականգնում</translation>
     </message>
     <message>
         <source>The catalogue could not be repaired.</source>
@@ -10541,6 +10320,22 @@
       <source>fragments: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>կտորներ՝ %1</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::Screen</name>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նկարել խմբաքանակ</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlateScreen</name>
+    <message>
+      <source>Batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Խմբաքանակ</translation>
     </message>
 </context>
 </TS>

@@ -1071,11 +1071,6 @@
       <translation>%1: %2</translation>
     </message>
     <message>
-      <source>Batch %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parti %1</translation>
-    </message>
-    <message>
       <source>Warning: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Uyarı: %1</translation>
@@ -1339,11 +1334,6 @@
       <source>Type a value to see what would change.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Neyin değişeceğini görmek için bir değer yazın.</translation>
-    </message>
-    <message>
-      <source>Preview of a change</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Değişikliğin önizlemesi</translation>
     </message>
     <message numerus="yes">
       <source>Change %n sherd(s)</source>
@@ -1621,11 +1611,6 @@
       <translation>Düzenek açılıyor</translation>
     </message>
     <message>
-      <source>Photographs of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 fotoğrafları</translation>
-    </message>
-    <message>
       <source>Press the shutter of camera %1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 kamerasının deklanşörüne basın.</translation>
@@ -1634,16 +1619,6 @@
       <source>%1 %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 %2</translation>
-    </message>
-    <message>
-      <source>Live picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Canlı görüntü</translation>
-    </message>
-    <message>
-      <source>Front picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ön yüz görüntüsü</translation>
     </message>
     <message>
       <source>No rig yet</source>
@@ -1792,11 +1767,6 @@
       </translation>
     </message>
     <message>
-      <source>Looking for what holds the camera</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamerayı neyin tuttuğu aranıyor</translation>
-    </message>
-    <message>
       <source>You counted %1 sherds, the photographs show %2: look for one that is hidden, touches another or was never laid down.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 parça saydınız, fotoğraflarda %2 görünüyor: gizlenen, başkasına değen ya da hiç konmamış birini arayın.</translation>
@@ -1939,11 +1909,6 @@
       <source>Markers %1 of %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İşaretler %1 / %2</translation>
-    </message>
-    <message>
-      <source>Releasing the camera from the desktop</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Masaüstüne kamera bıraktırılıyor</translation>
     </message>
     <message>
       <source>Release camera</source>
@@ -2091,11 +2056,6 @@
         <translation>Bir parti işlenince parçalar burada görünür.</translation>
     </message>
     <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Parti çek</translation>
-    </message>
-    <message>
         <source>No sherds match this filter</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Bu süzgece uyan parça yok</translation>
@@ -2214,16 +2174,6 @@
       <translation>Çizim ne diyor</translation>
     </message>
     <message>
-      <source>Drawings</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Çizimler</translation>
-    </message>
-    <message>
-      <source>A sheet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir yaprak</translation>
-    </message>
-    <message>
       <source>Choose a sherd.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir parça seçin.</translation>
@@ -2266,19 +2216,9 @@
       <translation>PDF, bütün yapraklar (*.pdf);;SVG, yaprak başına bir dosya (*.svg)</translation>
     </message>
     <message>
-      <source>Saving a drawing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Çizim kaydediliyor</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydedildi: %1</translation>
-    </message>
-    <message>
-      <source>Printing</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yazdırılıyor</translation>
     </message>
     <message>
       <source>The drawing is sent to the printer; print it at 100 %.</source>
@@ -2341,11 +2281,6 @@
 <context>
     <name>ostraka::ui::ExportModel</name>
     <message>
-      <source>Size of the export</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dışa aktarmanın boyutu</translation>
-    </message>
-    <message>
       <source>less than a minute</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>bir dakikadan az</translation>
@@ -2394,11 +2329,6 @@
       <translation>
         <numerusform>%n parça, %1, döküm denetlendi</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Export</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dışa aktarma</translation>
     </message>
     <message>
       <source>Counting…</source>
@@ -2943,16 +2873,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ‘%2’: %3</translation>
     </message>
-    <message>
-      <source>Preview of an import</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İçe aktarmanın önizlemesi</translation>
-    </message>
-    <message>
-      <source>Import</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İçe aktar</translation>
-    </message>
     <message numerus="yes">
         <source>%n row(s) ask for a confirmation.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3069,11 +2989,6 @@
       <translation>Her yerde</translation>
     </message>
     <message>
-      <source>Room on the disk</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Diskteki yer</translation>
-    </message>
-    <message>
       <source>The computation is being stopped; it goes on when the project is opened again. The window closes in a moment.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hesap durduruluyor; proje yeniden açılınca sürer. Pencere birazdan kapanır.</translation>
@@ -3082,11 +2997,6 @@
       <source>Undo: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Geri al: %1</translation>
-    </message>
-    <message>
-      <source>Copy of the catalogue</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kataloğun kopyası</translation>
     </message>
     <message>
       <source>The catalogue could not be copied: %1</source>
@@ -3122,11 +3032,6 @@
 <context>
     <name>ostraka::ui::MapScreen</name>
     <message>
-      <source>Batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parti</translation>
-    </message>
-    <message>
       <source>Print map and labels</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Plan ve etiket yazdır</translation>
@@ -3135,11 +3040,6 @@
       <source>Sherd %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parça %1</translation>
-    </message>
-    <message>
-      <source>Map of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 planı</translation>
     </message>
     <message>
       <source>Batch %1</source>
@@ -3215,11 +3115,6 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Bir parti çekin ya da içe aktarın. İşlenince haritası hangi parçanın nerede durduğunu gösterir.</translation>
     </message>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Parti çek</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::MapView</name>
@@ -3283,16 +3178,6 @@
       <source>From above</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Üstten</translation>
-    </message>
-    <message>
-      <source>Picture of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir parçanın resmi</translation>
-    </message>
-    <message>
-      <source>Model of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir parçanın modeli</translation>
     </message>
 </context>
 <context>
@@ -3369,11 +3254,6 @@
       <translation>%1 seçimi</translation>
     </message>
     <message>
-      <source>Comparing two sides</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>İki yüz karşılaştırılıyor</translation>
-    </message>
-    <message>
       <source>start point</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>başlangıç noktası</translation>
@@ -3382,16 +3262,6 @@
       <source>turning by hand</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>elle döndürme</translation>
-    </message>
-    <message>
-      <source>Closed model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kapalı model</translation>
-    </message>
-    <message>
-      <source>Picture of a pair</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir eşin resmi</translation>
     </message>
     <message>
       <source>A back alone has no closed model.</source>
@@ -3455,11 +3325,6 @@
 <context>
     <name>ostraka::ui::PairReview</name>
     <message>
-      <source>Small pictures of the sherds</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parçaların küçük resimleri</translation>
-    </message>
-    <message>
       <source>Choose a back first.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Önce bir arka yüz seçin.</translation>
@@ -3478,11 +3343,6 @@
       <source>setting aside %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 kenara ayırma</translation>
-    </message>
-    <message>
-      <source>More candidates</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Başka adaylar</translation>
     </message>
     <message>
       <source>No pair is chosen: give this back to a front first.</source>
@@ -3721,11 +3581,6 @@
         <translation>Çektikleriniz ve içe aktardıklarınız, siz çalışırken burada parti parti işlenir.</translation>
     </message>
     <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Parti çek</translation>
-    </message>
-    <message>
         <source>Batch</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Parti</translation>
@@ -3960,11 +3815,6 @@
 <context>
     <name>ostraka::ui::ReviewScreen</name>
     <message>
-      <source>Batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Parti</translation>
-    </message>
-    <message>
       <source>Your &amp;initials</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>&amp;Baş harfleriniz</translation>
@@ -3975,11 +3825,6 @@
       <translation>Adınızın baş harfleri</translation>
     </message>
     <message>
-      <source>Opening %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 açılıyor</translation>
-    </message>
-    <message>
       <source>Saved, with your name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Adınızla kaydedildi.</translation>
@@ -3988,11 +3833,6 @@
       <source>Review</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gözden geçirme</translation>
-    </message>
-    <message>
-      <source>Models of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 modelleri</translation>
     </message>
     <message>
         <source>Update changed models</source>
@@ -4013,11 +3853,6 @@
         <source>Photograph or import a batch. Its pairs appear here when it is processed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Bir parti çekin ya da içe aktarın. Eşleri işlenince burada görünür.</translation>
-    </message>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Parti çek</translation>
     </message>
     <message>
         <source>Show report</source>
@@ -4489,11 +4324,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seçilen parçaların numaraları var.</translation>
     </message>
-    <message>
-      <source>Numbers</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Numaralar</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s) got no number: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4516,11 +4346,6 @@
 </context>
 <context>
     <name>ostraka::ui::SherdTableModel</name>
-    <message>
-      <source>Picture of a sherd</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir parçanın resmi</translation>
-    </message>
     <message>
       <source>%1: %2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -4726,14 +4551,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Thumbnails</name>
-    <message>
-      <source>Picture</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Resim</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ViewOverlay</name>
     <message>
       <source>%1 mm</source>
@@ -4806,16 +4623,6 @@
 </context>
 <context>
     <name>ostraka::ui::MaskModel</name>
-    <message>
-      <source>Mask</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Maske</translation>
-    </message>
-    <message>
-      <source>Masks of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 maskeleri</translation>
-    </message>
     <message>
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -5008,11 +4815,6 @@
       <translation>%1: %2</translation>
     </message>
     <message>
-      <source>Numbers left out</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Atlanan numaralar</translation>
-    </message>
-    <message>
       <source>Sherds of %1 get no number so: it lacks a part that the numbering names.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 parçaları böyle numara almaz: numaralamanın andığı bir bölüm onda yok.</translation>
@@ -5127,14 +4929,6 @@
       <source>Count them if you like: you are asked when the photographs show another number (S)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İsterseniz sayın: fotoğraflar başka bir sayı gösterirse size sorulur (S)</translation>
-    </message>
-</context>
-<context>
-    <name>ostraka::ui::RigRenewal</name>
-    <message>
-      <source>Calibration by %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ile kalibrasyon</translation>
     </message>
 </context>
 <context>
@@ -9948,14 +9742,24 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1, konum %2</translation>
     </message>
+    <message>
+        <source>%1: from %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: %2 içinden</translation>
+    </message>
+    <message>
+        <source>%1: from the history</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: geçmişten</translation>
+    </message>
+    <message>
+        <source>%1: not restored</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: geri getirilemedi</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
-    <message>
-      <source>Check of the files</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dosyaların denetimi</translation>
-    </message>
     <message numerus="yes">
       <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -10100,11 +9904,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir partinin ya da fotoğrafların klasörü</translation>
     </message>
-    <message>
-      <source>Photographs of %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 fotoğrafları</translation>
-    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10209,21 +10008,6 @@
 <context>
     <name>ostraka::ui::CatalogueRepair</name>
     <message>
-        <source>%1: from %2</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1: %2 içinden</translation>
-    </message>
-    <message>
-        <source>%1: from the history</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1: geçmişten</translation>
-    </message>
-    <message>
-        <source>%1: not restored</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>%1: geri getirilemedi</translation>
-    </message>
-    <message>
         <source>It is whole; nothing was changed.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Sağlam; hiçbir şey değiştirilmedi.</translation>
@@ -10262,11 +10046,6 @@
         <source>The catalogue is being repaired …</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Katalog onarılıyor …</translation>
-    </message>
-    <message>
-        <source>Repair of the catalogue</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Kataloğun onarımı</translation>
     </message>
     <message>
         <source>The catalogue could not be repaired.</source>
@@ -10490,6 +10269,22 @@
       <source>fragments: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kırık parçalar: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::Screen</name>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parti çek</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PlateScreen</name>
+    <message>
+      <source>Batch</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parti</translation>
     </message>
 </context>
 </TS>

@@ -103,7 +103,5 @@ Result<std::vector<ShotName>> missingShots(const SideOptions& options, int camer
 /// Before clearing the plate: is every sherd of the front there on the back? One sentence a
 /// complaint; none: the plate may be cleared.
 std::vector<Message> compareSides(const SideCheck& front, const SideCheck& back);
-/// Nearly all pieces lie where they lay: nothing was turned over.
-bool sameSide(const SideCheck& front, const SideCheck& back);
 
 }  // namespace ostraka::capture

@@ -126,8 +126,7 @@ struct SideCheck {
   int doubtful = 0;                     ///< pieces counted as one that may be two
   bool counted = false;                 ///< false: no photograph showed enough of the plate
   std::vector<Eigen::Vector3d> places;  ///< of the pieces: x, y on the plate, mm, and area, mm2
-  std::vector<Eigen::Vector2d> touching_mm, doubtful_mm;  ///< where, on the plate
-  std::vector<Message> sentences;  ///< what a person should know before going on
+  std::vector<Message> sentences;       ///< what a person should know before going on
 };
 
 /// Counts over all stops of the camera that looks down most steeply: shadows stay with the room,

@@ -140,6 +140,16 @@ SideCheck uncounted() {
   return side;
 }
 
+// Turning sherds over by hand shifts them by millimetres: the same places twice are the same side.
+bool sameSide(const SideCheck& front, const SideCheck& back) {
+  std::size_t same = 0;
+  for (const Eigen::Vector3d& f : front.places)
+    same += std::any_of(back.places.begin(), back.places.end(), [&](const Eigen::Vector3d& b) {
+      return (f - b).head<2>().norm() < 0.7 && std::abs(f.z() - b.z()) < 0.04 * f.z();
+    });
+  return !front.places.empty() && 5 * same >= 4 * front.places.size();
+}
+
 }  // namespace
 
 SideCheck checkSide(const std::vector<std::vector<fs::path>>& files, const batch::Plate& plate,
@@ -160,45 +170,36 @@ SideCheck checkSide(const Photographs& photographs, const batch::Plate& plate,
   if (!looks) return side;
   if (looks->sherd.empty()) return uncounted();
   const std::vector<MapPiece> pieces = piecesOf(together(*looks), options.smallest_sherd_mm);
+  std::vector<Eigen::Vector2d> touching_mm, doubtful_mm;  // where, on the plate
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const int within = sherdsInPiece(pieces[i]);
     side.sherds += within;
     side.places.emplace_back(pieces[i].centre_mm.x(), pieces[i].centre_mm.y(), pieces[i].area_mm2);
     side.touching += within - 1;
     if (within > 1)
-      side.touching_mm.push_back(pieces[i].centre_mm);
+      touching_mm.push_back(pieces[i].centre_mm);
     else if (mayBeSeveral(pieces[i]) || 2 * looksAt(pieces[i], looks->notched) >= looks->count)
-      side.doubtful_mm.push_back(pieces[i].centre_mm);
+      doubtful_mm.push_back(pieces[i].centre_mm);
     for (std::size_t k = 0; k < i; ++k)
       if (gapBetween_mm(pieces[k], pieces[i]) < options.touching_mm) {
         ++side.touching;
-        side.touching_mm.push_back((pieces[i].centre_mm + pieces[k].centre_mm) / 2);
+        touching_mm.push_back((pieces[i].centre_mm + pieces[k].centre_mm) / 2);
       }
   }
   side.counted = true;
   if (pieces.empty()) side.sentences.push_back(message("No sherd is visible on the plate."));
-  if (!side.touching_mm.empty())
+  if (!touching_mm.empty())
     side.sentences.push_back(
         message("Sherds touch or nearly touch at %1 from the plate's centre: move them apart and "
                 "reshoot.",
-                places(side.touching_mm)));
-  side.doubtful = static_cast<int>(side.doubtful_mm.size());
-  if (!side.doubtful_mm.empty())
+                places(touching_mm)));
+  side.doubtful = static_cast<int>(doubtful_mm.size());
+  if (!doubtful_mm.empty())
     side.sentences.push_back(
         message("What lies at %1 from the plate's centre was counted as one but may be two "
                 "touching sherds: check it; if so, move them apart and reshoot.",
-                places(side.doubtful_mm)));
+                places(doubtful_mm)));
   return side;
-}
-
-// Turning sherds over by hand shifts them by millimetres: the same places twice are the same side.
-bool sameSide(const SideCheck& front, const SideCheck& back) {
-  std::size_t same = 0;
-  for (const Eigen::Vector3d& f : front.places)
-    same += std::any_of(back.places.begin(), back.places.end(), [&](const Eigen::Vector3d& b) {
-      return (f - b).head<2>().norm() < 0.7 && std::abs(f.z() - b.z()) < 0.04 * f.z();
-    });
-  return !front.places.empty() && 5 * same >= 4 * front.places.size();
 }
 
 std::vector<Message> compareSides(const SideCheck& front, const SideCheck& back) {

@@ -13,9 +13,7 @@ constexpr const char* kNone = "-";  // what is kept of an empty value
 std::string valueNow(const records::SherdRecord& sherd, const std::string& name) {
   if (const auto value = sherd.measures.find(name); value != sherd.measures.end())
     return store::numberText(value->second);
-  for (const records::SherdField& field : sherds::sherdFields())
-    if (name == field.name) return sherds::textOf(sherd, name);
-  return sherds::textOf(sherd, "extra." + name);
+  return sherds::textOf(sherd, sherds::sherdField(name) != nullptr ? name : "extra." + name);
 }
 
 // ware_in_out is what another project kept of ours: it says nothing new while our ware is that.

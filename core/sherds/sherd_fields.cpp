@@ -98,6 +98,12 @@ const std::vector<records::SherdField>& sherdFields() {
   return all;
 }
 
+const records::SherdField* sherdField(std::string_view name) {
+  for (const records::SherdField& field : sherdFields())
+    if (name == field.name) return &field;
+  return nullptr;
+}
+
 std::string textOf(const records::SherdRecord& sherd, const std::string& field) {
   if (field.starts_with("extra.")) {
     const nlohmann::json extra = jsonOrDiscarded(sherd.extra_json);

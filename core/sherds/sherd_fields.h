@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "records/sherd.h"
@@ -8,6 +9,8 @@ namespace ostraka::sherds {
 
 /// All fields in the order of the CSV.
 const std::vector<records::SherdField>& sherdFields();
+/// The one of this name; null: none, or a field of the user's own.
+const records::SherdField* sherdField(std::string_view name);
 /// The field's value as text ('; ' between the terms of a list), as in CSV and in edits.
 std::string textOf(const records::SherdRecord& sherd, const std::string& field);
 

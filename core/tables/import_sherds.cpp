@@ -34,12 +34,6 @@ using records::SherdRecord;
 using store::SherdRow;
 using store::valueOrThrow;
 
-const SherdField* fieldNamed(const std::string& name) {
-  for (const SherdField& field : sherds::sherdFields())
-    if (name == field.name) return &field;
-  return nullptr;
-}
-
 std::string valueOf(const ImportRow& row, const std::string& name) {
   const auto found = row.values.find(name);
   return found == row.values.end() || found->second == kClear ? std::string() : found->second;
@@ -185,7 +179,7 @@ class Importing {
     const Confirmation confirmation = confirmed ? Confirmation::Given : Confirmation::None;
     for (const auto& [name, typed] : row.values) {
       if (typed.empty() || name == "joins") continue;
-      const SherdField* field = fieldNamed(name);
+      const SherdField* field = sherds::sherdField(name);
       if (field && !field->editable) continue;
       if (name == "number" && store::uniqueKey(typed) == store::uniqueKey(now.number))
         continue;  // capitals make no difference

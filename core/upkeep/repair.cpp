@@ -376,6 +376,16 @@ class Repair {
 
 }  // namespace
 
+Message RepairedRow::words(const std::string& backup) const {
+  std::string what = table;
+  if (row > 0) what += " " + std::to_string(row);
+  if (!name.empty()) what += " (" + name + ")";
+  if (!field.empty()) what += ", " + field;
+  return from == From::Backup    ? message("%1: from %2", what, backup)
+         : from == From::History ? message("%1: from the history", what)
+                                 : message("%1: not restored", what);
+}
+
 Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress,
                                      std::stop_token stop,
                                      const catalogue::Catalogue::Clock& clock) {

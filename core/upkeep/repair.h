@@ -22,6 +22,9 @@ struct RepairedRow {
   std::string name;   ///< number, code or path; empty where none is known
   std::string field;  ///< of which the last change is not restored
   From from = From::Nowhere;
+
+  /// What it is, and where it came from; backup: its file.
+  Message words(const std::string& backup) const;
 };
 
 struct RepairReport {

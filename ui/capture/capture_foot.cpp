@@ -17,8 +17,7 @@ namespace ostraka::ui {
 
 CaptureFoot::CaptureFoot(CaptureWizard* wizard, const Acts& acts, QWidget* parent)
     : SideBySide(parent), wizard_(wizard), text_(*wizard) {
-  button_ = new BigButton(this);
-  button_->setObjectName(QStringLiteral("captureButton"));
+  button_ = new BigButton(QStringLiteral("captureButton"), {}, this);
   button_->setKeyHint(tr("Space"));
   connect(button_, &QPushButton::clicked, acts.next, &QAction::trigger);
   connect(wizard_->side(), &SideProgress::changed, this,
@@ -37,8 +36,7 @@ QWidget* CaptureFoot::buildFields() {
   connect(place_, &PlaceEdit::entered, this, &CaptureFoot::entered);
   connect(count_, &CountEdit::entered, this, &CaptureFoot::entered);
   connect(count_, &CountEdit::counted, wizard_->description(), &BatchDescription::setCounted);
-  auto* row = new QHBoxLayout(fields);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = bareLayout<QHBoxLayout>(fields);
   row->addWidget(place_, 1);
   row->addWidget(count_);
   return fields;

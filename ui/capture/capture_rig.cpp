@@ -2,7 +2,6 @@
 #include <QAction>
 #include <utility>
 
-#include "catalogue/settings.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/capture/rig_page.h"
 #include "ui/frame/project_session.h"
@@ -12,7 +11,6 @@
 #include "ui/wizard/rig_connection.h"
 #include "ui/wizard/rig_renewal.h"
 #include "ui/words/sentence.h"
-#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {
@@ -23,10 +21,8 @@ constexpr const char* kRigKey = "rig";
 
 // The same photographs once more are a slip more often than a wish.
 void CaptureScreen::buildTwice() {
-  twice_ = new MessagePanel(this);
-  twice_->setObjectName(QStringLiteral("importTwice"));
+  twice_ = new MessagePanel(QStringLiteral("importTwice"), this);
   twice_->setSecondAct(tr("Import anyway"));
-  twice_->hide();
   connect(importer_, &BatchImporter::alreadyThere, this,
           [this](const QString& number, const QString& folder, int there, int files) {
             twice_->showWords(
@@ -70,8 +66,7 @@ void CaptureScreen::chooseRig(const RigChoice& choice) {
 }
 
 void CaptureScreen::keepChoice(const RigChoice& choice) {
-  (void)catalogue::Settings(session_->project().catalogue())
-      .setValue(kRigKey, choice.toJson().toStdString());
+  session_->keepSetting(kRigKey, choice.toJson());
 }
 
 // A rig that does not open leaves the place to the one that worked.
@@ -90,10 +85,7 @@ void CaptureScreen::followRig(const std::optional<Error>& why_not) {
 }
 
 RigChoice CaptureScreen::rigChoice() const {
-  if (session_ == nullptr) return {};
-  const Result<std::string> rig =
-      catalogue::Settings(session_->project().catalogue()).value(kRigKey);
-  return RigChoice::fromJson(rig ? QString::fromStdString(*rig) : QString());
+  return session_ == nullptr ? RigChoice() : RigChoice::fromJson(session_->setting(kRigKey));
 }
 
 void CaptureScreen::showItem(const QString& what) {

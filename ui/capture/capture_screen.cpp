@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "batch/batch.h"
-#include "catalogue/settings.h"
 #include "ui/capture/capture_foot.h"
 #include "ui/capture/count_edit.h"
 #include "ui/capture/fact_list.h"
@@ -50,7 +49,7 @@ constexpr double kFromAfar = 3;  // of the body's letters
 }  // namespace
 
 CaptureScreen::CaptureScreen(CaptureWizard* wizard, QWidget* parent)
-    : Screen(parent),
+    : Screen(tr("Capture"), QStringLiteral("capture"), parent),
       wizard_(wizard),
       text_(*wizard),
       importer_(new BatchImporter(this)),
@@ -65,9 +64,7 @@ CaptureScreen::CaptureScreen(CaptureWizard* wizard, QWidget* parent)
   all->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   all->addWidget(rig_page_);
   all->addWidget(work_page_);
-  failure_ = new MessagePanel(this);
-  failure_->setObjectName(QStringLiteral("captureFailure"));
-  failure_->hide();
+  failure_ = new MessagePanel(QStringLiteral("captureFailure"), this);
   connect(failure_, &MessagePanel::acted, this, [this] {
     failure_->hide();
     setFocus();
@@ -176,9 +173,7 @@ bool CaptureScreen::namesABag() {
 
 QWidget* CaptureScreen::buildWorkPage() {
   auto* page = new QWidget(this);
-  headline_ = new QLabel(page);
-  headline_->setObjectName(QStringLiteral("captureHeadline"));
-  headline_->setWordWrap(true);
+  headline_ = wrappedLabel(page, QStringLiteral("captureHeadline"));
   instruction_ = new QLabel(page);
   instruction_->setWordWrap(true);
   middle_ = new QStackedWidget(page);
@@ -201,27 +196,20 @@ QWidget* CaptureScreen::buildWorkPage() {
     setFocus();
     followNumbers();
   });
-  doubts_ = new MessagePanel(page);
-  doubts_->setObjectName(QStringLiteral("captureDoubts"));
-  doubts_->hide();
-  fault_ = new MessagePanel(page);
-  fault_->setObjectName(QStringLiteral("captureFault"));
-  fault_->hide();
+  doubts_ = new MessagePanel(QStringLiteral("captureDoubts"), page);
+  fault_ = new MessagePanel(QStringLiteral("captureFault"), page);
   connect(fault_, &MessagePanel::acted, this, [this] {
     if (wizard_->fault()) goOn();
   });
   connect(fault_, &MessagePanel::actedSecond, change_rig_, &QAction::trigger);
   connect(doubts_, &MessagePanel::acted, again_, &QAction::trigger);
-  other_numbers_ = new MessagePanel(page);
-  other_numbers_->setObjectName(QStringLiteral("numbersOfAnotherBag"));
-  other_numbers_->hide();
+  other_numbers_ = new MessagePanel(QStringLiteral("numbersOfAnotherBag"), page);
   connect(other_numbers_, &MessagePanel::acted, wizard_->description(),
           &BatchDescription::takeNumbersAsRight);
   for (MessagePanel* panel : {doubts_, other_numbers_}) panel->setBesidePrimary();
   connect(numbers_, &SherdNumbers::changed, this, &CaptureScreen::followBag);
   QWidget* foot = buildFoot();
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(page);
   column->addWidget(headline_);
   column->addWidget(instruction_);
   column->addWidget(new PageArea(buildMiddle(page), page), 1);
@@ -237,8 +225,7 @@ QWidget* CaptureScreen::buildMiddle(QWidget* page) {
   auto* row = new QHBoxLayout;
   row->addWidget(middle_, 1);
   row->addWidget(facts_);
-  auto* column = new QVBoxLayout(middle);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(middle);
   column->addLayout(row, 1);
   column->addWidget(number_edit_);
   column->addWidget(doubts_);
@@ -263,15 +250,6 @@ QWidget* CaptureScreen::buildFoot() {
   return foot_;
 }
 
-QString CaptureScreen::title() const {
-  return tr("Capture");
-}
-QString CaptureScreen::iconName() const {
-  return QStringLiteral("capture");
-}
-QString CaptureScreen::manualPage() const {
-  return QStringLiteral("capture");
-}
 QString CaptureScreen::whereWords() const {
   return wizard_->description()->place().words();
 }
@@ -284,7 +262,6 @@ void CaptureScreen::openProject(ProjectSession& session) {
   chooser_->setSession(&session);
   import_ask_->sides()->setThumbnails(thumbnails_);
   wizard_->setSession(&session);
-  const catalogue::Catalogue& rows = session.project().catalogue();
   for (PlaceEdit* edit : {place_, import_ask_->place()}) {
     edit->setReader([&session](const QString& text) {
       return findPlaceText(session.project().catalogue(), text);
@@ -292,8 +269,7 @@ void CaptureScreen::openProject(ProjectSession& session) {
     edit->setNews(
         [&session](const PlaceText& place) { return newOf(session.project().catalogue(), place); });
   }
-  const Result<std::string> place = catalogue::Settings(rows).value(kPlaceKey);
-  place_->setText(place ? QString::fromStdString(*place) : QString());
+  place_->setText(session.setting(kPlaceKey));
   placeTyped();
   const RigChoice choice = rigChoice();
   rig_page_->setChoice(choice);
@@ -357,9 +333,7 @@ void CaptureScreen::showImported(const QString& number, int files, const QString
 
 void CaptureScreen::placeTyped() {
   wizard_->description()->setPlace(place_->place());
-  if (session_ != nullptr && place_->isUsable())
-    (void)catalogue::Settings(session_->project().catalogue())
-        .setValue(kPlaceKey, place_->text().toStdString());
+  if (session_ != nullptr && place_->isUsable()) session_->keepSetting(kPlaceKey, place_->text());
   emit lineChanged();
 }
 

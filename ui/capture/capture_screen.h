@@ -36,9 +36,6 @@ class CaptureScreen final : public Screen {
  public:
   explicit CaptureScreen(CaptureWizard* wizard, QWidget* parent = nullptr);
 
-  QString title() const override;
-  QString iconName() const override;
-  QString manualPage() const override;
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   void setInFront(bool in_front) override;

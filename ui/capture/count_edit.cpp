@@ -41,8 +41,7 @@ CountEdit::CountEdit(QWidget* parent) : QWidget(parent), number_(new Number(this
   number_->setToolTip(
       tr("Count them if you like: you are asked when the photographs show another number (S)"));
   number_->setMinimumHeight(targetSize(*this));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = bareLayout<QHBoxLayout>(this);
   row->addWidget(label);
   row->addWidget(number_);
   connect(number_, &QSpinBox::valueChanged, this, &CountEdit::counted);

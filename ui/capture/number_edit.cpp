@@ -15,7 +15,7 @@ NumberEdit::NumberEdit(SherdNumbers* numbers, QWidget* parent)
     : QWidget(parent),
       numbers_(numbers),
       label_(new QLabel(this)),
-      note_(new QLabel(this)),
+      note_(wrappedLabel(this, QStringLiteral("sherdNumberNote"))),
       edit_(new QLineEdit(this)) {
   edit_->setObjectName(QStringLiteral("sherdNumber"));
   edit_->setPlaceholderText(tr("7, the whole number, or scan its label"));
@@ -23,10 +23,7 @@ NumberEdit::NumberEdit(SherdNumbers* numbers, QWidget* parent)
   edit_->setMinimumWidth(fontMetrics().averageCharWidth() * 34);
   edit_->installEventFilter(this);
   label_->setBuddy(edit_);
-  note_->setObjectName(QStringLiteral("sherdNumberNote"));
-  note_->setWordWrap(true);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = bareLayout<QHBoxLayout>(this);
   row->addWidget(label_);
   row->addWidget(edit_);
   row->addWidget(note_, 1);

@@ -12,6 +12,7 @@
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/widgets/page_acts.h"
 
 namespace ostraka::ui {
 
@@ -48,9 +49,7 @@ RigPage::RigPage(QWidget* parent)
   width_->addItem(tr("fine: as a real camera"), 2400);
   width_->setObjectName(QStringLiteral("virtualWidth"));
   near_duplicates_->setObjectName(QStringLiteral("virtualLookalikes"));
-  for (QWidget* field : {static_cast<QWidget*>(sherds_), static_cast<QWidget*>(width_),
-                         static_cast<QWidget*>(near_duplicates_)})
-    field->setMinimumHeight(controlHeight(*this));
+  near_duplicates_->setMinimumHeight(controlHeight(*this));
   auto* form = new QFormLayout(box);
   form->addRow(tr("&Sherds on the plate"), sherds_);
   form->addRow(tr("&Photographs"), width_);
@@ -100,15 +99,12 @@ void RigPage::chooseVirtual() {
 }
 
 void RigPage::chooseFile() {
-  auto* dialog = new QFileDialog(this, tr("Rig file"), {}, tr("Rig (*.json)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
+  QFileDialog* dialog = askForFile(this, tr("Rig file"), {}, tr("Rig (*.json)"));
   connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
     choice_.kind = RigChoice::Kind::File;
     choice_.file = file.toStdString();
     emit chosen(choice_);
   });
-  dialog->open();
 }
 
 }  // namespace ostraka::ui

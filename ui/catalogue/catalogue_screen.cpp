@@ -44,7 +44,8 @@
 
 namespace ostraka::ui {
 
-CatalogueScreen::CatalogueScreen(QWidget* parent) : Screen(parent) {
+CatalogueScreen::CatalogueScreen(QWidget* parent)
+    : Screen(tr("Catalogue"), QStringLiteral("catalogue"), parent) {
   model_ = new SherdTableModel(this);
   import_ = new ImportModel(this);
   merge_ = new MergeModel(this);
@@ -78,10 +79,6 @@ CatalogueScreen::CatalogueScreen(QWidget* parent) : Screen(parent) {
   setEnabled(false);
 }
 
-QString CatalogueScreen::title() const {
-  return tr("Catalogue");
-}
-
 QWidget* CatalogueScreen::buildFilterLine() {
   filter_ = new FilterLine(this);
   connect(filter_, &FilterLine::wanted, this, [this](const QString& line) {
@@ -93,10 +90,7 @@ QWidget* CatalogueScreen::buildFilterLine() {
   to_import->setToolTip(tr("Numbers, contexts and descriptions from a table, or an export (%1)")
                             .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
   connect(to_import, &QPushButton::clicked, this, &CatalogueScreen::openImport);
-  auto* to_export = new BigButton(this);
-  to_export->setText(tr("Export these"));
-  to_export->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
-  to_export->setObjectName("exportThese");
+  auto* to_export = new BigButton("exportThese", tr("Export these"), this);
   export_ = to_export;
   connect(to_export, &QPushButton::clicked, this, [this] {
     const QString rows = chosen();
@@ -115,8 +109,7 @@ QWidget* CatalogueScreen::buildWho() {
   initials->setMaximumWidth(initials->fontMetrics().averageCharWidth() * 12);
   auto* words = new QLabel(tr("Who is working? Your initials go into the history:"), who_);
   words->setBuddy(initials);
-  auto* row = new QHBoxLayout(who_);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = bareLayout<QHBoxLayout>(who_);
   row->addWidget(words);
   row->addWidget(initials);
   row->addStretch();
@@ -161,8 +154,7 @@ QWidget* CatalogueScreen::buildLeft() {
   connect(table_, &QTableView::activated, this, [this] { openDetails(); });
   none_ = new EmptyState("sherd", tr("No sherds yet"),
                          tr("Sherds appear here when a batch is processed."), this);
-  to_capture_ = none_->addAct(tr("Capture a batch"), "catalogueToCapture");
-  connect(to_capture_, &QPushButton::clicked, this, [this] { emit wantsScreen("capture", {}); });
+  to_capture_ = offerCapture(*none_, "catalogueToCapture");
   no_match_ = new EmptyState("filter", tr("No sherds match this filter"),
                              tr("Remove a condition to see more."), this);
   clear_ = no_match_->addAct(tr("Clear filter"), "clearFilter");
@@ -178,9 +170,7 @@ void CatalogueScreen::buildLayout() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   column->addWidget(buildFilterLine());
-  problem_ = new QLabel(this);
-  problem_->setObjectName("problem");
-  problem_->setWordWrap(true);
+  problem_ = wrappedLabel(this, "problem");
   connect(problem_, &QLabel::linkActivated, this, &CatalogueScreen::forgetImports);
   problem_->hide();
   column->addWidget(problem_);

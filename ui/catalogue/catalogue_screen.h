@@ -35,9 +35,6 @@ class CatalogueScreen final : public Screen {
  public:
   explicit CatalogueScreen(QWidget* parent = nullptr);
 
-  QString title() const override;
-  QString iconName() const override { return "catalogue"; }
-  QString manualPage() const override { return "catalogue"; }
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   QString losesByClosing() const override;

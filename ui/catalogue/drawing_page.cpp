@@ -53,10 +53,9 @@ QLayout* DrawingPage::buildChoices() {
     auto* box = new QComboBox(this);
     box->setObjectName(name);
     box->setAccessibleName(text);
-    box->setMinimumHeight(controlHeight(*this));
     // Long words of some languages do not widen the window.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(12);
+    box->setMinimumContentsLength(8);
     box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return box;
   };
@@ -82,10 +81,6 @@ QLayout* DrawingPage::buildChoices() {
   alignForm(*form);
   for (int row = 0; row < form->rowCount(); ++row)  // the pane is narrower than a page
     form->itemAt(row, QFormLayout::LabelRole)->widget()->setMinimumWidth(0);
-  for (QComboBox* box : {scale_, surface_, rim_}) {
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(8);
-  }
   return form;
 }
 
@@ -141,9 +136,7 @@ void DrawingPage::buildLayout() {
   pages->addWidget(where_);
   pages->addWidget(next_);
   pages->addStretch();
-  words_ = new QLabel(this);
-  words_->setObjectName("drawingWords");
-  words_->setWordWrap(true);
+  words_ = wrappedLabel(this, "drawingWords");
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words_->setAccessibleName(tr("What the drawing says"));
   auto* column = new QVBoxLayout(this);
@@ -225,7 +218,7 @@ void DrawingPage::draw() {
     return std::shared_ptr<const Drawn>(std::move(made));
   };
   const JobPriority priority = sherds_.size() > 1 ? JobPriority::Background : JobPriority::Quick;
-  drawing_ = session_->jobs().start(makeJob(tr("Drawings"), work, priority), this);
+  drawing_ = session_->jobs().start(makeJob(work, priority), this);
   connect(drawing_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
     bar_->setValue(qRound(1000 * progress.fraction));
   });
@@ -256,7 +249,7 @@ void DrawingPage::showPage(int page) {
   const auto work = [drawn = drawn_, page](Progress&, std::stop_token) -> Result<QImage> {
     return paintedSheet(drawn->pages[static_cast<std::size_t>(page)], kShownDpi);
   };
-  painting_ = session_->jobs().start(makeJob(tr("A sheet"), work), this);
+  painting_ = session_->jobs().start(makeJob(work), this);
   whenDone<QImage>(painting_, this, [this](const auto& sheet) {
     if (sheet) view_->showSheet(*sheet);
   });
@@ -282,8 +275,7 @@ QString DrawingPage::words() const {
                       QLocale().toString(shown->kept_pct->value, 'f', 0));
   if (sherds_.size() == 1) {
     for (const drawing::SherdDrawing& one : sherds.drawings)
-      for (const auto* sentences : {&one.remarks, &one.hints})
-        for (const Message& sentence : *sentences) lines << wordsOf(sentence);
+      lines << listOf(one.remarks) << listOf(one.hints);
     for (const exchange::SherdLeftOut& out : sherds.left_out) lines << wordsOf(out.why);
     return lines.join('\n');
   }
@@ -335,7 +327,7 @@ void DrawingPage::saveAs(const QString& file, const std::shared_ptr<const Drawn>
   if (!named.endsWith(".svg", Qt::CaseInsensitive) && !named.endsWith(".pdf", Qt::CaseInsensitive))
     named += ".pdf";
   write(
-      drawn, tr("Saving a drawing"),
+      drawn,
       [named](const std::vector<Page>& pages) -> Result<void> {
         const auto files = drawing::writeSheets(named.toStdString(), pages);
         if (!files) return files.error();
@@ -353,7 +345,7 @@ void DrawingPage::print() {
   connect(dialog, &QDialog::accepted, this, [this, printer, drawn = drawn_] {
     const QString file = printer->outputFileName();
     write(
-        drawn, tr("Printing"),
+        drawn,
         [printer, file](const std::vector<Page>& pages) {
           const Result<void> good = checkOutputPlace(file.toStdString());  // a printer has no file
           return good ? printSheets(*printer, pages) : good;
@@ -364,14 +356,14 @@ void DrawingPage::print() {
   dialog->open();
 }
 
-void DrawingPage::write(const std::shared_ptr<const Drawn>& drawn, const QString& title,
+void DrawingPage::write(const std::shared_ptr<const Drawn>& drawn,
                         std::function<Result<void>(const std::vector<Page>&)> work,
                         const QString& done) {
   if (!drawn || !session_ || writing_) return;
   const auto job = [drawn, work = std::move(work)](Progress&, std::stop_token) {
     return work(drawn->pages);
   };
-  writing_ = session_->jobs().start(makeJob(title, job), this);
+  writing_ = session_->jobs().start(makeJob(job), this);
   whenDone<void>(writing_, this, [this, done](const auto& written) {
     refresh();
     if (written) return emit said(done);

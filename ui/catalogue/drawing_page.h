@@ -70,7 +70,7 @@ class DrawingPage final : public QWidget {
   void save();
   void print();
   void saveAs(const QString& file, const std::shared_ptr<const Drawn>& drawn);
-  void write(const std::shared_ptr<const Drawn>& drawn, const QString& title,
+  void write(const std::shared_ptr<const Drawn>& drawn,
              std::function<Result<void>(const std::vector<Page>&)> work, const QString& done);
   void enterRim();
 

@@ -81,13 +81,11 @@ ModelPane::ModelPane(QWidget* parent) : QWidget(parent) {
   QToolButton* reset = button("modelReset", "again", tr("From above"));
   connect(section_, &QToolButton::toggled, this, [this](bool on) { view()->setSection(on); });
   connect(reset, &QToolButton::clicked, this, [this] { view()->resetView(); });
-  auto* row = new QHBoxLayout(acts_);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = bareLayout<QHBoxLayout>(acts_);
   row->addWidget(section_);
   row->addWidget(reset);
   row->addStretch();
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(this);
   column->setSpacing(0);
   column->addWidget(pages_, 1);
   column->addWidget(acts_);
@@ -148,7 +146,7 @@ void ModelPane::fetch() {
     const auto read = [file = picture_file_](Progress&, std::stop_token) -> Result<QImage> {
       return readScaled(file, {kPicture, kPicture});
     };
-    reading_ = jobs_->start(makeJob(tr("Picture of a sherd"), read), this);
+    reading_ = jobs_->start(makeJob(read), this);
     whenDone<QImage>(reading_, this, [this](const auto& image) {
       if (image && !image->isNull())
         picture_ = QPixmap::fromImage(*image);
@@ -163,7 +161,7 @@ void ModelPane::fetch() {
   const auto read = [file = model_file_.toStdString()](Progress&, std::stop_token) {
     return readForView(file);
   };
-  reading_ = jobs_->start(makeJob(tr("Model of a sherd"), read), this);
+  reading_ = jobs_->start(makeJob(read), this);
   whenDone<ForViewPtr>(reading_, this, [this](const auto& model) {
     if (!model || !view()->hasOpenGl()) return;  // the picture stays
     view()->showModel((*model)->mesh, (*model)->texture);

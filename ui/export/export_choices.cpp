@@ -8,7 +8,6 @@
 #include <QJsonObject>
 #include <QRegularExpression>
 
-#include "catalogue/settings.h"
 #include "sherds/filter.h"
 #include "sherds/sherds.h"
 #include "ui/frame/project_session.h"
@@ -64,10 +63,8 @@ void ExportChoices::readChoices() {
   drawing_scale_ = usual.drawing_scale;
   most_model_bytes_ = usual.most_model_bytes;
   parent_ = QDir::homePath();
-  const Result<std::string> kept =
-      catalogue::Settings(session_->project().catalogue()).value(kChoicesKey);
   const QJsonObject choices =
-      QJsonDocument::fromJson(QByteArray::fromStdString(kept ? *kept : std::string())).object();
+      QJsonDocument::fromJson(session_->setting(kChoicesKey).toUtf8()).object();
   if (!choices.isEmpty()) {
     forms_.clear();
     for (const QJsonValue& form : choices[QStringLiteral("forms")].toArray())
@@ -92,8 +89,7 @@ void ExportChoices::keepChoices() const {
       {QStringLiteral("drawing_scale"), drawing_scale_.value_or(0)},
       {QStringLiteral("most_model_bytes"), static_cast<qint64>(most_model_bytes_)},
       {QStringLiteral("folder"), parent_}};
-  (void)catalogue::Settings(session_->project().catalogue())
-      .setValue(kChoicesKey, QJsonDocument(choices).toJson(QJsonDocument::Compact).toStdString());
+  session_->keepSetting(kChoicesKey, QJsonDocument(choices).toJson(QJsonDocument::Compact));
 }
 
 exchange::ExportOptions ExportChoices::options() const {

@@ -78,7 +78,7 @@ void ExportModel::measureSize() {
       if (!rows) return rows.error();
       return exchange::sizeOfExport(*catalogue, folder, *rows, options, stop);
     };
-    sizing_ = session_->jobs().start(makeJob(tr("Size of the export"), work), this);
+    sizing_ = session_->jobs().start(makeJob(work), this);
     whenDone<exchange::ExportSize>(sizing_, this, [this](const auto& size) {
       if (size)
         size_ = *size;
@@ -133,10 +133,7 @@ QString ExportModel::closingLine() const {
 }
 
 QStringList ExportModel::warnings() const {
-  QStringList list;
-  if (done_)
-    for (const Message& warning : done_->warnings) list << wordsOf(warning);
-  return list;
+  return done_ ? listOf(done_->warnings) : QStringList();
 }
 
 void ExportModel::start() {
@@ -156,7 +153,7 @@ void ExportModel::start() {
     if (!rows) return rows.error();
     return exchange::exportFolder(*catalogue, folder, *rows, options, progress, stop);
   };
-  running_ = session_->jobs().start(makeJob(tr("Export"), work, JobPriority::Background), this);
+  running_ = session_->jobs().start(makeJob(work, JobPriority::Background), this);
   connect(running_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
     fraction_ = progress.fraction;
     seconds_left_ = progress.seconds_left;

@@ -26,7 +26,8 @@
 
 namespace ostraka::ui {
 
-ExportScreen::ExportScreen(QWidget* parent) : Screen(parent), model_(this) {
+ExportScreen::ExportScreen(QWidget* parent)
+    : Screen(tr("Export"), QStringLiteral("export"), parent), model_(this) {
   buildLayout();
   connect(&model_, &ExportModel::changed, this, &ExportScreen::refresh);
   connect(&model_, &ExportModel::finished, this, [this] {
@@ -34,10 +35,6 @@ ExportScreen::ExportScreen(QWidget* parent) : Screen(parent), model_(this) {
       emit said(tr("Exported: %1").arg(model_.closingLine()));
   });
   closeProject();
-}
-
-QString ExportScreen::title() const {
-  return tr("Export");
 }
 
 QWidget* ExportScreen::buildWhat() {
@@ -110,7 +107,6 @@ QWidget* ExportScreen::buildScale(QWidget* box) {
   auto* scale = new QComboBox(box);
   scale->setObjectName("exportScale");
   scale->setAccessibleName(tr("Scale of the drawings"));
-  scale->setMinimumHeight(controlHeight(*this));
   scale->addItem(tr("1 : 1"), 1.0);
   scale->addItem(tr("1 : 2"), 0.5);
   scale->addItem(tr("fit to A4"), QVariant());
@@ -129,7 +125,6 @@ QWidget* ExportScreen::buildDetail(QWidget* box) {
       tr("How large a GLB may be. PLY and OBJ get the same surface. Larger models get fewer "
          "triangles and smaller photographs; how far they are off is measured and stated in each "
          "file."));
-  detail->setMinimumHeight(controlHeight(*this));
   const auto add = [detail](const QString& text, std::size_t most_bytes) {
     detail->addItem(text, static_cast<qulonglong>(most_bytes));
   };
@@ -148,7 +143,6 @@ QWidget* ExportScreen::buildWhere() {
   target_->setObjectName("target");
   target_->setAccessibleName(tr("New folder for the export"));
   QPushButton* choose = iconButton(box, "browse", "folder", tr("Choose…"));
-  target_->setMinimumHeight(controlHeight(*this));
   auto* row = new QHBoxLayout(box);
   row->addWidget(target_, 1);
   row->addWidget(choose);
@@ -158,30 +152,18 @@ QWidget* ExportScreen::buildWhere() {
 }
 
 void ExportScreen::buildLayout() {
-  size_ = new QLabel(this);
-  size_->setObjectName("size");
-  size_->setWordWrap(true);
+  size_ = wrappedLabel(this, "size");
   size_->setFont(scaledFont(*this, Look::kSection, true));
-  problem_ = new QLabel(this);
-  problem_->setObjectName("problem");
-  problem_->setWordWrap(true);
-  closing_ = new QLabel(this);
-  closing_->setObjectName("closing");
-  closing_->setWordWrap(true);
+  problem_ = wrappedLabel(this, "problem");
+  closing_ = wrappedLabel(this, "closing");
   closing_->setFont(scaledFont(*this, Look::kSection, true));
   bar_ = new QProgressBar(this);
   bar_->setRange(0, 1000);
   bar_->setAccessibleName(tr("Progress of the export"));
-  start_ = new BigButton(this);
-  start_->setText(tr("Export"));
-  start_->setObjectName("start");
+  start_ = new BigButton("start", tr("Export"), this);
   cancel_ = new QPushButton(icon("cancel"), tr("Cancel"), this);
   cancel_->setObjectName("cancel");
-  open_ = new BigButton(this);
-  open_->setText(tr("Open folder"));
-  open_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
-  open_->setObjectName("open");
-  start_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  open_ = new BigButton("open", tr("Open folder"), this);
   connect(start_, &QPushButton::clicked, &model_, &ExportModel::start);
   connect(cancel_, &QPushButton::clicked, &model_, &ExportModel::cancel);
   stop_ = addPageAct(this, "exportStop", "cancel", tr("Stop the export"), Qt::Key_Escape);
@@ -192,8 +174,7 @@ void ExportScreen::buildLayout() {
   auto* upper = new SideBySide(choices);
   upper->add(buildWhat(), 1);
   upper->add(buildForms(), 1);
-  auto* middle = new QVBoxLayout(choices);
-  middle->setContentsMargins(0, 0, 0, 0);
+  auto* middle = bareLayout<QVBoxLayout>(choices);
   middle->addWidget(upper);
   middle->addWidget(buildWhere());
   middle->addWidget(problem_);

@@ -19,9 +19,6 @@ class ExportScreen final : public Screen {
  public:
   explicit ExportScreen(QWidget* parent = nullptr);
 
-  QString title() const override;
-  QString iconName() const override { return "export"; }
-  QString manualPage() const override { return "export"; }
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   QAbstractButton* primary() const override;

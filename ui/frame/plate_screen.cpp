@@ -6,17 +6,18 @@
 
 #include "ui/frame/batch_place.h"
 #include "ui/frame/project_session.h"
+#include "ui/look/look.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
 
-PlateScreen::PlateScreen(const QString& label, QWidget* parent)
-    : Screen(parent), batches_(new QComboBox(this)), message_(new QLabel(this)) {
+PlateScreen::PlateScreen(const QString& title, const QString& icon_name, QWidget* parent)
+    : Screen(title, icon_name, parent),
+      batches_(new QComboBox(this)),
+      message_(wrappedLabel(this, "message")) {
   batches_->setObjectName("batch");
-  batches_->setAccessibleName(label);
+  batches_->setAccessibleName(tr("Batch"));
   batches_->setFocusPolicy(Qt::TabFocus);
-  message_->setObjectName("message");
-  message_->setWordWrap(true);
   connect(batches_, &QComboBox::activated, this,
           [this](int index) { showBatch(batches_->itemText(index)); });
 }

@@ -20,7 +20,7 @@ class PlateScreen : public Screen {
   void takeChosen(const QString& what) override;
 
  protected:
-  PlateScreen(const QString& label, QWidget* parent);  ///< label: of the list of batches
+  PlateScreen(const QString& title, const QString& icon_name, QWidget* parent);
   virtual void showBatch(const QString& batch) = 0;
   QStringList reviewable() const;  ///< the newest first
   std::filesystem::path outputOf(const QString& batch) const;

@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -43,6 +44,15 @@ Error ProjectSession::goneError() const {
              "taken out. Open the project again where it is now.")
               .toStdString(),
           folder_.string()};
+}
+
+QString ProjectSession::setting(const char* key) const {
+  const Result<std::string> kept = catalogue::Settings(project_->catalogue()).value(key);
+  return kept ? QString::fromStdString(*kept) : QString();
+}
+
+void ProjectSession::keepSetting(const char* key, const QString& value) {
+  (void)catalogue::Settings(project_->catalogue()).setValue(key, value.toStdString());
 }
 
 records::Provenance ProjectSession::provenance(const QString& why) {

@@ -47,6 +47,10 @@ class ProjectSession final : public QObject {
   /// Who decides and edits, as in the history: "AP". Empty until the person said so.
   const QString& initials() const { return initials_; }
   void setInitials(const QString& initials);  ///< kept in capitals
+  /// What the project remembers of the window under a key; empty: nothing.
+  QString setting(const char* key) const;
+  void keepSetting(const char* key, const QString& value);
+
   /// Who does something now, for calls that change the catalogue. Makes the person's row when the
   /// project does not know the initials yet.
   records::Provenance provenance(const QString& why = {});

@@ -3,9 +3,11 @@
 #include <QWidget>
 
 class QAbstractButton;
+class QPushButton;
 
 namespace ostraka::ui {
 
+class EmptyState;
 class ProjectSession;
 
 /// One screen of the sidebar: Capture, Queue, Review, Map, Catalogue, Export. The frame makes each
@@ -14,12 +16,12 @@ class Screen : public QWidget {
   Q_OBJECT
 
  public:
-  using QWidget::QWidget;
+  /// title: one word in the sidebar, translated. icon_name: a picture of resources/icons and a page
+  /// of the manual, which F1 opens: "capture".
+  Screen(const QString& title, const QString& icon_name, QWidget* parent);
 
-  virtual QString title() const = 0;       ///< one word in the sidebar, translated
-  virtual QString iconName() const = 0;    ///< a picture of resources/icons: "capture"
-  virtual QString manualPage() const = 0;  ///< what F1 opens: "capture"
-
+  const QString& title() const { return title_; }
+  const QString& iconName() const { return icon_name_; }
   /// A project was opened or another one took its place. The session outlives what is shown of it
   /// until the next call.
   virtual void openProject(ProjectSession& session) = 0;
@@ -64,6 +66,13 @@ class Screen : public QWidget {
  public slots:
   /// What wantsScreen of another screen asked for: a batch number or a sherd's.
   virtual void showItem(const QString& /*what*/) {}
+
+ protected:
+  /// The act of a screen that shows nothing before there is a batch.
+  QPushButton* offerCapture(EmptyState& empty, const QString& object_name);
+
+ private:
+  QString title_, icon_name_;
 };
 
 }  // namespace ostraka::ui

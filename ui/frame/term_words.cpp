@@ -39,9 +39,9 @@ QString TermWords::shown(const records::SherdField& field, const QString& text) 
 }
 
 QString TermWords::shown(const std::string& field, const std::string& text) const {
-  for (const records::SherdField& known : sherds::sherdFields())
-    if (field == known.name) return shown(known, QString::fromStdString(text));
-  return QString::fromStdString(text);
+  const records::SherdField* known = sherds::sherdField(field);
+  const QString words = QString::fromStdString(text);
+  return known == nullptr ? words : shown(*known, words);
 }
 
 QStringList TermWords::of(const records::SherdField& field) const {

@@ -45,13 +45,11 @@ void BatchImporter::startAllTheSame() {
 void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
   if (!session_->isThere()) return emit failed(session_->goneError());
   const QString folder = QString::fromStdString(options.from.string());
-  job_ = session_->jobs().start(makeJob(
-                                    tr("Import of %1").arg(folder),
-                                    [options](Progress& progress, std::stop_token stop) {
-                                      return copyBatch(options, progress, stop);
-                                    },
-                                    JobPriority::Background),
-                                this);
+  job_ = session_->jobs().start(
+      makeJob([options](Progress& progress,
+                        std::stop_token stop) { return copyBatch(options, progress, stop); },
+              JobPriority::Background),
+      this);
   connect(job_, &JobHandle::progressed, this,
           [this](const JobProgress& progress) { emit progressed(progress.fraction); });
   doubts_.clear();
@@ -76,7 +74,7 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
     emit imported(*number, copied->files, doubts_);
     session_->tellBatchChanged(*number);
   });
-  emit started(job_->title());
+  emit started(tr("Import of %1").arg(folder));
 }
 
 // What vanishes or changes from now on is noticed. Where it fails the computation enters them.
@@ -84,7 +82,6 @@ void BatchImporter::recordPhotographs(const QString& number) {
   records::Provenance provenance = session_->provenance();
   provenance.source = "import";
   Job job = makeJob(
-      tr("Photographs of %1").arg(number),
       [project = session_->folder(), number = number.toStdString(), provenance](
           Progress& progress, std::stop_token stop) -> Result<int> {
         Result<catalogue::Catalogue> rows = upkeep::Project::connect(project);

@@ -20,9 +20,7 @@ ImportAsk::ImportAsk(QWidget* parent)
       place_(new PlaceEdit(this)) {
   setObjectName(QStringLiteral("importAsk"));
   words_->setWordWrap(true);
-  import_ = new BigButton(this);
-  import_->setText(tr("Import"));
-  import_->setObjectName(QStringLiteral("importStart"));
+  import_ = new BigButton(QStringLiteral("importStart"), tr("Import"), this);
   auto* leave = new QPushButton(tr("Cancel import"), this);
   leave->setObjectName(QStringLiteral("importLeave"));
   auto* row = new QHBoxLayout;
@@ -31,8 +29,7 @@ ImportAsk::ImportAsk(QWidget* parent)
     button->setMinimumHeight(targetSize(*this));
     row->addWidget(button);
   }
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(this);
   column->addWidget(words_);
   column->addWidget(sides_);
   column->addLayout(row);

@@ -6,12 +6,11 @@
 #include <QUrl>
 #include <QWidget>
 
-#include "catalogue/settings.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/import_ask.h"
 #include "ui/import/sides_view.h"
 #include "ui/jobs/when_done.h"
-#include "upkeep/project.h"
+#include "ui/widgets/page_acts.h"
 
 namespace ostraka::ui {
 namespace {
@@ -32,59 +31,48 @@ ImportChooser::ImportChooser(QWidget* screen, ImportAsk* ask)
     : QObject(screen), screen_(screen), ask_(ask) {
   screen_->installEventFilter(this);
   connect(ask_->sides(), &SidesView::sheetChosen, this, [this](const QString& file) {
-    if (session_ != nullptr)
-      (void)catalogue::Settings(session_->project().catalogue())
-          .setValue(kSheetKey, file.toStdString());
+    if (session_ != nullptr) session_->keepSetting(kSheetKey, file);
   });
   connect(ask_->sides(), &SidesView::markerChosen, this, [this](double side_mm) {
-    if (session_ != nullptr)
-      (void)catalogue::Settings(session_->project().catalogue())
-          .setValue(kMarkerKey, QByteArray::number(side_mm).toStdString());
+    if (session_ != nullptr) session_->keepSetting(kMarkerKey, QString::number(side_mm));
   });
 }
 
 void ImportChooser::setSession(ProjectSession* session) {
-  if (job_ != nullptr) job_->drop();
+  dropJob(job_);
   session_ = session;
   screen_->setAcceptDrops(session != nullptr);
 }
 
 std::filesystem::path ImportChooser::lastSheet() const {
-  const Result<std::string> kept =
-      catalogue::Settings(session_->project().catalogue()).value(kSheetKey);
-  return kept ? std::filesystem::path(*kept) : std::filesystem::path();
+  return session_->setting(kSheetKey).toStdString();
 }
 
 std::optional<double> ImportChooser::lastMarker() const {
-  const Result<std::string> kept =
-      catalogue::Settings(session_->project().catalogue()).value(kMarkerKey);
-  const double side_mm = kept ? QByteArray::fromStdString(*kept).toDouble() : 0;
+  const double side_mm = session_->setting(kMarkerKey).toDouble();
   return side_mm > 0 ? std::optional(side_mm) : std::nullopt;
 }
 
 void ImportChooser::choose(ImportKind kind) {
-  auto* dialog = new QFileDialog(screen_, kind == ImportKind::Scans
-                                              ? tr("Folder with front/ and back/ scans")
-                                              : tr("Folder of a batch, or with photographs"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  dialog->setOption(QFileDialog::ShowDirsOnly);
+  QFileDialog* dialog =
+      askForFile(screen_,
+                 kind == ImportKind::Scans ? tr("Folder with front/ and back/ scans")
+                                           : tr("Folder of a batch, or with photographs"),
+                 {}, {});
   connect(dialog, &QFileDialog::fileSelected, this, [this, kind](const QString& folder) {
     if (kind == ImportKind::Scans)
       ask_->ask(folder, kind);
     else
       take({folder});
   });
-  dialog->open();
 }
 
 void ImportChooser::take(const QStringList& paths) {
   if (session_ == nullptr || paths.isEmpty()) return;
-  if (job_ != nullptr) job_->drop();
-  job_ = session_->jobs().start(makeJob(tr("Photographs of %1").arg(paths.front()),
-                                        [paths, last = lastSheet()](Progress&, std::stop_token) {
-                                          return planSides(paths, last);
-                                        }),
+  dropJob(job_);
+  job_ = session_->jobs().start(makeJob([paths, last = lastSheet()](Progress&, std::stop_token) {
+                                  return planSides(paths, last);
+                                }),
                                 this);
   whenDone<std::optional<SidesPlan>>(job_, this, [this, paths](auto plan) {
     if (!plan) return emit failed(plan.error());

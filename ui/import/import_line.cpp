@@ -19,8 +19,7 @@ ImportLine::ImportLine(BatchImporter* importer, QWidget* parent)
   stop->setObjectName(QStringLiteral("importStop"));
   stop->setMinimumHeight(targetSize(*this));
   stop->setFocusPolicy(Qt::TabFocus);  // Space stays the next thing
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = bareLayout<QHBoxLayout>(this);
   row->addWidget(words_);
   row->addWidget(bar_, 1);
   row->addWidget(stop);

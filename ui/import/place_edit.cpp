@@ -10,7 +10,9 @@
 namespace ostraka::ui {
 
 PlaceEdit::PlaceEdit(QWidget* parent)
-    : QWidget(parent), edit_(new QLineEdit(this)), note_(new QLabel(this)) {
+    : QWidget(parent),
+      edit_(new QLineEdit(this)),
+      note_(wrappedLabel(this, QStringLiteral("capturePlaceNote"))) {
   auto* label = new QLabel(tr("&Bag"), this);
   label->setBuddy(edit_);
   edit_->setObjectName(QStringLiteral("capturePlace"));
@@ -18,10 +20,7 @@ PlaceEdit::PlaceEdit(QWidget* parent)
   edit_->setAccessibleDescription(tr("Site, trench, context and bag"));
   edit_->setMinimumHeight(targetSize(*this));
   edit_->installEventFilter(this);
-  note_->setObjectName(QStringLiteral("capturePlaceNote"));
-  note_->setWordWrap(true);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = bareLayout<QHBoxLayout>(this);
   row->addWidget(label);
   row->addWidget(edit_, 1);
   connect(edit_, &QLineEdit::editingFinished, this, [this] {

@@ -12,6 +12,7 @@
 
 #include "ui/look/look.h"
 #include "ui/widgets/elided_label.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/thumbnails.h"
 
 namespace ostraka::ui {
@@ -25,7 +26,7 @@ constexpr double kLargestMarker_mm = 500;
 SidesView::SidesView(QWidget* parent)
     : QWidget(parent),
       parts_{buildPart(QStringLiteral("importFront")), buildPart(QStringLiteral("importBack"))},
-      flip_(new QLabel(this)),
+      flip_(wrappedLabel(this, QStringLiteral("importFlip"))),
       where_(new QSlider(Qt::Horizontal, this)),
       one_side_(new QCheckBox(tr("One side only"), this)),
       swap_(new QPushButton(tr("Swap sides"), this)),
@@ -33,8 +34,6 @@ SidesView::SidesView(QWidget* parent)
       clear_sheet_(new QPushButton(tr("Clear sheet"), this)),
       marker_label_(new QLabel(tr("Side of a marker's &black square"), this)),
       marker_(new QDoubleSpinBox(this)) {
-  flip_->setObjectName(QStringLiteral("importFlip"));
-  flip_->setWordWrap(true);
   where_->setObjectName(QStringLiteral("importDivide"));
   where_->setAccessibleName(tr("First photograph of the second side"));
   where_->setMinimumHeight(controlHeight(*this));
@@ -44,14 +43,11 @@ SidesView::SidesView(QWidget* parent)
   auto* choose = new QPushButton(tr("Choose sheet…"), this);
   choose->setObjectName(QStringLiteral("importChooseSheet"));
   clear_sheet_->setObjectName(QStringLiteral("importClearSheet"));
-  for (QPushButton* button : {swap_, choose, clear_sheet_})
-    button->setMinimumHeight(controlHeight(*this));
   marker_->setObjectName(QStringLiteral("importMarker"));
   marker_->setRange(0, kLargestMarker_mm);
   marker_->setDecimals(2);
   marker_->setSpecialValueText(tr("Unknown"));
   marker_->setSuffix(tr(" mm"));
-  marker_->setMinimumHeight(controlHeight(*this));
   marker_label_->setBuddy(marker_);
   auto* pictures = new QHBoxLayout;
   for (const Part& part : parts_) {
@@ -74,8 +70,7 @@ SidesView::SidesView(QWidget* parent)
   beneath->addWidget(marker_);
   beneath->addWidget(clear_sheet_);
   beneath->addWidget(choose);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(this);
   column->addLayout(pictures);
   column->addWidget(flip_);
   column->addLayout(dividing);
@@ -136,11 +131,8 @@ void SidesView::setPlan(const SidesPlan& plan) {
 }
 
 void SidesView::chooseSheet() {
-  auto* dialog = new QFileDialog(this, tr("Sheet under the sherds"), {}, tr("Sheet (*.json)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, &SidesView::useSheet);
-  dialog->open();
+  connect(askForFile(this, tr("Sheet under the sherds"), {}, tr("Sheet (*.json)")),
+          &QFileDialog::fileSelected, this, &SidesView::useSheet);
 }
 
 void SidesView::useSheet(const QString& file) {

@@ -120,8 +120,7 @@ JobOutcome outcomeOf(const JobWork& work, Progress& progress, const std::stop_to
 
 }  // namespace
 
-JobHandle::JobHandle(Job job, QObject* parent)
-    : QObject(parent), title_(std::move(job.title)), shared_(std::make_shared<Shared>()) {
+JobHandle::JobHandle(QObject* parent) : QObject(parent), shared_(std::make_shared<Shared>()) {
   shared_->handle = this;
 }
 
@@ -131,10 +130,6 @@ JobHandle::~JobHandle() {
     shared_->handle = nullptr;
   }
   shared_->stop.request_stop();
-}
-
-QString JobHandle::title() const {
-  return title_;
 }
 
 const JobProgress& JobHandle::progress() const {
@@ -174,17 +169,15 @@ void JobHandle::settle(const JobOutcome& outcome) {
 }
 
 JobHandle* JobRunner::start(Job job, QObject* parent) {
-  JobWork work = std::move(job.work);
-  const JobPriority priority = job.priority;
-  const bool promised = job.is_promised;
-  auto* handle = new JobHandle(std::move(job), parent);
+  auto* handle = new JobHandle(parent);
   run(
-      priority,
-      [shared = handle->shared_, work = std::move(work), promised] {
+      job.priority,
+      [shared = handle->shared_, job] {
         JobMessenger messenger(shared);
         const std::stop_token stop = shared->stop.get_token();
-        messenger.end(!promised && stop.stop_requested() ? JobOutcome(Error::cancelled())
-                                                         : outcomeOf(work, messenger, stop));
+        messenger.end(!job.is_promised && stop.stop_requested()
+                          ? JobOutcome(Error::cancelled())
+                          : outcomeOf(job.work, messenger, stop));
       },
       handle->shared_->stop, handle);
   return handle;

@@ -23,8 +23,7 @@ enum class JobPriority {
 };
 
 struct Job {
-  QString title;  ///< for the log and for messages
-  JobWork work;   ///< runs in another thread: takes values only, touches no QObject
+  JobWork work;  ///< runs in another thread: takes values only, touches no QObject
   JobPriority priority = JobPriority::Quick;
   /// Its work is begun though its handle went before: a person was told that it will be done.
   bool is_promised = false;
@@ -44,7 +43,6 @@ class JobHandle : public QObject {
 
  public:
   ~JobHandle() override;
-  QString title() const;
   const JobProgress& progress() const;
 
  public slots:
@@ -67,10 +65,9 @@ class JobHandle : public QObject {
   friend class JobRunner;
   struct Shared;
   friend class JobMessenger;
-  JobHandle(Job job, QObject* parent);
+  explicit JobHandle(QObject* parent);
   void settle(const JobOutcome& outcome);
 
-  QString title_;
   JobProgress progress_;
   std::shared_ptr<Shared> shared_;
 };
@@ -114,9 +111,8 @@ class InlineJobRunner final : public JobRunner {
 
 /// A job from a function that returns Result<T>, T copyable; Result<void> too.
 template <class Function>
-Job makeJob(QString title, Function function, JobPriority priority = JobPriority::Quick) {
-  return {std::move(title),
-          [function = std::move(function)](Progress& progress, std::stop_token stop) -> JobOutcome {
+Job makeJob(Function function, JobPriority priority = JobPriority::Quick) {
+  return {[function = std::move(function)](Progress& progress, std::stop_token stop) -> JobOutcome {
             auto result = function(progress, stop);
             if (!result.has_value()) return result.error();
             if constexpr (std::is_same_v<decltype(result), Result<void>>)

@@ -26,4 +26,10 @@ void whenDone(QPointer<JobHandle>& job, QObject* context, Then then) {
   });
 }
 
+/// Stops a job that context names; nothing of it arrives any more.
+inline void dropJob(QPointer<JobHandle>& job) {
+  if (job != nullptr) job->drop();
+  job.clear();
+}
+
 }  // namespace ostraka::ui

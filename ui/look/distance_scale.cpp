@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/look/look.h"
+
 namespace ostraka::ui {
 namespace {
 
@@ -15,11 +17,7 @@ constexpr QRgb kNotSeen = 0xffd63bb4;
 QColor DistanceScale::of(double distance_mm) const {
   if (std::isnan(distance_mm)) return notSeen();
   const double t = std::clamp(distance_mm / reach_mm_, -1.0, 1.0);
-  const QColor zero = QColor::fromRgb(kZero), end = QColor::fromRgb(t < 0 ? kBelow : kAbove);
-  const auto mix = [share = std::abs(t)](int from, int to) {
-    return static_cast<int>(std::lround(from + share * (to - from)));
-  };
-  return {mix(zero.red(), end.red()), mix(zero.green(), end.green()), mix(zero.blue(), end.blue())};
+  return mixed(kZero, t < 0 ? kBelow : kAbove, std::abs(t));
 }
 
 QColor DistanceScale::notSeen() {

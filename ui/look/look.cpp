@@ -1,6 +1,7 @@
 #include "ui/look/look.h"
 
 #include <QApplication>
+#include <QLabel>
 #include <QPalette>
 #include <QScreen>
 #include <QWidget>
@@ -120,6 +121,14 @@ bool isSunlight() {
   return QApplication::palette().color(QPalette::Highlight) == kSunlight.accent;
 }
 
+QColor mixed(const QColor& a, const QColor& b, double share_of_b) {
+  const auto mix = [share_of_b](float x, float y) {
+    return static_cast<float>(x + (y - x) * share_of_b);
+  };
+  return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()),
+                          mix(a.blueF(), b.blueF()));
+}
+
 void applyLook(QApplication& application, Theme theme, int text_percent) {
   if (!application.property(kPlainPointSize).isValid()) {
     application.setProperty(kPlainPointSize, application.font().pointSizeF());
@@ -165,6 +174,13 @@ QFont tabularFont(const QFont& font) {
   QFont figures = font;
   figures.setKerning(false);
   return figures;
+}
+
+QLabel* wrappedLabel(QWidget* parent, const QString& name) {
+  auto* label = new QLabel(parent);
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  return label;
 }
 
 double lineWidth(const QWidget& widget, double weight) {

@@ -6,6 +6,7 @@
 
 class QApplication;
 class QFont;
+class QLabel;
 class QPalette;
 class QWidget;
 
@@ -65,6 +66,9 @@ const PaperInks& paperInks();
 QString themeName(Theme theme);  ///< "system", as in the settings
 Theme themeFromName(const QString& name);
 
+/// What lies between two colours.
+QColor mixed(const QColor& a, const QColor& b, double share_of_b);
+
 /// Palette, text size and thickness of lines of the whole application.
 void applyLook(QApplication& application, Theme theme, int text_percent);
 QPalette paletteOf(Theme theme, const QPalette& system);
@@ -85,6 +89,15 @@ int targetSize(const QWidget& widget);
 QFont scaledFont(const QWidget& widget, double factor, bool semibold = false);
 /// The same digits' width, for columns of figures.
 QFont tabularFont(const QFont& font);
+/// An empty label of this name, whose words go on in the next line where they need to.
+QLabel* wrappedLabel(QWidget* parent, const QString& name);
+/// The layout of a part that stands within a page, which has the margins.
+template <class Layout>
+Layout* bareLayout(QWidget* part) {
+  auto* layout = new Layout(part);
+  layout->setContentsMargins(0, 0, 0, 0);
+  return layout;
+}
 /// Width of a line that must be seen: 1 for hairlines, thicker in sunlight and on fine screens.
 double lineWidth(const QWidget& widget, double weight = 1);
 

@@ -1,17 +1,6 @@
 #include "ui/look/state_colours.h"
 
 namespace ostraka::ui {
-namespace {
-
-QColor mixed(const QColor& a, const QColor& b, double share_of_b) {
-  const auto mix = [share_of_b](float x, float y) {
-    return static_cast<float>(x + (y - x) * share_of_b);
-  };
-  return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()),
-                          mix(a.blueF(), b.blueF()));
-}
-
-}  // namespace
 
 StateColours::StateColours(const QPalette& palette)
     : colours_(coloursOf(palette)),

@@ -31,7 +31,6 @@ class StateColours {
   static QColor inkOnMatte();
   QColor of(State state) const;      ///< for lines, marks and text on the palette's base
   QColor behind(State state) const;  ///< a quiet ground for text of the palette
-  bool dark() const { return dark_; }
 
  private:
   const Colours& colours_;

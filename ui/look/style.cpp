@@ -164,12 +164,7 @@ class OstrakaStyle final : public QProxyStyle {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     QColor ground = option.palette.color(QPalette::Button);
-    if (over || in) {  // the accent shines through
-      const float share = in ? 0.2F : 0.08F;
-      ground = QColor::fromRgbF(ground.redF() + share * (c.accent.redF() - ground.redF()),
-                                ground.greenF() + share * (c.accent.greenF() - ground.greenF()),
-                                ground.blueF() + share * (c.accent.blueF() - ground.blueF()));
-    }
+    if (over || in) ground = mixed(ground, c.accent, in ? 0.2 : 0.08);  // the accent shines through
     painter.setBrush(ground);
     painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), Look::kCorner,
                             Look::kCorner);

@@ -22,33 +22,17 @@ QString text(const std::string& value) {
   return QString::fromStdString(value);
 }
 
-QString wordsOf(const RepairedRow& row, const QString& backup) {
-  QString what = text(row.table);
-  if (row.row > 0) what += QLatin1Char(' ') + QString::number(row.row);
-  if (!row.name.empty()) what += QStringLiteral(" (%1)").arg(text(row.name));
-  if (!row.field.empty()) what += QStringLiteral(", ") + text(row.field);
-  switch (row.from) {
-    case RepairedRow::From::Backup:
-      return CatalogueRepair::tr("%1: from %2").arg(what, backup);
-    case RepairedRow::From::History:
-      return CatalogueRepair::tr("%1: from the history").arg(what);
-    case RepairedRow::From::Nowhere:
-      break;
-  }
-  return CatalogueRepair::tr("%1: not restored").arg(what);
-}
-
 QString wordsOf(const RepairReport& report) {
   if (report.damaged.empty()) return CatalogueRepair::tr("It is whole; nothing was changed.");
-  const QString backup = text(report.backup.filename().string());
+  const std::string backup = report.backup.filename().string();
   QStringList words;
   if (report.all_from_backup)
     words << CatalogueRepair::tr(
                  "Nothing in the damaged file could be read: it is that of %1 "
                  "again. Look what is missing since.")
-                 .arg(backup);
+                 .arg(text(backup));
   QStringList rows;
-  for (const RepairedRow& row : report.rows) rows << wordsOf(row, backup);
+  for (const RepairedRow& row : report.rows) rows << ui::wordsOf(row.words(backup));
   if (report.interrupted)
     words << CatalogueRepair::tr(
         "An earlier repair was interrupted and is now finished. Check the catalogue for missing "
@@ -82,10 +66,9 @@ void CatalogueRepair::repair(const QString& folder) {
   emit told(tr("The catalogue is being repaired …"), folder, {});
   const std::filesystem::path project = folder.toStdString();
   job_ = runner_.start(
-      makeJob(tr("Repair of the catalogue"),
-              [project](Progress& progress, std::stop_token stop) -> Result<RepairReport> {
-                return upkeep::repairCatalogue(project, progress, stop);
-              }),
+      makeJob([project](Progress& progress, std::stop_token stop) -> Result<RepairReport> {
+        return upkeep::repairCatalogue(project, progress, stop);
+      }),
       this);
   whenDone<RepairReport>(job_, this, [this, folder](const auto& report) {
     lock_.reset();

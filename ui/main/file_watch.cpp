@@ -17,7 +17,6 @@ void FileWatch::look(const std::filesystem::path& project) {
   stop();
   job_ = runner_.start(
       makeJob(
-          tr("Check of the files"),
           [project](Progress& progress, std::stop_token stop) -> Result<upkeep::CheckedFiles> {
             const auto rows = upkeep::Project::connect(project);
             if (!rows) return rows.error();
@@ -37,8 +36,7 @@ void FileWatch::look(const std::filesystem::path& project) {
 }
 
 void FileWatch::stop() {
-  if (job_) job_->drop();
-  job_.clear();
+  dropJob(job_);
 }
 
 }  // namespace ostraka::ui

@@ -56,7 +56,9 @@ bool isOfAnInnerScreen(const QAction& action,
 }  // namespace
 
 HelpPage::HelpPage(QWidget* parent)
-    : QWidget(parent), text_(new ManualText(this)), note_(new QLabel(this)) {
+    : QWidget(parent),
+      text_(new ManualText(this)),
+      note_(wrappedLabel(this, QStringLiteral("helpNote"))) {
   initialiseManual();
   setObjectName(QStringLiteral("help"));
   text_->setObjectName(QStringLiteral("helpText"));
@@ -67,7 +69,6 @@ HelpPage::HelpPage(QWidget* parent)
   const auto add = [this, bar](const QString& text, const QString& object) {
     auto* button = new QPushButton(text, this);
     button->setObjectName(object);
-    button->setMinimumHeight(controlHeight(*this));
     bar->addWidget(button);
     return button;
   };
@@ -85,8 +86,6 @@ HelpPage::HelpPage(QWidget* parent)
   column->addLayout(bar);
   column->addWidget(note_);
   column->addWidget(text_, 1);
-  note_->setObjectName(QStringLiteral("helpNote"));
-  note_->setWordWrap(true);
   // In English it goes without saying.
   if (const QString words = tr("The manual is in English.");
       words != QLatin1String("The manual is in English."))

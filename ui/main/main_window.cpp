@@ -237,7 +237,7 @@ void MainWindow::showManual() {
   else if (shown == settings_area_)
     page = QStringLiteral("settings");
   else if (shown != help_)
-    page = screens()[static_cast<std::size_t>(work_->shown())]->manualPage();
+    page = screens()[static_cast<std::size_t>(work_->shown())]->iconName();
   help_->showManual(page);
   all_->setCurrentWidget(help_);
 }

@@ -6,25 +6,21 @@
 #include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 
+#include "ui/viewport/sherd_view.h"
+
 namespace ostraka::ui {
 
 std::string openGlOfThisComputer(bool& works) {
   works = false;
   if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
     return "not looked at: there is no display";
-  if (!qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-    qputenv("QT_QPA_PLATFORM", "xcb");
+  prepareOpenGl();
   int argc = 1;
   char name[] = "ostraka";
   char* argv[] = {name, nullptr};
   QGuiApplication application(argc, argv);
-  QSurfaceFormat format;
-  format.setVersion(3, 2);
-  format.setProfile(QSurfaceFormat::CoreProfile);
   QOpenGLContext context;
-  context.setFormat(format);
   QOffscreenSurface surface;
-  surface.setFormat(format);
   surface.create();
   if (!context.create() || !context.makeCurrent(&surface))
     return "none; install libgl1-mesa-dri for drawing without a graphics card";

@@ -30,10 +30,9 @@ void ProjectCare::begin(const std::filesystem::path& folder, bool read_only) {
 void ProjectCare::measureRoom() {
   if (folder_.empty()) return;
   JobHandle* job =
-      runner_.start(makeJob(MainWindow::tr("Room on the disk"),
-                            [folder = folder_](Progress&, std::stop_token) -> Result<int> {
-                              return intake::roomForBatches(folder);
-                            }),
+      runner_.start(makeJob([folder = folder_](Progress&, std::stop_token) -> Result<int> {
+                      return intake::roomForBatches(folder);
+                    }),
                     this);
   whenDone<int>(job, this, [this](const auto& room) {
     if (room) emit roomMeasured(*room);
@@ -43,13 +42,11 @@ void ProjectCare::measureRoom() {
 // What is described by hand has copies, too, not only what is computed.
 void ProjectCare::backUp() {
   if (folder_.empty()) return;
-  JobHandle* job =
-      runner_.start(makeJob(MainWindow::tr("Copy of the catalogue"),
-                            [folder = folder_](Progress&, std::stop_token) {
-                              const auto project = upkeep::Project::open(folder);
-                              return project ? project->backUpIfChanged() : project.error();
-                            }),
-                    this);
+  JobHandle* job = runner_.start(makeJob([folder = folder_](Progress&, std::stop_token) {
+                                   const auto project = upkeep::Project::open(folder);
+                                   return project ? project->backUpIfChanged() : project.error();
+                                 }),
+                                 this);
   whenDone<bool>(job, this, [this](const auto& done) {
     if (!done && done.error().code != ErrorCode::Cancelled)
       emit said(

@@ -32,9 +32,6 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
         stderr);
     return 2;
   }
-  // The 3D view works through GLX; native Wayland windows have none.
-  if (!qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-    qputenv("QT_QPA_PLATFORM", "xcb");
   prepareOpenGl();
   QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("ostraka"));

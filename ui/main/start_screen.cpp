@@ -62,7 +62,7 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
     : QWidget(parent),
       thumbnails_(thumbnails),
       fresh_(new NewProject(this)),
-      message_(new MessagePanel(this)) {
+      message_(new MessagePanel(QStringLiteral("startMessage"), this)) {
   setObjectName(QStringLiteral("start"));
   auto* title = new QLabel(tr("Ostraka"), this);
   title->setFont(scaledFont(*this, Look::kDecides, true));
@@ -72,8 +72,6 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
   columns->addWidget(buildRecent(), 1);
   columns->addSpacing(Look::kMargin - Look::kGap);
   columns->addWidget(buildNew(), 1);
-  message_->setObjectName(QStringLiteral("startMessage"));
-  message_->hide();
   connect(message_, &MessagePanel::acted, this, &StartScreen::act);
   auto* head = new QHBoxLayout;
   head->addWidget(title);
@@ -115,9 +113,7 @@ QWidget* StartScreen::buildRecent() {
   no_recent_->setWordWrap(true);
   no_recent_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   QPushButton* open = iconButton(box, "openProject", "open", tr("&Open a project…"));
-  try_ = new BigButton(box);
-  try_->setText(tr("Try with the virtual rig"));
-  try_->setObjectName(QStringLiteral("tryVirtualRig"));
+  try_ = new BigButton(QStringLiteral("tryVirtualRig"), tr("Try with the virtual rig"), box);
   connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
     const QString folder = item->data(Qt::UserRole).toString();
     isThere(folder) ? emit opened(folder) : findLost(folder);
@@ -130,8 +126,7 @@ QWidget* StartScreen::buildRecent() {
         item->setIcon(thumbnails_->get(item->data(Qt::UserRole + 1).toString(),
                                        recent_->iconSize() * devicePixelRatioF()));
   });
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(box);
   column->addWidget(label);
   column->addWidget(recent_, 1);
   column->addWidget(no_recent_, 1);
@@ -145,7 +140,6 @@ QWidget* StartScreen::buildNew() {
   const auto field = [this, box](const QString& object) {
     auto* edit = new QLineEdit(box);
     edit->setObjectName(object);
-    edit->setMinimumHeight(controlHeight(*this));
     return edit;
   };
   name_ = field(QStringLiteral("newName"));
@@ -162,18 +156,13 @@ QWidget* StartScreen::buildNew() {
   example_ = new QLabel(box);
   example_->setObjectName(QStringLiteral("newExample"));
   example_->setFont(scaledFont(*this, Look::kSection));
-  refusal_ = new QLabel(box);
-  refusal_->setWordWrap(true);
-  refusal_->setObjectName(QStringLiteral("newRefusal"));
-  make_ = new BigButton(box);
-  make_->setText(tr("Create project"));
-  make_->setObjectName(QStringLiteral("makeProject"));
+  refusal_ = wrappedLabel(box, QStringLiteral("newRefusal"));
+  make_ = new BigButton(QStringLiteral("makeProject"), tr("Create project"), box);
   auto* place = new QHBoxLayout;
   place->addWidget(folder_, 1);
   place->addWidget(browse);
   auto* fields = new QWidget(box);
-  auto* form = new QFormLayout(fields);
-  form->setContentsMargins(0, 0, 0, 0);
+  auto* form = bareLayout<QFormLayout>(fields);
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form->addRow(tr("&Name"), name_);
   form->addRow(tr("&Site code"), site_);
@@ -260,30 +249,21 @@ void StartScreen::follow() {
 }
 
 void StartScreen::chooseFolder() {
-  auto* dialog = new QFileDialog(this, tr("Folder of the new project"), projectsFolder());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, fresh_, &NewProject::setFolder);
-  dialog->open();
+  connect(askForFile(this, tr("Folder of the new project"), projectsFolder(), {}),
+          &QFileDialog::fileSelected, fresh_, &NewProject::setFolder);
 }
 
 void StartScreen::chooseProject() {
-  auto* dialog = new QFileDialog(this, tr("Folder of a project"), projectsFolder());
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::fileSelected, this, &StartScreen::opened);
-  dialog->open();
+  connect(askForFile(this, tr("Folder of a project"), projectsFolder(), {}),
+          &QFileDialog::fileSelected, this, &StartScreen::opened);
 }
 
 void StartScreen::findLost(const QString& folder) {
-  auto* dialog = new QFileDialog(this, tr("Where is %1 now?").arg(shortPath(folder)),
-                                 QFileInfo(folder).absolutePath());
+  QFileDialog* dialog = askForFile(this, tr("Where is %1 now?").arg(shortPath(folder)),
+                                   QFileInfo(folder).absolutePath(), {});
   dialog->setObjectName(QStringLiteral("findProject"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
   connect(dialog, &QFileDialog::fileSelected, this,
           [this, folder](const QString& now) { emit found(folder, now); });
-  dialog->open();
 }
 
 void StartScreen::make() {

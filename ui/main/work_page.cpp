@@ -63,8 +63,7 @@ void WorkPage::buildLayout(QueueScreen& queue_screen) {
   right->addWidget(header_);
   right->addWidget(pages_, 1);
   right->addWidget(footer_);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = bareLayout<QHBoxLayout>(this);
   row->setSpacing(0);
   row->addWidget(sidebar_);
   row->addLayout(right, 1);

@@ -51,13 +51,6 @@ QString codeOf(QLatin1Char kind, const QString& number, const std::string& id) {
       .arg(number.toUpper(), QString::fromStdString(id).remove('-').right(kTail).toUpper());
 }
 
-// Files need the zeros, people do not.
-QString plainNumber(const QString& on_plate) {
-  bool counted = false;
-  const int number = on_plate.toInt(&counted);
-  return counted ? QString::number(number) : on_plate;
-}
-
 bool isTakenOut(const review::MapMark& mark) {
   return mark.state == review::CardState::Aside || mark.state == review::CardState::Reshoot;
 }
@@ -89,7 +82,7 @@ QVector<PlateSherd> sherdsOnPlate(const review::PlateMap& map,
     sherd.is_taken_out = isTakenOut(mark);
     const QString number = batch_number + QLatin1Char('-') + sherd.on_plate;
     sherd.label = {QCoreApplication::translate("ostraka::ui", "sherd %1 of %2")
-                       .arg(plainNumber(sherd.on_plate), batch_number),
+                       .arg(MapNumbers().shown(sherd.on_plate), batch_number),
                    {},
                    date,
                    QStringLiteral("OST1:S:") + number.toUpper()};

@@ -55,29 +55,13 @@ QString dayText(const QDateTime& moment) {
   return QLocale::c().toString(moment.date(), "yyyy-MM-dd");
 }
 
-// The dialog prints into a file, too.
-QString printedWords(const QPrinter& printer, const QString& sent) {
-  return printer.outputFileName().isEmpty()
-             ? sent
-             : MapScreen::tr("Saved: %1").arg(printer.outputFileName());
-}
-
-bool mayPrint(const QPrinter& printer, QString* why) {
-  const Result<void> good = checkOutputPlace(printer.outputFileName().toStdString());
-  if (!good) *why = sentenceOf(good.error());
-  return good.has_value();
-}
-
 }  // namespace
 
-MapScreen::MapScreen(QWidget* parent) : PlateScreen(tr("Batch"), parent) {
+MapScreen::MapScreen(QWidget* parent) : PlateScreen(tr("Map"), QStringLiteral("map"), parent) {
   connect(addPageAct(this, "print", {}, tr("Print map and labels"), QKeySequence::Print),
           &QAction::triggered, this, &MapScreen::print);
-  print_ = new BigButton(this);
-  print_->setText(tr("Print map and labels"));
+  print_ = new BigButton("printMap", tr("Print map and labels"), this);
   print_->setKeyHint(QKeySequence(QKeySequence::Print).toString(QKeySequence::NativeText));
-  print_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
-  print_->setObjectName("printMap");
   print_->setFocusPolicy(Qt::TabFocus);
   print_->setEnabled(false);
   connect(print_, &QPushButton::clicked, this, &MapScreen::print);
@@ -104,9 +88,7 @@ MapScreen::MapScreen(QWidget* parent) : PlateScreen(tr("Batch"), parent) {
                           tr("Photograph or import a batch. When it is processed, its map shows "
                              "which sherd lay where."),
                           this);
-  to_capture_ = empty_->addAct(tr("Capture a batch"), QStringLiteral("mapToCapture"));
-  connect(to_capture_, &QPushButton::clicked, this,
-          [this] { emit wantsScreen(QStringLiteral("capture"), {}); });
+  to_capture_ = offerCapture(*empty_, QStringLiteral("mapToCapture"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   all->addLayout(head);
@@ -197,10 +179,9 @@ void MapScreen::openBatch(const QString& batch) {
   print_->setEnabled(false);  // what is shown is about to be another
   if (opening_) opening_->drop();
   opening_ =
-      session_->jobs().start(makeJob(tr("Map of %1").arg(batch),
-                                     [output = outputOf(batch)](Progress&, std::stop_token stop) {
-                                       return readMap(output, stop);
-                                     }),
+      session_->jobs().start(makeJob([output = outputOf(batch)](Progress&, std::stop_token stop) {
+                               return readMap(output, stop);
+                             }),
                              this);
   whenDone<MapPicture>(opening_, this, [this, lit](const auto& picture) {
     print_->setEnabled(picture.has_value());
@@ -270,15 +251,24 @@ QString MapScreen::unnumberedWords() const {
 void MapScreen::print() {
   if (!print_->isEnabled()) return;
   if (const QString none = unnumberedWords(); !none.isEmpty()) say(none);
+  askToPrint(tr("Map and labels are sent to the printer."),
+             [this](QPrinter& printer, QString* why) {
+               return printMap(printer, view_->picture(), labels(), pageTitle(), why);
+             });
+}
+
+void MapScreen::askToPrint(const QString& sent,
+                           std::function<bool(QPrinter& printer, QString* why)> paint) {
   auto* dialog = new QPrintDialog(this);  // knows printing into a PDF file, too
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this, [this](QPrinter* printer) {
-    QString why;
-    if (!mayPrint(*printer, &why)) return say(why);
-    say(printMap(*printer, view_->picture(), labels(), pageTitle(), &why)
-            ? printedWords(*printer, tr("Map and labels are sent to the printer."))
-            : why);
-  });
+  connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this,
+          [this, sent, paint](QPrinter* printer) {
+            const QString file = printer->outputFileName();
+            if (const Result<void> good = checkOutputPlace(file.toStdString()); !good)
+              return say(sentenceOf(good.error()));
+            QString why;
+            say(!paint(*printer, &why) ? why : file.isEmpty() ? sent : tr("Saved: %1").arg(file));
+          });
   dialog->open();
 }
 
@@ -288,17 +278,9 @@ void MapScreen::printBags() {
       bagLabels(session_->project().catalogue(), session_->initials());
   if (labels.isEmpty())
     return say(tr("There is no bag yet: type one at the capture, or import a table of contexts."));
-  auto* dialog = new QPrintDialog(this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this,
-          [this, labels](QPrinter* printer) {
-            QString why;
-            if (!mayPrint(*printer, &why)) return say(why);
-            const QString sent = tr("%n label(s) are sent to the printer.", nullptr,
-                                    static_cast<int>(labels.size()));
-            say(printLabels(*printer, labels, &why) ? printedWords(*printer, sent) : why);
-          });
-  dialog->open();
+  askToPrint(
+      tr("%n label(s) are sent to the printer.", nullptr, static_cast<int>(labels.size())),
+      [labels](QPrinter& printer, QString* why) { return printLabels(printer, labels, why); });
 }
 
 }  // namespace ostraka::ui

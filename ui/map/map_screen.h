@@ -1,11 +1,13 @@
 #pragma once
 #include <QPointer>
 #include <QVector>
+#include <functional>
 
 #include "ui/frame/plate_screen.h"
 #include "ui/jobs/job.h"
 #include "ui/map/map_pages.h"
 
+class QPrinter;
 class QPushButton;
 
 namespace ostraka::ui {
@@ -22,9 +24,6 @@ class MapScreen final : public PlateScreen {
  public:
   explicit MapScreen(QWidget* parent = nullptr);
 
-  QString title() const override { return tr("Map"); }
-  QString iconName() const override { return QStringLiteral("map"); }
-  QString manualPage() const override { return QStringLiteral("map"); }
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   void setInFront(bool in_front) override;
@@ -49,6 +48,7 @@ class MapScreen final : public PlateScreen {
   void nameMarks();
   QVector<PlateSherd> sherds() const;
   bool isOfScans() const;
+  void askToPrint(const QString& sent, std::function<bool(QPrinter& printer, QString* why)> paint);
   QString unnumberedWords() const;
   QString dayOf(const MapPicture& picture) const;
   QString pageTitle() const;

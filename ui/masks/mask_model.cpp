@@ -114,16 +114,8 @@ class StrokeCommand final : public QUndoCommand {
 MaskModel::MaskModel(QObject* parent) : QObject(parent) {}
 MaskModel::~MaskModel() = default;
 
-// Nothing of it arrives any more, not even what is on its way.
-void MaskModel::forgetJob() {
-  if (!job_) return;
-  job_->disconnect(this);
-  job_->deleteLater();
-  job_.clear();
-}
-
 void MaskModel::close() {
-  forgetJob();
+  dropJob(job_);
   session_.clear();
   batch_.clear();
   output_.clear();
@@ -142,8 +134,7 @@ void MaskModel::openBatch(ProjectSession& session, const QString& batch) {
   batch_ = batch;
   output_ = session.folder() / "results" / batch.toStdString();
   job_ = session.jobs().start(
-      makeJob(tr("Masks of %1").arg(batch),
-              [output = output_](Progress&, std::stop_token stop) { return opened(output, stop); }),
+      makeJob([output = output_](Progress&, std::stop_token stop) { return opened(output, stop); }),
       this);
   whenDone<OpenedMasks>(job_, this, [this](const auto& masks) {
     if (!masks) return emit failed(sentenceOf(masks.error()));
@@ -195,14 +186,14 @@ Result<MaskModel::Shown> MaskModel::read(const decisions::MaskedPhotograph& phot
 
 void MaskModel::show(int index) {
   if (!session_ || index < 0 || index >= count()) return;
-  forgetJob();
+  dropJob(job_);
   index_ = index;
   photograph_ = found_overlay_ = overlay_ = {};
   emit changed();
-  job_ = session_->jobs().start(
-      makeJob(tr("Mask"), [photograph = photographs_[static_cast<std::size_t>(index)]](
-                              Progress&, std::stop_token) { return read(photograph); }),
-      this);
+  job_ =
+      session_->jobs().start(makeJob([photograph = photographs_[static_cast<std::size_t>(index)]](
+                                         Progress&, std::stop_token) { return read(photograph); }),
+                             this);
   whenDone<Shown>(job_, this, [this](const auto& shown) {
     if (!shown) return emit failed(sentenceOf(shown.error()));
     photograph_ = shown->photograph;
@@ -249,11 +240,10 @@ void MaskModel::settle(ProjectSession* session, const QString& batch) {
     return;
   }
   settling_ = session->jobs().start(
-      makeJob(tr("Masks of %1").arg(batch),
-              [project = session->folder(), number = batch.toStdString(),
+      makeJob([project = session->folder(), number = batch.toStdString(),
                person = session->initials().toStdString()](Progress&, std::stop_token) {
-                return intake::settleByResults(project, number, person);
-              }),
+        return intake::settleByResults(project, number, person);
+      }),
       session);
   connect(settling_, &JobHandle::finished, session,
           [this, self = QPointer(this), session, batch](const JobOutcome&) {

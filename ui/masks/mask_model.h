@@ -56,7 +56,6 @@ class MaskModel final : public QObject {
   std::vector<decisions::MaskStroke> strokesOn(int index) const;
   Result<void> hold(std::vector<decisions::MaskStroke> strokes);
   void drawOverlay();
-  void forgetJob();
   void settle(ProjectSession* session, const QString& batch);
   static Result<Shown> read(const decisions::MaskedPhotograph& photograph);
 

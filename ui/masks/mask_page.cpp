@@ -28,7 +28,7 @@ MaskPage::MaskPage(QWidget* parent)
       model_(new MaskModel(this)),
       view_(new MaskView(this)),
       title_(new QLabel(this)),
-      told_(new QLabel(this)),
+      told_(wrappedLabel(this, QStringLiteral("masksTold"))),
       which_(new QComboBox(this)),
       width_(new QSlider(Qt::Horizontal, this)) {
   setObjectName(QStringLiteral("masks"));
@@ -71,11 +71,8 @@ void MaskPage::buildLayout() {
   view_->setObjectName(QStringLiteral("maskView"));
   title_->setFont(scaledFont(*this, Look::kSection, true));
   title_->setObjectName(QStringLiteral("masksTitle"));
-  told_->setObjectName(QStringLiteral("masksTold"));
-  told_->setWordWrap(true);
   which_->setObjectName(QStringLiteral("masksWhich"));
   which_->setAccessibleName(tr("Photograph"));
-  which_->setMinimumHeight(controlHeight(*this));
   which_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   width_->setObjectName(QStringLiteral("masksWidth"));
   width_->setRange(kLeastWidth_px, kMostWidth_px);
@@ -84,8 +81,7 @@ void MaskPage::buildLayout() {
   auto* brush = new QWidget(this);
   auto* width_label = new QLabel(tr("Brush's &width"), brush);
   width_label->setBuddy(width_);
-  auto* brush_row = new QHBoxLayout(brush);
-  brush_row->setContentsMargins(0, 0, 0, 0);
+  auto* brush_row = bareLayout<QHBoxLayout>(brush);
   brush_row->addWidget(width_label);
   brush_row->addWidget(width_);
   brush->setMinimumHeight(controlHeight(*this));
@@ -95,19 +91,15 @@ void MaskPage::buildLayout() {
   tools_->addGroup(tr("Brush"), {sherd_, plate_});
   tools_->addGroup(tr("Photograph"), {previous_, next_});
   tools_->addGroup({}, {back_});
-  reprocess_ = new BigButton(this);
-  reprocess_->setObjectName(QStringLiteral("masksComputeButton"));
-  reprocess_->setText(compute_->text());
+  reprocess_ = new BigButton(QStringLiteral("masksComputeButton"), compute_->text(), this);
   reprocess_->setKeyHint(compute_->shortcut().toString(QKeySequence::NativeText));
-  reprocess_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
   connect(reprocess_, &QPushButton::clicked, compute_, &QAction::trigger);
   connect(compute_, &QAction::changed, this,
           [this] { reprocess_->setEnabled(compute_->isEnabled()); });
   auto* foot = new QHBoxLayout;
   foot->addWidget(tools_, 1);
   foot->addWidget(reprocess_, 0, Qt::AlignBottom);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
+  auto* all = bareLayout<QVBoxLayout>(this);
   all->addWidget(title_);
   all->addWidget(told_);
   all->addWidget(view_, 1);

@@ -139,7 +139,7 @@ void MergeModel::run(merge::MergeMode mode) {
     if (!project) return project.error();
     return merge::mergeInto(*project, b, mode, settled, provenance, progress, stop);
   };
-  job_ = session_->jobs().start(makeJob(tr("Merge"), work), this);
+  job_ = session_->jobs().start(makeJob(work), this);
   connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
     fraction_ = progress.fraction;
     problem_.clear();  // it waits no longer

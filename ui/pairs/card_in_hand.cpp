@@ -39,9 +39,7 @@ void CardInHand::hold(const Trial& trial) {
 }
 
 void CardInHand::clear() {
-  for (const QPointer<JobHandle>& job : {scene_job_, fit_job_, model_job_})
-    if (job) job->drop();
-  scene_job_ = fit_job_ = model_job_ = nullptr;
+  for (QPointer<JobHandle>* job : {&scene_job_, &fit_job_, &model_job_}) dropJob(*job);
   busy_ = scene_wanted_ = clouds_wanted_ = false;
   candidates_.clear();
   trial_ = {};
@@ -92,10 +90,8 @@ QString CardInHand::figuresText() const {
   if (trial_.made == Made::ByHand) text += " " + tr("Turned by hand; B refines the fit.");
   if (trial_.made == Made::StartPoint)
     text += " " + tr("Start point %1; B refines the fit.").arg(trial_.shift);
-  const QString failed_check = failedCheckSentence(fit_.failed_check, 0);
-  if (fit_.check_failed && !failed_check.isEmpty() &&
-      fit_.failed_check == registration::FailedCheck::UpsideDown)
-    text += " " + failed_check;
+  if (fit_.failed_check == registration::FailedCheck::UpsideDown)
+    text += " " + failedCheckSentence(fit_.failed_check, 0);
   return text;
 }
 
@@ -116,12 +112,11 @@ void CardInHand::chooseBack(int back) {
   busy_ = true;
   emit busyChanged(true);
   const int front = trial_.front;
-  if (fit_job_) fit_job_->drop();  // its result is not wanted any more
+  dropJob(fit_job_);  // its result is not wanted any more
   fit_job_ =
-      runner_.start(makeJob(tr("Comparing two sides"),
-                            [live = batch_.live(), front, back](Progress&, std::stop_token stop) {
-                              return oneCandidate(live, front, back, stop);
-                            }),
+      runner_.start(makeJob([live = batch_.live(), front, back](Progress&, std::stop_token stop) {
+                      return oneCandidate(live, front, back, stop);
+                    }),
                     this);
   whenDone<ReviewCandidate>(fit_job_, this, [this, front, back](const auto& candidate) {
     busy_ = false;
@@ -213,12 +208,12 @@ void CardInHand::stopSettling() {
 void CardInHand::fitAt(std::function<Result<review::LiveFit>(Progress&, std::stop_token)> work,
                        Made made, const QString& text) {
   if (!batch_.isOpen() || trial_.front < 0) return;
-  if (fit_job_) fit_job_->drop();  // its result is not wanted any more
+  dropJob(fit_job_);  // its result is not wanted any more
   busy_ = true;
   settling_rms_.clear();
   emit busyChanged(true);
   const Trial from = trial_;
-  fit_job_ = runner_.start(makeJob(text, std::move(work)), this);
+  fit_job_ = runner_.start(makeJob(std::move(work)), this);
   connect(fit_job_, &JobHandle::told, this, [this, from](const std::any& value) {
     if (!isAbout(from.front, from.back)) return;
     const auto& fit = std::any_cast<const review::LiveFit&>(value);
@@ -245,12 +240,11 @@ void CardInHand::fetchModel() {
     return emit failed(front < 0 ? tr("A back alone has no closed model.")
                                  : tr("No back is chosen."));
   }
-  if (model_job_) model_job_->drop();
+  dropJob(model_job_);
   model_job_ =
-      runner_.start(makeJob(tr("Closed model"),
-                            [live = batch_.live(), front, back](Progress&, std::stop_token) {
-                              return closedModel(live, front, back);
-                            }),
+      runner_.start(makeJob([live = batch_.live(), front, back](Progress&, std::stop_token) {
+                      return closedModel(live, front, back);
+                    }),
                     this);
   whenDone<MeshPtr>(model_job_, this, [this, front, back](const auto& model) {
     if (!isAbout(front, back)) return;
@@ -269,13 +263,12 @@ void CardInHand::fetchScene(Clouds clouds) {
   const Clouds with = clouds_wanted_ ? Clouds::Fetch : Clouds::Leave;
   scene_wanted_ = clouds_wanted_ = false;
   scene_job_ = runner_.start(
-      makeJob(tr("Picture of a pair"),
-              [live = batch_.live(), trial, with](Progress&, std::stop_token) {
-                if (trial.front < 0) return loneScene(live, batch::Side::Back, trial.back);
-                return trial.back < 0
-                           ? loneScene(live, batch::Side::Front, trial.front)
-                           : pairScene(live, trial.front, trial.back, trial.front_from_back, with);
-              }),
+      makeJob([live = batch_.live(), trial, with](Progress&, std::stop_token) {
+        if (trial.front < 0) return loneScene(live, batch::Side::Back, trial.back);
+        return trial.back < 0
+                   ? loneScene(live, batch::Side::Front, trial.front)
+                   : pairScene(live, trial.front, trial.back, trial.front_from_back, with);
+      }),
       this);
   whenDone<ScenePtr>(scene_job_, this, [this, trial](const auto& scene) {
     const bool current = isAbout(trial.front, trial.back);

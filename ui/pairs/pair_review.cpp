@@ -40,10 +40,9 @@ void PairReview::open(OpenedBatch batch) {
 }
 
 void PairReview::fetchPictures() {
-  pictures_job_ = runner_.start(makeJob(tr("Small pictures of the sherds"),
-                                        [live = batch_.live()](Progress&, std::stop_token stop) {
-                                          return scanPictures(live, stop);
-                                        }),
+  pictures_job_ = runner_.start(makeJob([live = batch_.live()](Progress&, std::stop_token stop) {
+                                  return scanPictures(live, stop);
+                                }),
                                 this);
   whenDone<ScanPictures>(pictures_job_, this, [this](const auto& pictures) {
     if (pictures) cards_.setPictures(*pictures);  // cards without pictures still have names
@@ -52,9 +51,8 @@ void PairReview::fetchPictures() {
 
 // What is on its way is dropped: the fronts and backs of the next batch are others.
 void PairReview::close() {
-  for (const QPointer<JobHandle>& job : {pictures_job_, more_job_})
-    if (job) job->drop();
-  pictures_job_ = more_job_ = nullptr;
+  dropJob(pictures_job_);
+  dropJob(more_job_);
   batch_.close();
   cards_.clear();
   hand_.clear();
@@ -245,7 +243,6 @@ void PairReview::fetchMore() {
   for (const ReviewCandidate& c : batch_.candidatesOf(front)) known.push_back(c.back);
   more_job_ = runner_.start(
       makeJob(
-          tr("More candidates"),
           [live = batch_.live(), front, known](Progress& progress, std::stop_token stop) {
             return anotherCandidate(live, front, known, progress, stop);
           },

@@ -47,7 +47,6 @@ void BatchComputation::begin(ProjectSession& session, const QString& number, boo
   cancelled_ = false;
   job_ =
       session.jobs().start(makeJob(
-                               BatchQueue::tr("Batch %1").arg(number_),
                                [work = work_, options](Progress& progress, std::stop_token stop) {
                                  return figuresKept(work(options, progress, stop), options);
                                },

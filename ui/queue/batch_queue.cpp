@@ -174,30 +174,15 @@ int BatchQueue::rowCount(const QModelIndex& parent) const {
 QVariant BatchQueue::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   const QueueRow& shown = row(index.row());
-  switch (role) {
-    case Qt::DisplayRole:
-    case NumberRole:
-      return shown.number;
-    case StateRole:
-      return static_cast<int>(shown.state);
-    case FractionRole:
-      return shown.progress.fraction;
-    case FailureRole:
-      return shown.failure;
-    case PictureRole:
-      return shown.picture;
-    case Qt::AccessibleTextRole: {
-      QString words = tr("%1: %2").arg(shown.number, stateWords(shown));
-      if (shown.figures) words += QStringLiteral(". ") + figuresWords(*shown.figures);
-      if (shown.figures && !shown.figures->moved.empty())
-        words += QStringLiteral(". ") + movedWords(*shown.figures);
-      if (!shown.failure.isEmpty()) words += QStringLiteral(". ") + shown.failure;
-      if (!shown.scale_doubts.isEmpty()) words += QStringLiteral(". ") + shown.scale_doubts;
-      return words;
-    }
-    default:
-      return {};
-  }
+  if (role == Qt::DisplayRole) return shown.number;
+  if (role != Qt::AccessibleTextRole) return {};
+  QString words = tr("%1: %2").arg(shown.number, stateWords(shown));
+  if (shown.figures) words += QStringLiteral(". ") + figuresWords(*shown.figures);
+  if (shown.figures && !shown.figures->moved.empty())
+    words += QStringLiteral(". ") + movedWords(*shown.figures);
+  if (!shown.failure.isEmpty()) words += QStringLiteral(". ") + shown.failure;
+  if (!shown.scale_doubts.isEmpty()) words += QStringLiteral(". ") + shown.scale_doubts;
+  return words;
 }
 
 int BatchQueue::rowOf(const QString& number) const {
@@ -339,11 +324,10 @@ void BatchQueue::cancel(const QString& number) {
 // What was decided while it waited counts.
 void BatchQueue::settle(const QString& number) {
   JobHandle* job = session_->jobs().start(
-      makeJob(tr("Batch %1").arg(number),
-              [project = session_->folder(), number = number.toStdString(),
+      makeJob([project = session_->folder(), number = number.toStdString(),
                person = session_->initials().toStdString()](Progress&, std::stop_token) {
-                return intake::settleByResults(project, number, person);
-              }),
+        return intake::settleByResults(project, number, person);
+      }),
       session_);
   whenDone<bool>(job, session_,
                  [session = session_, number](const auto&) { session->tellBatchChanged(number); });

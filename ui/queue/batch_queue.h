@@ -52,8 +52,6 @@ class BatchQueue final : public QAbstractListModel {
   Q_OBJECT
 
  public:
-  enum Role { NumberRole = Qt::UserRole, StateRole, FractionRole, FailureRole, PictureRole };
-
   explicit BatchQueue(QObject* parent = nullptr);
 
   /// Null closes: a computation is asked to stop and goes on when the project is opened again.

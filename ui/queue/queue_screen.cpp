@@ -36,12 +36,12 @@ constexpr double kAskBeforeLosing_s = 3600;
 }  // namespace
 
 QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
-    : Screen(parent),
+    : Screen(tr("Queue"), QStringLiteral("queue"), parent),
       queue_(queue),
       list_(new QListView(this)),
       delegate_(new BatchDelegate(*queue, this)),
       log_(new QPlainTextEdit(this)),
-      message_(new MessagePanel(this)),
+      message_(new MessagePanel(QStringLiteral("queueMessage"), this)),
       pages_(new QStackedWidget(this)),
       masks_page_(new MaskPage(this)),
       masks_area_(new PageArea(masks_page_, this)) {
@@ -111,16 +111,12 @@ void QueueScreen::buildLayout() {
   log_->setAccessibleName(tr("Log of the computation"));
   log_->setMaximumBlockCount(2000);
   log_->hide();
-  message_->setObjectName(QStringLiteral("queueMessage"));
-  message_->hide();
 
   auto* empty = new EmptyState(QStringLiteral("queue"), tr("No batch yet"),
                                tr("What you photograph or import is processed here, one batch "
                                   "after the other, while you go on working."),
                                this);
-  to_capture_ = empty->addAct(tr("Capture a batch"), QStringLiteral("queueToCapture"));
-  connect(to_capture_, &QPushButton::clicked, this,
-          [this] { emit wantsScreen(QStringLiteral("capture"), {}); });
+  to_capture_ = offerCapture(*empty, QStringLiteral("queueToCapture"));
 
   pages_->addWidget(buildList());
   pages_->addWidget(new PageArea(empty, pages_));
@@ -142,10 +138,8 @@ QWidget* QueueScreen::buildList() {
   tools_ = new ToolRow(page);
   tools_->addGroup(tr("Batch"), {review_, report_, masks_, again_, cancel_});
   tools_->addGroup(tr("Queue"), {drafts_, calibrate_});
-  next_ = new BigButton(page);
-  next_->setObjectName(QStringLiteral("queueNext"));
+  next_ = new BigButton(QStringLiteral("queueNext"), {}, page);
   next_->setKeyHint(tr("Enter"));
-  next_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
   connect(next_, &QPushButton::clicked, this, &QueueScreen::openSelected);
   auto* split = new QSplitter(Qt::Vertical, page);
   split->addWidget(list_);
@@ -155,8 +149,7 @@ QWidget* QueueScreen::buildList() {
   auto* foot = new QHBoxLayout;
   foot->addWidget(tools_, 1);
   foot->addWidget(next_, 0, Qt::AlignBottom);
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(page);
   column->addWidget(message_);
   column->addWidget(split, 1);
   column->addLayout(foot);
@@ -180,16 +173,6 @@ void QueueScreen::setCompact(bool compact) {
   tools_->setCompact(compact);
   message_->setCompact(compact);
   masks_page_->setCompact(compact);
-}
-
-QString QueueScreen::title() const {
-  return tr("Queue");
-}
-QString QueueScreen::iconName() const {
-  return QStringLiteral("queue");
-}
-QString QueueScreen::manualPage() const {
-  return QStringLiteral("queue");
 }
 
 void QueueScreen::openProject(ProjectSession& session) {

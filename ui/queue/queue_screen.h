@@ -28,9 +28,6 @@ class QueueScreen final : public Screen {
  public:
   explicit QueueScreen(BatchQueue* queue, QWidget* parent = nullptr);
 
-  QString title() const override;
-  QString iconName() const override;
-  QString manualPage() const override;
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   int waiting() const override;

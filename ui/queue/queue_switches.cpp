@@ -1,8 +1,6 @@
 #include "ui/queue/queue_switches.h"
 
-#include "catalogue/settings.h"
 #include "ui/frame/project_session.h"
-#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {
@@ -10,14 +8,7 @@ namespace {
 constexpr const char* kPausedKey = "queue.paused";
 constexpr const char* kDraftsKey = "queue.drafts";
 
-bool isOn(ProjectSession& session, const char* key) {
-  const Result<std::string> kept = catalogue::Settings(session.project().catalogue()).value(key);
-  return kept && *kept == "yes";
-}
-
-void keepSwitch(ProjectSession& session, const char* key, bool on) {
-  (void)catalogue::Settings(session.project().catalogue()).setValue(key, on ? "yes" : "");
-}
+constexpr const char* kOn = "yes";
 
 }  // namespace
 
@@ -26,8 +17,8 @@ QueueSwitches::QueueSwitches(QObject* parent) : QObject(parent) {}
 void QueueSwitches::setSession(ProjectSession* session) {
   session_ = session;
   trouble_.clear();
-  paused_ = session != nullptr && isOn(*session, kPausedKey);
-  if (session != nullptr) drafts_ = isOn(*session, kDraftsKey);
+  paused_ = session != nullptr && session->setting(kPausedKey) == kOn;
+  if (session != nullptr) drafts_ = session->setting(kDraftsKey) == kOn;
 }
 
 void QueueSwitches::stopFor(const QString& trouble) {
@@ -39,14 +30,14 @@ void QueueSwitches::setPaused(bool paused) {
   if (session_ == nullptr || paused == paused_) return;
   paused_ = paused;
   trouble_.clear();
-  keepSwitch(*session_, kPausedKey, paused);
+  session_->keepSetting(kPausedKey, paused ? kOn : "");
   emit pausedChanged(paused);
 }
 
 void QueueSwitches::setMakesDrafts(bool drafts) {
   if (session_ == nullptr || drafts == drafts_) return;
   drafts_ = drafts;
-  keepSwitch(*session_, kDraftsKey, drafts);
+  session_->keepSetting(kDraftsKey, drafts ? kOn : "");
 }
 
 }  // namespace ostraka::ui

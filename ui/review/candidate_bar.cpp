@@ -28,7 +28,6 @@ CandidateBar::CandidateBar(PairReview& review, QWidget* parent)
   others_->setObjectName("otherBacks");
   others_->setText(tr("Another back…"));
   others_->setPopupMode(QToolButton::InstantPopup);
-  others_->setMinimumHeight(controlHeight(*this));
   others_->setFocusPolicy(Qt::TabFocus);
   others_->setMenu(new QMenu(others_));
   connect(others_->menu(), &QMenu::aboutToShow, this, &CandidateBar::fillOthers);

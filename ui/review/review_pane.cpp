@@ -247,20 +247,13 @@ void ReviewPane::setCompact(bool compact) {
 }
 
 void ReviewPane::buildLayout() {
-  reason_ = new QLabel(this);
-  reason_->setObjectName("reason");
-  reason_->setWordWrap(true);
+  reason_ = wrappedLabel(this, "reason");
   reason_->setFont(scaledFont(*this, Look::kSection));
-  figures_ = new QLabel(this);
-  figures_->setObjectName("figures");
+  figures_ = wrappedLabel(this, "figures");
   figures_->setFont(tabularFont(figures_->font()));
-  figures_->setWordWrap(true);
-  accept_ = new BigButton(this);
-  accept_->setText(tr("Accept"));
+  accept_ = new BigButton("acceptButton", tr("Accept"), this);
   accept_->setKeyHint(tr("Enter"));
-  accept_->setObjectName("acceptButton");
   accept_->setFocusPolicy(Qt::TabFocus);
-  accept_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
   connect(accept_, &BigButton::clicked, this, &ReviewPane::acceptMarked);
 
   compared_ = new QSplitter(Qt::Vertical, this);
@@ -285,8 +278,7 @@ void ReviewPane::buildLayout() {
   // What decides stays in sight; where letters are large, what is compared and measured is
   // scrolled.
   auto* compared = new QWidget(this);
-  auto* measured = new QVBoxLayout(compared);
-  measured->setContentsMargins(0, 0, 0, 0);
+  auto* measured = bareLayout<QVBoxLayout>(compared);
   measured->addWidget(sides, 1);
   measured->addWidget(figures_);
   auto* area = new PageArea(compared, this);
@@ -295,8 +287,7 @@ void ReviewPane::buildLayout() {
   right->addWidget(area, 1);
   right->addWidget(tools_);
   right->addLayout(last);
-  auto* all = new QHBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
+  auto* all = bareLayout<QHBoxLayout>(this);
   fitCards();
   all->addWidget(cards_);
   all->addLayout(right, 1);

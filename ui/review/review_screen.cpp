@@ -38,7 +38,8 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-ReviewScreen::ReviewScreen(QWidget* parent) : PlateScreen(tr("Batch"), parent) {
+ReviewScreen::ReviewScreen(QWidget* parent)
+    : PlateScreen(tr("Review"), QStringLiteral("review"), parent) {
   batches_->view()->installEventFilter(this);
   auto* person_label = new QLabel(tr("Your &initials"), this);
   person_ = new QLineEdit(this);
@@ -61,9 +62,7 @@ ReviewScreen::ReviewScreen(QWidget* parent) : PlateScreen(tr("Batch"), parent) {
                           tr("Photograph or import a batch. Its pairs appear here when it is "
                              "processed."),
                           this);
-  to_capture_ = empty_->addAct(tr("Capture a batch"), QStringLiteral("reviewToCapture"));
-  connect(to_capture_, &QPushButton::clicked, this,
-          [this] { emit wantsScreen(QStringLiteral("capture"), {}); });
+  to_capture_ = offerCapture(*empty_, QStringLiteral("reviewToCapture"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(Look::kGap, Look::kGap, Look::kGap, Look::kGap);
   all->addLayout(head);
@@ -100,9 +99,7 @@ QWidget* ReviewScreen::buildScale() {
   scale_->setObjectName("scaleInDoubt");
   scale_->setFrameShape(QFrame::StyledPanel);
   scale_->setAutoFillBackground(true);
-  scale_words_ = new QLabel(scale_);
-  scale_words_->setObjectName("scaleWords");
-  scale_words_->setWordWrap(true);
+  scale_words_ = wrappedLabel(scale_, "scaleWords");
   auto* report = new QPushButton(icon(QStringLiteral("report")), tr("Show report"), scale_);
   report->setFocusPolicy(Qt::TabFocus);
   connect(report, &QPushButton::clicked, this,
@@ -225,10 +222,9 @@ void ReviewScreen::showBatch(const QString& batch) {
   if (opening_) opening_->drop();
   const fs::path rows = session_->hasProject() ? session_->project().folder() : fs::path();
   opening_ =
-      session_->jobs().start(makeJob(tr("Opening %1").arg(batch),
-                                     [output = outputOf(batch), rows](Progress&, std::stop_token) {
-                                       return openBatch(output, rows);
-                                     }),
+      session_->jobs().start(makeJob([output = outputOf(batch), rows](Progress&, std::stop_token) {
+                               return openBatch(output, rows);
+                             }),
                              this);
   whenDone<OpenedBatch>(opening_, this, [this](const auto& opened) {
     if (!opened) return say(sentenceOf(opened.error()));
@@ -330,13 +326,12 @@ void ReviewScreen::nameSherds() {
 // A sherd that lost its back lost its model. When the pair is again as it was computed, its results
 // lie there still.
 void ReviewScreen::restoreModels(const QString& batch) {
-  JobHandle* job = session_->jobs().start(
-      makeJob(tr("Models of %1").arg(batch),
-              [folder = session_->folder(), number = batch.toStdString()](
-                  Progress& progress, std::stop_token stop) -> Result<bool> {
-                return intake::enterLostModels(folder, number, progress, stop);
-              }),
-      this);
+  JobHandle* job =
+      session_->jobs().start(makeJob([folder = session_->folder(), number = batch.toStdString()](
+                                         Progress& progress, std::stop_token stop) -> Result<bool> {
+                               return intake::enterLostModels(folder, number, progress, stop);
+                             }),
+                             this);
   whenDone<bool>(job, this, [this, batch, session = session_](const auto& restored) {
     if (!restored) return say(sentenceOf(restored.error()));
     if (!*restored || !session || session != session_) return;

@@ -28,9 +28,6 @@ class ReviewScreen final : public PlateScreen {
   explicit ReviewScreen(QWidget* parent = nullptr);
   ~ReviewScreen() override;
 
-  QString title() const override { return tr("Review"); }
-  QString iconName() const override { return QStringLiteral("review"); }
-  QString manualPage() const override { return QStringLiteral("review"); }
   void openProject(ProjectSession& session) override;
   void closeProject() override;
   int waiting() const override;

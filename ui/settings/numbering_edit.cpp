@@ -59,11 +59,7 @@ NumberingEdit::NumberingEdit(QWidget* parent)
 }
 
 void NumberingEdit::buildLayout() {
-  auto* title = new QLabel(tr("Numbers of the open project"), this);
-  title->setFont(scaledFont(*this, Look::kSection, true));
-  auto* form = new QFormLayout;
-  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  form->setVerticalSpacing(fontMetrics().height() / 2);
+  QFormLayout* form = titledForm(this, tr("Numbers of the open project"));
   form->addRow(tr("N&umbering"), scheme_);
   form->addRow(tr("Example"), example_);
   auto* block = new QHBoxLayout;
@@ -77,14 +73,7 @@ void NumberingEdit::buildLayout() {
   form->addRow(QString(), told_);
   form->addRow(QString(), apply_);
   form->addRow(tr("Left out so far"), gaps_);
-  for (QWidget* field : {static_cast<QWidget*>(scheme_), static_cast<QWidget*>(first_),
-                         static_cast<QWidget*>(last_), static_cast<QWidget*>(apply_)})
-    field->setMinimumHeight(controlHeight(*this));
   alignForm(*form);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(title);
-  column->addLayout(form);
 }
 
 void NumberingEdit::setSession(ProjectSession* session) {

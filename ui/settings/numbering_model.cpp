@@ -37,11 +37,9 @@ Tokens tokensOf(const std::string& site, const std::string& trench, const std::s
           {"yy", year.substr(year.size() - 2)}};
 }
 
-int settingIn(const catalogue::Catalogue& rows, const char* key, int otherwise) {
-  const Result<std::string> text = catalogue::Settings(rows).value(key);
-  if (!text || text->empty()) return otherwise;
+int settingIn(const ProjectSession& session, const char* key, int otherwise) {
   bool good = false;
-  const int value = QString::fromStdString(*text).toInt(&good);
+  const int value = session.setting(key).toInt(&good);
   return good ? value : otherwise;
 }
 
@@ -95,11 +93,7 @@ NumberingModel::NumberingModel(QObject* parent) : QObject(parent) {}
 NumberingModel::~NumberingModel() = default;
 
 void NumberingModel::setSession(ProjectSession* session) {
-  if (looking_) {
-    looking_->disconnect(this);
-    looking_->deleteLater();
-    looking_.clear();
-  }
+  dropJob(looking_);
   session_ = session;
   gaps_.clear();
   read();
@@ -113,8 +107,8 @@ void NumberingModel::read() {
     const catalogue::Catalogue& rows = session_->project().catalogue();
     if (const auto project = catalogue::Settings(rows).project())
       held_.scheme = QString::fromStdString(project->numbering);
-    held_.first = settingIn(rows, kFirst, 1);
-    held_.last = settingIn(rows, kLast, kLastNumber);
+    held_.first = settingIn(*session_, kFirst, 1);
+    held_.last = settingIn(*session_, kLast, kLastNumber);
   }
   wanted_ = held_;
   follow();
@@ -211,10 +205,9 @@ void NumberingModel::lookAgain() {
 
 void NumberingModel::lookForGaps() {
   looking_ = session_->jobs().start(
-      makeJob(tr("Numbers left out"),
-              [folder = session_->folder()](Progress&, std::stop_token stop) {
-                return gapsIn(folder, stop);
-              }),
+      makeJob([folder = session_->folder()](Progress&, std::stop_token stop) {
+        return gapsIn(folder, stop);
+      }),
       this);
   whenDone<Gaps>(looking_, this, [this](const auto& gaps) {
     gaps_.clear();

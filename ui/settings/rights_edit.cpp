@@ -19,29 +19,19 @@ RightsEdit::RightsEdit(QWidget* parent)
     : QWidget(parent),
       licence_(new QLineEdit(this)),
       holder_(new QLineEdit(this)),
-      told_(new QLabel(this)) {
+      told_(wrappedLabel(this, QStringLiteral("rightsTold"))) {
   setObjectName(QStringLiteral("rights"));
-  auto* heading = new QLabel(tr("Rights to the open project"), this);
-  heading->setFont(scaledFont(*this, Look::kSection, true));
   licence_->setObjectName(QStringLiteral("licence"));
   licence_->setPlaceholderText(tr("for instance CC-BY-4.0; empty: none is named"));
   holder_->setObjectName(QStringLiteral("rightsHolder"));
-  told_->setObjectName(QStringLiteral("rightsTold"));
-  told_->setWordWrap(true);
-  auto* form = new QFormLayout;
+  QFormLayout* form = titledForm(this, tr("Rights to the open project"));
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form->addRow(tr("&Licence of what is exported"), licence_);
   form->addRow(tr("Who &holds the rights"), holder_);
   form->addRow(QString(), told_);
-  for (QLineEdit* field : {licence_, holder_}) {
-    field->setMinimumHeight(controlHeight(*this));
+  for (QLineEdit* field : {licence_, holder_})
     connect(field, &QLineEdit::editingFinished, this, &RightsEdit::save);
-  }
   alignForm(*form);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(heading);
-  column->addLayout(form);
   hide();
 }
 
@@ -57,8 +47,9 @@ void RightsEdit::showRights() {
   const Result<records::ProjectRecord> record =
       catalogue::Settings(session_->project().catalogue()).project();
   if (!record) return told_->setText(sentenceOf(record.error()));
-  licence_->setText(QString::fromStdString(record->licence));
-  holder_->setText(QString::fromStdString(record->rights_holder));
+  held_ = {QString::fromStdString(record->licence), QString::fromStdString(record->rights_holder)};
+  licence_->setText(held_.licence);
+  holder_->setText(held_.holder);
 }
 
 Result<void> RightsEdit::hold(const Rights& rights) {
@@ -78,12 +69,7 @@ Result<void> RightsEdit::hold(const Rights& rights) {
 
 void RightsEdit::save() {
   if (!session_) return;
-  const Result<records::ProjectRecord> record =
-      catalogue::Settings(session_->project().catalogue()).project();
-  if (!record) return told_->setText(sentenceOf(record.error()));
-  const Rights before{QString::fromStdString(record->licence),
-                      QString::fromStdString(record->rights_holder)};
-  const Rights after{licence_->text().trimmed(), holder_->text().trimmed()};
+  const Rights before = held_, after{licence_->text().trimmed(), holder_->text().trimmed()};
   if (before == after) return;
   if (const Result<void> done = hold(after); !done) return told_->setText(sentenceOf(done.error()));
   const QPointer<RightsEdit> edit(this);

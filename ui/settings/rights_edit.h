@@ -31,6 +31,7 @@ class RightsEdit final : public QWidget {
   Result<void> hold(const Rights& rights);
 
   QPointer<ProjectSession> session_;
+  Rights held_;  ///< in the catalogue
   QLineEdit* licence_;
   QLineEdit* holder_;
   QLabel* told_;

@@ -84,10 +84,7 @@ void SettingsPage::buildLayout() {
   form->addRow(tr("&Language"), language_);
   hint(tr("Takes effect after restart."));
   form->addRow(tr("&Processors for computing"), threads_);
-  for (QWidget* field : {static_cast<QWidget*>(initials_), static_cast<QWidget*>(theme_),
-                         static_cast<QWidget*>(text_), static_cast<QWidget*>(language_),
-                         static_cast<QWidget*>(threads_)})
-    field->setMinimumHeight(controlHeight(*this));
+  text_->setMinimumHeight(controlHeight(*this));
   alignForm(*form);
   auto* middle = new QWidget(this);
   auto* parts = new QVBoxLayout(middle);
@@ -108,8 +105,7 @@ void SettingsPage::buildLayout() {
   head->addWidget(close);
   column->addLayout(head);
   auto* page = new QWidget(this);
-  auto* across = new QHBoxLayout(page);  // lines of a readable length, in each text size
-  across->setContentsMargins(0, 0, 0, 0);
+  auto* across = bareLayout<QHBoxLayout>(page);  // lines of a readable length, in each text size
   across->addWidget(middle, 3);
   across->addStretch(2);
   parts->addStretch(1);

@@ -34,7 +34,7 @@ VocabularyEdit::VocabularyEdit(QWidget* parent)
     : QWidget(parent),
       which_(new QComboBox(this)),
       terms_(new QPlainTextEdit(this)),
-      told_(new QLabel(this)),
+      told_(wrappedLabel(this, QStringLiteral("vocabularyTold"))),
       save_(new QPushButton(tr("&Save vocabulary"), this)) {
   setObjectName(QStringLiteral("vocabulary"));
   for (const auto& [words, name] :
@@ -46,8 +46,6 @@ VocabularyEdit::VocabularyEdit(QWidget* parent)
   terms_->setObjectName(QStringLiteral("vocabularyTerms"));
   terms_->setAccessibleName(tr("Terms, one per line"));
   terms_->setTabChangesFocus(true);
-  told_->setObjectName(QStringLiteral("vocabularyTold"));
-  told_->setWordWrap(true);
   save_->setObjectName(QStringLiteral("vocabularySave"));
   buildLayout();
   connect(which_, &QComboBox::currentIndexChanged, this, [this] {
@@ -59,23 +57,13 @@ VocabularyEdit::VocabularyEdit(QWidget* parent)
 }
 
 void VocabularyEdit::buildLayout() {
-  auto* title = new QLabel(tr("Project vocabulary"), this);
-  title->setFont(scaledFont(*this, Look::kSection, true));
-  auto* form = new QFormLayout;
-  form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  form->setVerticalSpacing(fontMetrics().height() / 2);
+  QFormLayout* form = titledForm(this, tr("Project vocabulary"));
   form->addRow(tr("&Words for"), which_);
   form->addRow(tr("&One per line"), terms_);
   form->addRow(QString(), told_);
   form->addRow(QString(), save_);
   terms_->setFixedHeight(fontMetrics().lineSpacing() * kLines);
-  for (QWidget* field : {static_cast<QWidget*>(which_), static_cast<QWidget*>(save_)})
-    field->setMinimumHeight(controlHeight(*this));
   alignForm(*form);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(title);
-  column->addLayout(form);
 }
 
 void VocabularyEdit::setSession(ProjectSession* session) {

@@ -33,18 +33,14 @@ constexpr int kReasons = 3;          // of refusals, above that list
 constexpr std::size_t kShown = 200;  // the preview's list; all are counted
 
 bool isPlace(const std::string& field) {
-  const auto& all = sherds::sherdFields();
-  return std::any_of(all.begin(), all.end(), [&](const records::SherdField& known) {
-    return field == known.name && known.kind == records::FieldKind::Place;
-  });
+  const records::SherdField* known = sherds::sherdField(field);
+  return known != nullptr && known->kind == records::FieldKind::Place;
 }
 
 QString shownValue(const records::ChangePreview& change, const std::string& value,
                    const TermWords& words) {
-  for (const records::SherdField& field : sherds::sherdFields())
-    if (change.change.field == field.name && field.kind == records::FieldKind::Number)
-      return typedText(field, value);
-  return words.shown(change.change.field, value);
+  const std::string& field = change.change.field;
+  return isNumber(field) ? typedText(*sherds::sherdField(field), value) : words.shown(field, value);
 }
 
 // Whole, since the table has no room for them; mostly it is one for all sherds.
@@ -86,9 +82,7 @@ void BulkEdit::buildLayout() {
   value_->setObjectName("bulkValue");
   value_->setAccessibleName(tr("New value for all"));
   value_->setPlaceholderText(tr("new value; empty deletes"));
-  summary_ = new QLabel(this);
-  summary_->setObjectName("bulkSummary");
-  summary_->setWordWrap(true);
+  summary_ = wrappedLabel(this, "bulkSummary");
   replace_ = new QCheckBox(tr("Replace with measured value"), this);
   replace_->setObjectName("bulkReplace");
   replace_->hide();
@@ -164,10 +158,9 @@ void BulkEdit::showProgress(double fraction) {
 void BulkEdit::offerTerms() {
   const std::string field = field_->currentData().toString().toStdString();
   if (session_) words_.read(session_->project().catalogue());
-  QStringList terms;
-  for (const records::SherdField& known : sherds::sherdFields())
-    if (session_ && field == known.name) terms = words_.of(known);
-  auto* completer = new QCompleter(terms, value_);
+  const records::SherdField* known = sherds::sherdField(field);
+  auto* completer =
+      new QCompleter(session_ && known != nullptr ? words_.of(*known) : QStringList(), value_);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   delete value_->completer();
   value_->setCompleter(completer);
@@ -212,7 +205,7 @@ void BulkEdit::preview() {
     if (!records) return records.error();
     return Preview{std::move(*move), std::move(*shown), std::move(*records)};
   };
-  previewing_ = session_->jobs().start(makeJob(tr("Preview of a change"), work), this);
+  previewing_ = session_->jobs().start(makeJob(work), this);
   whenDone<Preview>(previewing_, this, [this](const auto& preview) {
     if (preview)
       showPreview(*preview);

@@ -111,6 +111,11 @@ QString fieldLabel(const std::string& field) {
   return label ? QCoreApplication::translate("Fields", label) : QString::fromStdString(field);
 }
 
+bool isNumber(const std::string& field) {
+  const records::SherdField* known = sherds::sherdField(field);
+  return known != nullptr && known->kind == records::FieldKind::Number;
+}
+
 QString measureLabel(const std::string& kind) {
   const std::string field = kind + "_" + records::unitOf(kind);
   const QString label = fieldLabel(field);
@@ -205,21 +210,15 @@ QString fieldText(const records::SherdRecord& sherd, const std::string& field,
   if (field == "scale") return sherd.scale_doubtful ? tr("in doubt") : QString();
   const std::string text = sherds::textOf(sherd, field);
   if (text.empty()) return {};
-  for (const records::SherdField& known : sherds::sherdFields()) {
-    if (field != known.name) continue;
-    if (known.kind == records::FieldKind::Number) {
-      // Not std::stod: it obeys the language that Qt set.
-      const auto value = store::parsedNumber(text);
-      if (!value) return {};
-      const QString number = QLocale().toString(*value, 'f', *value >= 1000 ? 0 : 1);
-      if (const double* computed = computedBeside(sherd, field))
-        return tr("%1 (computed %2)")
-            .arg(number, QLocale().toString(*computed, 'f', *computed >= 1000 ? 0 : 1));
-      return isDoubtful(sherd, field) ? tr("%1 ?").arg(number) : number;
-    }
-    return words.shown(known, QString::fromStdString(text));
-  }
-  return QString::fromStdString(text);
+  if (!isNumber(field)) return words.shown(field, text);
+  // Not std::stod: it obeys the language that Qt set.
+  const auto value = store::parsedNumber(text);
+  if (!value) return {};
+  const QString number = QLocale().toString(*value, 'f', *value >= 1000 ? 0 : 1);
+  if (const double* computed = computedBeside(sherd, field))
+    return tr("%1 (computed %2)")
+        .arg(number, QLocale().toString(*computed, 'f', *computed >= 1000 ? 0 : 1));
+  return isDoubtful(sherd, field) ? tr("%1 ?").arg(number) : number;
 }
 
 QString typedText(const records::SherdField& field, const std::string& text) {
@@ -234,11 +233,9 @@ QString typedText(const records::SherdField& field, const std::string& text) {
 QString inTwoWays(const std::string& field, const QString& typed) {
   const std::string mark = QLocale().groupSeparator().toStdString();
   if (mark != "," && mark != ".") return {};
-  for (const records::SherdField& known : sherds::sherdFields())
-    if (field == known.name && known.kind == records::FieldKind::Number)
-      if (const auto clear = tables::readsOneWay(typed.toStdString(), mark.front()); !clear)
-        return wordsOf(clear.error().what);
-  return {};
+  if (!isNumber(field)) return {};
+  const auto clear = tables::readsOneWay(typed.toStdString(), mark.front());
+  return clear ? QString() : wordsOf(clear.error().what);
 }
 
 QString leftBehindWords(const intake::Move& move) {

@@ -11,6 +11,7 @@ class TermWords;
 
 /// What people call a field of a sherd, with its unit: "length, mm".
 QString fieldLabel(const std::string& field);
+bool isNumber(const std::string& field);
 /// A line of the filter with the fields' names as people call them put into those of the catalogue:
 /// "Dicke>5" is "thickness>5" in a German window. Names in quotation marks, values and English
 /// names stay as they are.

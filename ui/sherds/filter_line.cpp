@@ -32,7 +32,6 @@ FilterLine::FilterLine(QWidget* parent)
   line_->setToolTip(
       tr("Words are looked for everywhere; ware:grey, thickness>6, -burnt, note:* also work."));
   line_->setClearButtonEnabled(true);
-  line_->setMinimumHeight(controlHeight(*this));
   line_->addAction(icon("search"), QLineEdit::LeadingPosition);
   count_->setObjectName("count");
   typing_->setSingleShot(true);
@@ -45,14 +44,12 @@ FilterLine::FilterLine(QWidget* parent)
   below->addLayout(chips_);
   below->addStretch();
   below->addWidget(count_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(this);
   column->addLayout(row_);
   column->addLayout(below);
 }
 
 void FilterLine::addButton(QPushButton* button) {
-  button->setMinimumHeight(controlHeight(*this));
   row_->addWidget(button);
 }
 

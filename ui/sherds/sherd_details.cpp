@@ -88,11 +88,8 @@ void SherdDetails::buildLayout() {
   number_->setAccessibleName(tr("Number of the sherd"));
   give_number_ = new ElidedButton(icon("label"), tr("Assign number %1").arg(QString()), page);
   give_number_->setObjectName("giveNumber");
-  give_number_->setMinimumHeight(controlHeight(*this));
   connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
-  why_no_number_ = new QLabel(page);
-  why_no_number_->setObjectName("whyNoNumber");
-  why_no_number_->setWordWrap(true);
+  why_no_number_ = wrappedLabel(page, "whyNoNumber");
   buildRefusal(page);
   form_ = new QFormLayout;
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
@@ -137,14 +134,11 @@ void SherdDetails::buildLayout() {
 void SherdDetails::buildRefusal(QWidget* page) {
   refusal_ = new QWidget(page);
   refusal_->setObjectName("refusal");
-  auto* column = new QVBoxLayout(refusal_);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = bareLayout<QVBoxLayout>(refusal_);
   auto* row = new QHBoxLayout;
   refusal_picture_ = new QLabel(refusal_);
   refusal_picture_->setAccessibleName(tr("Picture of the sherd in the way"));
-  refusal_text_ = new QLabel(refusal_);
-  refusal_text_->setWordWrap(true);
-  refusal_text_->setObjectName("refusalText");
+  refusal_text_ = wrappedLabel(refusal_, "refusalText");
   row->addWidget(refusal_picture_);
   row->addWidget(refusal_text_, 1);
   confirm_ = new ElidedButton(icon("check"), tr("Confirm"), refusal_);

@@ -68,13 +68,12 @@ QString SherdEdits::busyWords() const {
 }
 
 // Refused or stopped, the values of many stay as they are; undoing and redoing say the same again.
-Result<void> SherdEdits::save(const QString& title, const Changes& changes) {
+Result<void> SherdEdits::save(const Changes& changes) {
   if (isBusy()) {
     emit failed(busyWords());
   } else if (changes.size() > kAtOnce) {
-    changeMany(
-        title, [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
-        [](const Made&) {});
+    changeMany([changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
+               [](const Made&) {});
   } else {
     const auto done =
         sherds::SherdChanges(session_.project().catalogue()).apply(changes, provenance());
@@ -85,8 +84,8 @@ Result<void> SherdEdits::save(const QString& title, const Changes& changes) {
 }
 
 void SherdEdits::push(const QString& title, const Changes& done, const Changes& undo) {
-  const auto saves = [this, title](const Changes& changes) {
-    return [this, title, changes] { return save(title, changes); };
+  const auto saves = [this](const Changes& changes) {
+    return [this, changes] { return save(changes); };
   };
   session_.undo().push(new SavedCommand(title, saves(done), saves(undo),
                                         [this](const QString& why) { emit failed(why); }));
@@ -102,13 +101,12 @@ void SherdEdits::tell(const Changes& changes) {
 QString SherdEdits::change(const QString& title, const Changes& changes, const QString& note) {
   if (isBusy()) return busyWords();
   if (changes.size() > kAtOnce) {
-    changeMany(
-        title, [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
-        [this, title, note](const Made& made) {
-          if (made.undo.empty()) return;
-          push(title, made.done, made.undo);
-          if (!note.isEmpty()) emit noted(note);
-        });
+    changeMany([changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
+               [this, title, note](const Made& made) {
+                 if (made.undo.empty()) return;
+                 push(title, made.done, made.undo);
+                 if (!note.isEmpty()) emit noted(note);
+               });
     return {};
   }
   const auto undo =
@@ -140,7 +138,6 @@ QString SherdEdits::assignNumbers(const std::vector<store::SherdRow>& sherds) {
   if (sherds.size() > kAtOnce) {
     const auto left = std::make_shared<Numbers>();  // written before the job ends, read after it
     changeMany(
-        tr("Numbers"),
         [sherds, left](const catalogue::Catalogue& catalogue) -> Result<Changes> {
           Result<Numbers> numbers = numbersFor(catalogue, sherds);
           if (!numbers) return numbers.error();
@@ -161,8 +158,7 @@ QString SherdEdits::assignNumbers(const std::vector<store::SherdRow>& sherds) {
   return refused.isEmpty() ? leftWords(*numbers) : refused;
 }
 
-void SherdEdits::changeMany(const QString& title, const Making& making,
-                            std::function<void(const Made&)> then) {
+void SherdEdits::changeMany(const Making& making, std::function<void(const Made&)> then) {
   stop_ = std::stop_source();
   const auto work =
       [folder = session_.folder(), making, provenance = provenance(), stop = stop_.get_token()](
@@ -176,7 +172,7 @@ void SherdEdits::changeMany(const QString& title, const Making& making,
     return std::make_shared<const Made>(Made{std::move(*changes), std::move(*undo)});
   };
   session_.undo().setActive(false);  // until it is known what there is to undo
-  Job job = makeJob(title, work);
+  Job job = makeJob(work);
   job.is_promised = true;
   job_ = session_.jobs().start(std::move(job), this);
   connect(job_, &JobHandle::progressed, this, &SherdEdits::busyChanged);

@@ -53,9 +53,8 @@ class SherdEdits final : public QObject {
     Changes done, undo;
   };
   using Making = std::function<Result<Changes>(const catalogue::Catalogue&)>;
-  void changeMany(const QString& title, const Making& making,
-                  std::function<void(const Made&)> then);
-  Result<void> save(const QString& title, const Changes& changes);
+  void changeMany(const Making& making, std::function<void(const Made&)> then);
+  Result<void> save(const Changes& changes);
   void push(const QString& title, const Changes& done, const Changes& undo);
   void tell(const Changes& changes);
   QString busyWords() const;

@@ -16,12 +16,6 @@ namespace {
 
 constexpr int kPictureSize = 240;
 
-bool isNumber(const std::string& field) {
-  for (const records::SherdField& known : sherds::sherdFields())
-    if (field == known.name) return known.kind == records::FieldKind::Number;
-  return false;
-}
-
 // Scaled while it is read, in another thread.
 Result<QImage> readPicture(const QString& path) {
   QImage image = readScaled(path, {kPictureSize, kPictureSize});
@@ -142,10 +136,8 @@ QVariant SherdTableModel::picture(int row, const records::SherdRecord& sherd) co
   waiting.push_back(row);
   if (!asked && jobs_) {
     auto* self = const_cast<SherdTableModel*>(this);
-    JobHandle* job =
-        jobs_->start(makeJob(tr("Picture of a sherd"),
-                             [path](Progress&, std::stop_token) { return readPicture(path); }),
-                     requests_);
+    JobHandle* job = jobs_->start(
+        makeJob([path](Progress&, std::stop_token) { return readPicture(path); }), requests_);
     whenDone<QImage>(job, self, [self, path](const auto& image) {
       self->pictureArrived(path, image ? *image : QImage());
     });
@@ -168,8 +160,6 @@ void SherdTableModel::pictureArrived(const QString& path, const QImage& image) {
 QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount() || !catalogue_) return {};
   const std::string& field = fields_[static_cast<std::size_t>(index.column())];
-  if (role == SherdRole) return QVariant::fromValue<qint64>(sherdAt(index.row()).value);
-  if (role == FieldRole) return QString::fromStdString(field);
   if (role == Qt::TextAlignmentRole)
     return QVariant(Qt::AlignVCenter | (isNumber(field) ? Qt::AlignRight : Qt::AlignLeft));
   if (role != Qt::DisplayRole && role != Qt::DecorationRole && role != Qt::ToolTipRole &&

@@ -25,7 +25,6 @@ class SherdTableModel final : public QAbstractTableModel {
 
  public:
   static constexpr int kPage = 128;
-  enum Role { SherdRole = Qt::UserRole + 1, FieldRole };
 
   explicit SherdTableModel(QObject* parent = nullptr);
 
@@ -44,7 +43,6 @@ class SherdTableModel final : public QAbstractTableModel {
   const std::vector<store::SherdRow>& rows() const { return rows_; }
   store::SherdRow sherdAt(int row) const;
   int rowOf(store::SherdRow sherd) const;
-  const std::vector<std::string>& fields() const { return fields_; }
   int pagesRead() const { return pages_read_; }
 
   int rowCount(const QModelIndex& parent = {}) const override;

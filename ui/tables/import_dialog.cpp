@@ -71,9 +71,7 @@ void ImportDialog::buildLayout() {
   connect(choose_export_, &QPushButton::clicked, this, &ImportDialog::chooseExport);
   merge_ = iconButton(this, "importMerge", "catalogue", tr("Another project…"));
   connect(merge_, &QPushButton::clicked, this, &ImportDialog::mergeWanted);
-  source_ = new QLabel(this);
-  source_->setObjectName("importSource");
-  source_->setWordWrap(true);
+  source_ = wrappedLabel(this, "importSource");
   places_ =
       new QCheckBox(tr("Make sites, trenches, contexts and bags that are not there yet"), this);
   places_->setObjectName("importPlaces");
@@ -82,9 +80,7 @@ void ImportDialog::buildLayout() {
   summary_ = new QLabel(this);
   summary_->setObjectName("importSummary");
   summary_->setFont(scaledFont(*this, Look::kSection, true));
-  problem_ = new QLabel(this);
-  problem_->setObjectName("importProblem");
-  problem_->setWordWrap(true);
+  problem_ = wrappedLabel(this, "importProblem");
   table_ = new QTableWidget(this);
   table_->setObjectName("importRows");
   table_->setAccessibleName(tr("Effect of each row"));
@@ -107,9 +103,7 @@ void ImportDialog::buildLayout() {
   connect(confirm_, &QPushButton::clicked, &model_, &ImportModel::confirmAll);
   cancel_ = iconButton(this, "importCancel", "cancel", {});
   connect(cancel_, &QPushButton::clicked, this, &ImportDialog::leave);
-  auto* enter = new BigButton(this);
-  enter->setObjectName("importEnter");
-  enter->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  auto* enter = new BigButton("importEnter", {}, this);
   enter->setDefault(true);
   enter_ = enter;
   connect(enter_, &QPushButton::clicked, &model_, &ImportModel::enter);

@@ -236,7 +236,7 @@ void ImportModel::look() {
     look->report = std::move(*report);
     return std::shared_ptr<const Look>(std::move(look));
   };
-  job_ = session_->jobs().start(makeJob(tr("Preview of an import"), work), this);
+  job_ = session_->jobs().start(makeJob(work), this);
   connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
     fraction_ = progress.fraction;
     emit changed();
@@ -278,10 +278,7 @@ QString ImportModel::summary() const {
 }
 
 QStringList ImportModel::warnings() const {
-  QStringList all;
-  if (report_)
-    for (const Message& warning : report_->warnings) all << wordsOf(warning);
-  return all;
+  return report_ ? listOf(report_->warnings) : QStringList();
 }
 
 bool ImportModel::isOfContexts() const {
@@ -310,7 +307,7 @@ void ImportModel::enter() {
     if (!project) return project.error();
     return run(*project, task, progress, stop);
   };
-  job_ = session_->jobs().start(makeJob(tr("Import"), work), this);
+  job_ = session_->jobs().start(makeJob(work), this);
   connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
     fraction_ = progress.fraction;
     problem_.clear();  // it waits no longer

@@ -273,28 +273,23 @@ void GlCanvas::mouseReleaseEvent(QMouseEvent* event) {
   const int* at = vtk_->interactor->GetEventPosition();
   const bool hit = vtk_->picker->Pick(at[0], at[1], 0, scene_->renderer()) != 0 &&
                    vtk_->picker->GetPointId() >= 0;
-  double p[3] = {0, 0, 0};
-  vtk_->picker->GetPickPosition(p);
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  vtk_->picker->GetPickPosition(point.data());
   doneCurrent();
-  if (hit) emit clicked(p[0], p[1], p[2]);
+  if (hit) emit clicked(point);
 }
 
 // Across turns about the axis of the view, up and down tips: half a turn for the widget's width.
 void GlCanvas::dragBack(const QPointF& to, bool move) {
-  double right[3], up[3], away[3];
-  scene_->viewAxes(right, up, away);
-  const QPointF by = to - last_;
-  if (move) {
-    const double mm = mmPerPixel(), x = by.x() * mm, y = -by.y() * mm;
-    emit draggedWithControl(0, 0, 0, x * right[0] + y * up[0], x * right[1] + y * up[1],
-                            x * right[2] + y * up[2]);
-    return;
-  }
+  Eigen::Vector3d right, up, away;
+  scene_->viewAxes(right.data(), up.data(), away.data());
+  const QPointF by = (to - last_) * mmPerPixel();
+  if (move) return emit draggedWithControl(Eigen::Vector3d::Zero(), by.x() * right - by.y() * up);
   const QPointF middle(width() / 2.0, height() / 2.0);
   const QPointF a = last_ - middle, b = to - middle;
   // As if the back were held where the mouse is: the angle that the mouse went around the middle.
   const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.x() * b.x() + a.y() * b.y());
-  emit draggedWithControl(turn * away[0], turn * away[1], turn * away[2], 0, 0, 0);
+  emit draggedWithControl(turn * away, Eigen::Vector3d::Zero());
 }
 
 void GlCanvas::wheelEvent(QWheelEvent* event) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 #include <QMap>
 #include <QMetaObject>
 #include <QOpenGLWidget>
@@ -35,9 +36,8 @@ class GlCanvas final : public QOpenGLWidget {
  signals:
   void viewChanged();  ///< a frame follows
   void rendered();
-  void clicked(double x, double y, double z);  ///< a point under the mouse, while picking
-  void draggedWithControl(double turn_x, double turn_y, double turn_z, double move_x, double move_y,
-                          double move_z);
+  void clicked(const Eigen::Vector3d& point);  ///< under the mouse, while picking
+  void draggedWithControl(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
 
  protected:
   void initializeGL() override;

@@ -64,12 +64,8 @@ SherdView::SherdView(QWidget* parent) : QWidget(parent) {
   layout->addWidget(canvas_);
   overlay_ = new ViewOverlay(canvas_);
   connect(canvas_, &GlCanvas::viewChanged, this, &SherdView::showView);
-  connect(canvas_, &GlCanvas::clicked, this,
-          [this](double x, double y, double z) { emit pointPicked(Eigen::Vector3d(x, y, z)); });
-  connect(canvas_, &GlCanvas::draggedWithControl, this,
-          [this](double a, double b, double c, double x, double y, double z) {
-            emit backMoved(Eigen::Vector3d(a, b, c), Eigen::Vector3d(x, y, z));
-          });
+  connect(canvas_, &GlCanvas::clicked, this, &SherdView::pointPicked);
+  connect(canvas_, &GlCanvas::draggedWithControl, this, &SherdView::backMoved);
   auto* idle = new QTimer(this);
   idle->setSingleShot(true);
   connect(idle, &QTimer::timeout, this, [this, idle] {

@@ -12,9 +12,10 @@ constexpr double kLetters = Look::kSection, kLeastLetters = 0.85;  // of the bod
 
 }  // namespace
 
-BigButton::BigButton(QWidget* parent) : QPushButton(parent) {
+BigButton::BigButton(const QString& name, const QString& text, QWidget* parent)
+    : QPushButton(text, parent) {
+  setObjectName(name);
   setPrimary(true);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setFocusPolicy(Qt::StrongFocus);
 }
 

@@ -8,7 +8,7 @@ class BigButton final : public QPushButton {
   Q_OBJECT
 
  public:
-  explicit BigButton(QWidget* parent = nullptr);
+  BigButton(const QString& name, const QString& text, QWidget* parent);
   /// "Space": shown beside the text; the shortcut itself belongs to the screen's action.
   void setKeyHint(const QString& key);
   /// Outlined only, where another button of the page is the one to press now.

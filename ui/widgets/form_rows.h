@@ -1,6 +1,7 @@
 #pragma once
 #include <QFormLayout>
 #include <QLabel>
+#include <QVBoxLayout>
 
 #include "ui/look/look.h"
 
@@ -22,6 +23,17 @@ inline void alignForm(const QFormLayout& form) {
     }
     if (field->widget() != nullptr) field->widget()->setMaximumWidth(Look::kField);
   }
+}
+
+/// The form of one part of a page, below its heading.
+inline QFormLayout* titledForm(QWidget* part, const QString& words) {
+  auto* heading = new QLabel(words, part);
+  heading->setFont(scaledFont(*part, Look::kSection, true));
+  auto* form = new QFormLayout;
+  auto* column = bareLayout<QVBoxLayout>(part);
+  column->addWidget(heading);
+  column->addLayout(form);
+  return form;
 }
 
 }  // namespace ostraka::ui

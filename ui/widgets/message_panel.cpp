@@ -14,27 +14,24 @@
 
 namespace ostraka::ui {
 
-MessagePanel::MessagePanel(QWidget* parent)
+MessagePanel::MessagePanel(const QString& name, QWidget* parent)
     : QFrame(parent),
       picture_(new QLabel(this)),
       headline_(new QLabel(this)),
       words_(new QLabel(this)),
-      act_(new BigButton(this)),
-      second_(new QPushButton(this)) {
+      act_(new BigButton(QStringLiteral("messageAct"), tr("OK"), this)),
+      second_(new QPushButton(tr("Dismiss"), this)) {
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
-  setObjectName(QStringLiteral("message"));
+  setObjectName(name);
   headline_->setWordWrap(true);
   headline_->setTextFormat(Qt::PlainText);
   words_->setWordWrap(true);
   words_->setTextFormat(Qt::PlainText);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   words_->setAccessibleName(tr("What happened"));
-  act_->setObjectName(QStringLiteral("messageAct"));
   second_->setObjectName(QStringLiteral("messageSecondAct"));
-  second_->setText(tr("Dismiss"));
   second_->hide();
-  act_->setText(tr("OK"));
   auto* text = new QVBoxLayout;
   text->addWidget(headline_);
   text->addWidget(words_);
@@ -47,6 +44,7 @@ MessagePanel::MessagePanel(QWidget* parent)
   connect(act_, &QPushButton::clicked, this, &MessagePanel::acted);
   connect(second_, &QPushButton::clicked, this, &MessagePanel::actedSecond);
   lay();
+  hide();
 }
 
 void MessagePanel::showError(const Error& error, const QString& act, const QString& key) {
@@ -155,13 +153,13 @@ void EmptyState::lay() {
 
 QPushButton* EmptyState::addAct(const QString& text, const QString& object_name) {
   QPushButton* button = nullptr;
-  if (acts_->count() == 0)
-    button = new BigButton(this);
-  else
-    button = new QPushButton(this);
-  button->setText(text);
-  button->setObjectName(object_name);
-  if (acts_->count() > 0) button->setMinimumHeight(targetSize(*this));
+  if (acts_->count() == 0) {
+    button = new BigButton(object_name, text, this);
+  } else {
+    button = new QPushButton(text, this);
+    button->setObjectName(object_name);
+    button->setMinimumHeight(targetSize(*this));
+  }
   acts_->addWidget(button);
   return button;
 }

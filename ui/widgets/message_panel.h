@@ -18,7 +18,7 @@ class MessagePanel final : public QFrame {
   Q_OBJECT
 
  public:
-  explicit MessagePanel(QWidget* parent = nullptr);
+  MessagePanel(const QString& name, QWidget* parent);  ///< hidden until there is something to say
 
   /// act: the text of the button, with its key; empty hides the button.
   void showError(const Error& error, const QString& act = {}, const QString& key = {});

@@ -1,6 +1,7 @@
 #include "ui/widgets/page_acts.h"
 
 #include <QAction>
+#include <QFileDialog>
 #include <QPushButton>
 
 #include "ui/look/look.h"
@@ -18,11 +19,20 @@ QAction* addPageAct(QWidget* page, const QString& name, const QString& icon_name
   return action;
 }
 
+QFileDialog* askForFile(QWidget* parent, const QString& title, const QString& where,
+                        const QString& kinds) {
+  auto* dialog = new QFileDialog(parent, title, where, kinds);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(kinds.isEmpty() ? QFileDialog::Directory : QFileDialog::ExistingFile);
+  dialog->setOption(QFileDialog::ShowDirsOnly, kinds.isEmpty());
+  dialog->open();
+  return dialog;
+}
+
 QPushButton* iconButton(QWidget* parent, const QString& name, const QString& icon_name,
                         const QString& text) {
   auto* button = new QPushButton(icon(icon_name), text, parent);
   button->setObjectName(name);
-  button->setMinimumHeight(controlHeight(*parent));
   return button;
 }
 

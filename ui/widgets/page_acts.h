@@ -3,6 +3,7 @@
 #include <QString>
 
 class QAction;
+class QFileDialog;
 class QPushButton;
 class QWidget;
 
@@ -13,7 +14,11 @@ namespace ostraka::ui {
 QAction* addPageAct(QWidget* page, const QString& name, const QString& icon_name,
                     const QString& text, const QKeySequence& key);
 
-/// A button with a picture, as high as the lines to type into beside it.
+/// Asks for a file of these kinds, or without any for a folder; where: opened first.
+/// Its fileSelected follows.
+QFileDialog* askForFile(QWidget* parent, const QString& title, const QString& where,
+                        const QString& kinds);
+/// A button with a picture.
 QPushButton* iconButton(QWidget* parent, const QString& name, const QString& icon_name,
                         const QString& text);
 

@@ -84,10 +84,9 @@ QPixmap Thumbnails::get(const QString& file, const QSize& size) {
   if (file.isEmpty() || on_the_way_.contains(key) || unreadable_.contains(key)) return {};
   on_the_way_.insert(key);
   JobHandle* job =
-      runner_.start(makeJob(tr("Picture"),
-                            [file, size](Progress&, std::stop_token) -> Result<QImage> {
-                              return readScaled(file, size);
-                            }),
+      runner_.start(makeJob([file, size](Progress&, std::stop_token) -> Result<QImage> {
+                      return readScaled(file, size);
+                    }),
                     this);
   whenDone<QImage>(job, this, [this, key, file](const auto& image) {
     on_the_way_.remove(key);

@@ -7,7 +7,6 @@
 #include "capture/batch_store.h"
 #include "ui/frame/project_session.h"
 #include "ui/wizard/batch_description.h"
-#include "ui/wizard/doubt_words.h"
 #include "ui/wizard/plate_pictures.h"
 #include "ui/wizard/rig_connection.h"
 #include "ui/wizard/side_progress.h"
@@ -23,6 +22,21 @@ struct SideTaken {
   capture::SideSummary summary;
   std::optional<capture::SideCheck> front;  ///< when nobody knew it any more
 };
+
+// Hidden, touching another, in the hand still, broken, or a pebble: only a person knows.
+// counted: by a person, 0: not; empty: no doubt.
+QString countDoubt(const capture::SideCheck& check, int counted) {
+  if (counted == 0 || !check.counted || check.sherds == counted) return {};
+  const QString words =
+      check.sherds < counted
+          ? CaptureWizard::tr(
+                "You counted %1 sherds, the photographs show %2: look for one that is hidden, "
+                "touches another or was never laid down.")
+          : CaptureWizard::tr(
+                "You counted %1 sherds, the photographs show %2: check whether one is in "
+                "fragments or an object is not a sherd, or correct the count.");
+  return words.arg(counted).arg(check.sherds);
+}
 
 }  // namespace
 
@@ -310,13 +324,11 @@ void CaptureWizard::startShooting(batch::Side side) {
     if (!uncounted.empty()) taken.front = source.check(uncounted, devices->plate, {}, stop);
     return taken;
   };
-  JobHandle* job = rig_->work(
-      makeJob(tr("Photographs of %1").arg(batch_.number()), work),
-      [this, side](const JobOutcome& outcome) {
-        const Result<SideTaken> taken = outcomeAs<SideTaken>(outcome);
-        if (taken && taken->front) takeFrontCount(*taken->front);
-        finishSide(side, taken ? Result<capture::SideSummary>(taken->summary) : taken.error());
-      });
+  JobHandle* job = rig_->work(makeJob(work), [this, side](const JobOutcome& outcome) {
+    const Result<SideTaken> taken = outcomeAs<SideTaken>(outcome);
+    if (taken && taken->front) takeFrontCount(*taken->front);
+    finishSide(side, taken ? Result<capture::SideSummary>(taken->summary) : taken.error());
+  });
   connect(job, &JobHandle::told, side_, &SideProgress::hear);
   emit changed();
 }
@@ -333,10 +345,10 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
                    .arg(QString::fromStdString(batch::cameraLetter(shot.camera)))
                    .arg(shot.stop + 1)
                    .arg(side_->problemsOf(shot).join(QStringLiteral(", ")));
-  doubts_ << doubtsOf(summary->check.sentences);
+  doubts_ << listOf(summary->check.sentences);
   doubtCount(summary->check);
   if (back && summary_[0])
-    doubts_ << doubtsOf(capture::compareSides(summary_[0]->check, summary_[1]->check));
+    doubts_ << listOf(capture::compareSides(summary_[0]->check, summary_[1]->check));
   if (back && doubts_.isEmpty()) return queueBatch();
   emit changed();
 }
@@ -361,7 +373,7 @@ void CaptureWizard::takeFrontCount(const capture::SideCheck& check) {
   summary_[0].emplace().check = check;
   summary_[0]->kept = static_cast<int>(batch_.photographs(batch::Side::Front).size());
   if (phase_ != CapturePhase::Flip) return;
-  doubts_ << doubtsOf(check.sentences);
+  doubts_ << listOf(check.sentences);
   doubtCount(check);
   emit changed();
 }

@@ -68,8 +68,7 @@ PlatePictures::PlatePictures(RigConnection* rig, const BatchInHand* batch, QObje
 }
 
 void PlatePictures::setSession(ProjectSession* session) {
-  if (front_job_ != nullptr) front_job_->drop();
-  front_job_ = nullptr;
+  dropJob(front_job_);
   session_ = session;
 }
 
@@ -103,15 +102,14 @@ void PlatePictures::takeLive() {
   const bool useful = phase_ == CapturePhase::Place || phase_ == CapturePhase::Flip;
   if (!live_on_ || !useful || live_missing_ || rig_->devices() == nullptr) return;
   rig_->preview(
-      makeJob(CaptureWizard::tr("Live picture"),
-              [devices = rig_->devices(), camera = camera_,
+      makeJob([devices = rig_->devices(), camera = camera_,
                look_for = phase_ == CapturePhase::Place ? LookFor::RoomAndLabels : LookFor::Sherds](
                   Progress&, std::stop_token stop) -> Result<PlatePicture> {
-                const Result<std::string> picture =
-                    devices->cameras[static_cast<std::size_t>(camera)]->preview(stop);
-                if (!picture) return picture.error();
-                return lookAt(*picture, devices->plate, look_for);
-              }),
+        const Result<std::string> picture =
+            devices->cameras[static_cast<std::size_t>(camera)]->preview(stop);
+        if (!picture) return picture.error();
+        return lookAt(*picture, devices->plate, look_for);
+      }),
       [this](const JobOutcome& outcome) { showLive(outcome); });
 }
 
@@ -138,19 +136,18 @@ void PlatePictures::readFront(std::vector<std::vector<std::filesystem::path>> un
         std::filesystem::exists(found))
       file = found;
   if (file.empty()) return;
-  if (front_job_ != nullptr) front_job_->drop();
+  dropJob(front_job_);
   front_job_ = session_->jobs().start(
-      makeJob(CaptureWizard::tr("Front picture"),
-              [file, uncounted = std::move(uncounted), plate = rig_->devices()->plate,
+      makeJob([file, uncounted = std::move(uncounted), plate = rig_->devices()->plate,
                check = rig_->source().check](Progress&, std::stop_token stop) -> Result<FrontLook> {
-                FrontLook inspection;
-                const Result<std::string> bytes = readFile(file, kLargestPhotograph_bytes);
-                if (bytes)
-                  if (Result<PlatePicture> seen = lookAt(*bytes, plate, LookFor::Sherds))
-                    inspection.picture = std::move(*seen);
-                if (!uncounted.empty()) inspection.check = check(uncounted, plate, {}, stop);
-                return inspection;
-              }),
+        FrontLook inspection;
+        const Result<std::string> bytes = readFile(file, kLargestPhotograph_bytes);
+        if (bytes)
+          if (Result<PlatePicture> seen = lookAt(*bytes, plate, LookFor::Sherds))
+            inspection.picture = std::move(*seen);
+        if (!uncounted.empty()) inspection.check = check(uncounted, plate, {}, stop);
+        return inspection;
+      }),
       this);
   whenDone<FrontLook>(front_job_, this,
                       [this, number = batch_->number()](Result<FrontLook> inspection) {

@@ -16,9 +16,8 @@ RigConnection::RigConnection(QObject* parent) : QObject(parent) {
 RigConnection::~RigConnection() = default;
 
 void RigConnection::setSession(ProjectSession* session) {
-  for (JobHandle* job : {work_.data(), preview_.data()})
-    if (job != nullptr) job->drop();
-  work_ = preview_ = nullptr;
+  dropJob(work_);
+  dropJob(preview_);
   after_preview_ = {};
   waiting_.reset();
   previous_.reset();
@@ -63,8 +62,7 @@ bool RigConnection::isFor(int batch) const {
 void RigConnection::open(int batch) {
   opened_for_ = batch;
   whenFree([this] {
-    start(makeJob(CaptureWizard::tr("Opening the rig"),
-                  [open = source_.open, ask = question_.asker(), batch = opened_for_](
+    start(makeJob([open = source_.open, ask = question_.asker(), batch = opened_for_](
                       Progress&, std::stop_token stop) { return open(batch, ask, stop); }),
           [this](const JobOutcome& outcome) {
             if (!takeWaiting())
@@ -134,8 +132,7 @@ void RigConnection::cancel() {
 void RigConnection::findHolders() {
   if (session_ == nullptr || !source_.holders) return;
   holders_job_ =
-      session_->jobs().start(makeJob(CaptureWizard::tr("Looking for what holds the camera"),
-                                     [holders = source_.holders](Progress&, std::stop_token)
+      session_->jobs().start(makeJob([holders = source_.holders](Progress&, std::stop_token)
                                          -> Result<std::vector<std::string>> { return holders(); }),
                              this);
   whenDone<std::vector<std::string>>(holders_job_, this, [this](const auto& found) {
@@ -146,15 +143,13 @@ void RigConnection::findHolders() {
 }
 
 void RigConnection::forgetHolders() {
-  if (holders_job_ != nullptr) holders_job_->drop();
-  holders_job_ = nullptr;
+  dropJob(holders_job_);
   holders_.clear();
 }
 
 void RigConnection::release() {
   forgetHolders();
   start(makeJob(
-            CaptureWizard::tr("Releasing the camera from the desktop"),
             [release = source_.release](Progress&, std::stop_token stop) { return release(stop); }),
         [this](const JobOutcome& outcome) {
           if (takeWaiting()) return;

@@ -8,8 +8,7 @@
 namespace ostraka::ui {
 
 void RigRenewal::forget() {
-  if (job_ != nullptr) job_->drop();
-  job_ = nullptr;
+  dropJob(job_);
 }
 
 void RigRenewal::start(ProjectSession& session, const std::filesystem::path& rig_file,
@@ -21,7 +20,7 @@ void RigRenewal::start(ProjectSession& session, const std::filesystem::path& rig
     if (!kept) return kept.error();
     return kept->string();
   };
-  job_ = session.jobs().start(makeJob(tr("Calibration by %1").arg(batch), work), this);
+  job_ = session.jobs().start(makeJob(work), this);
   whenDone<std::string>(job_, this, [this, batch](const auto& kept) {
     if (!kept) return emit failed(kept.error());
     emit renewed(batch, QString::fromStdString(*kept));

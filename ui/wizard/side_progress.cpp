@@ -5,7 +5,6 @@
 
 #include "batch/batch.h"
 #include "ui/wizard/capture_wizard.h"
-#include "ui/wizard/doubt_words.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -84,7 +83,7 @@ void SideProgress::keep(const capture::CaptureEvent& event) {
                  event.camera,
                  event.take,
                  QString::fromStdString(event.file.string()),
-                 doubtsOf(event.check.sentences()),
+                 listOf(event.check.sentences()),
                  event.kind == capture::CaptureEventKind::ShotRefused};
   if (shot.refused && !event.trouble.empty()) shot.problems << wordsOf(event.trouble);
   if (!shot.refused) std::erase(retaking_, capture::ShotName{event.stop, event.camera});

@@ -44,10 +44,14 @@ QString wordsOf(const Message& message) {
   return words;
 }
 
+QStringList listOf(const std::vector<Message>& messages) {
+  QStringList list;
+  for (const Message& message : messages) list << wordsOf(message);
+  return list;
+}
+
 QString wordsOf(const std::vector<Message>& messages) {
-  QStringList lines;
-  for (const Message& message : messages) lines << wordsOf(message);
-  return lines.join(QLatin1Char('\n'));
+  return listOf(messages).join(QLatin1Char('\n'));
 }
 
 QString sentenceOf(const Error& error) {

@@ -10,6 +10,7 @@ namespace ostraka::ui {
 /// the language writes them. translations/messages.py finds the templates of core for translators,
 /// in the context "ostraka::Error". Words without a template stay as they are.
 QString wordsOf(const Message& message);
+QStringList listOf(const std::vector<Message>& messages);
 /// A line each.
 QString wordsOf(const std::vector<Message>& messages);
 /// What a person reads of an error: where, what, and what to do.

@@ -51,13 +51,12 @@ class JobTest : public QObject {
   void aValueArrivesInTheWindowsThread() {
     QFETCH(QString, runner);
     const auto jobs = runnerOf(runner);
-    JobHandle* job = jobs->start(makeJob("sum",
-                                         [](Progress& progress, std::stop_token) -> Result<int> {
-                                           progress.begin("adding", 0.5);
-                                           progress.report(1, 2);
-                                           progress.note(NoteLevel::Warning, "one of two");
-                                           return 42;
-                                         }),
+    JobHandle* job = jobs->start(makeJob([](Progress& progress, std::stop_token) -> Result<int> {
+                                   progress.begin("adding", 0.5);
+                                   progress.report(1, 2);
+                                   progress.note(NoteLevel::Warning, "one of two");
+                                   return 42;
+                                 }),
                                  this);
     Heard heard(job);
     QVERIFY(heard.outcomes.empty());
@@ -73,11 +72,10 @@ class JobTest : public QObject {
   void whatTheWorkTellsArrivesInOrderBeforeTheEnd() {
     QFETCH(QString, runner);
     const auto jobs = runnerOf(runner);
-    JobHandle* job = jobs->start(makeJob("count",
-                                         [](Progress& progress, std::stop_token) -> Result<int> {
-                                           for (int i = 0; i < 5; ++i) tell(progress, i);
-                                           return 5;
-                                         }),
+    JobHandle* job = jobs->start(makeJob([](Progress& progress, std::stop_token) -> Result<int> {
+                                   for (int i = 0; i < 5; ++i) tell(progress, i);
+                                   return 5;
+                                 }),
                                  this);
     std::vector<int> heard;
     connect(job, &JobHandle::told, this,
@@ -91,15 +89,13 @@ class JobTest : public QObject {
   void anErrorAndAnExceptionArriveAsSentences() {
     QFETCH(QString, runner);
     const auto jobs = runnerOf(runner);
-    Heard refused(jobs->start(makeJob("a",
-                                      [](Progress&, std::stop_token) -> Result<void> {
-                                        return Error{ErrorCode::Missing, "Not there.", "camera B"};
-                                      }),
+    Heard refused(jobs->start(makeJob([](Progress&, std::stop_token) -> Result<void> {
+                                return Error{ErrorCode::Missing, "Not there.", "camera B"};
+                              }),
                               this));
-    Heard thrown(jobs->start(makeJob("b",
-                                     [](Progress&, std::stop_token) -> Result<void> {
-                                       throw std::runtime_error("index 7");
-                                     }),
+    Heard thrown(jobs->start(makeJob([](Progress&, std::stop_token) -> Result<void> {
+                               throw std::runtime_error("index 7");
+                             }),
                              this));
     QTRY_COMPARE(refused.outcomes.size() + thrown.outcomes.size(), std::size_t{2});
     QCOMPARE(refused.outcomes[0].error().sentence(), std::string("camera B: Not there."));
@@ -115,13 +111,12 @@ class JobTest : public QObject {
       }
     } jobs;
     std::stop_token asked;
-    QPointer<JobHandle> job = jobs.start(makeJob("sum",
-                                                 [&asked](Progress& progress, std::stop_token s) {
-                                                   asked = std::move(s);
-                                                   progress.note(NoteLevel::Warning, "one");
-                                                   tell(progress, 7);
-                                                   return Result<int>(42);
-                                                 }),
+    QPointer<JobHandle> job = jobs.start(makeJob([&asked](Progress& progress, std::stop_token s) {
+                                           asked = std::move(s);
+                                           progress.note(NoteLevel::Warning, "one");
+                                           tell(progress, 7);
+                                           return Result<int>(42);
+                                         }),
                                          this);
     int heard = 0;
     connect(job, &JobHandle::noted, this, [&heard] { ++heard; });
@@ -141,18 +136,16 @@ class JobTest : public QObject {
     std::counting_semaphore<> go(0);
     if (runner == "threaded")
       for (int i = 0; i < 2; ++i)
-        jobs->start(makeJob("hold",
-                            [&go](Progress&, std::stop_token) -> Result<void> {
-                              go.acquire();
-                              return {};
-                            }),
+        jobs->start(makeJob([&go](Progress&, std::stop_token) -> Result<void> {
+                      go.acquire();
+                      return {};
+                    }),
                     this);
     std::atomic<bool> ran = false;
-    JobHandle* job = jobs->start(makeJob("never",
-                                         [&ran](Progress&, std::stop_token) -> Result<void> {
-                                           ran = true;
-                                           return {};
-                                         }),
+    JobHandle* job = jobs->start(makeJob([&ran](Progress&, std::stop_token) -> Result<void> {
+                                   ran = true;
+                                   return {};
+                                 }),
                                  this);
     Heard heard(job);
     job->cancel();
@@ -175,13 +168,13 @@ class JobTest : public QObject {
       ++done;
       return {};
     };
-    jobs.start(makeJob("waits", wait), this);  // both threads
-    jobs.start(makeJob("waits", wait), this);
+    jobs.start(makeJob(wait), this);  // both threads
+    jobs.start(makeJob(wait), this);
     busy.acquire();
     busy.acquire();
-    Job promised = makeJob("saves", work);
+    Job promised = makeJob(work);
     promised.is_promised = true;
-    delete jobs.start(makeJob("previews", work), this);
+    delete jobs.start(makeJob(work), this);
     delete jobs.start(std::move(promised), this);
     go.release(2);
     QTRY_COMPARE(done.load(), 1);
@@ -190,11 +183,10 @@ class JobTest : public QObject {
   void progressComesAtMostTenTimesASecond() {
     ThreadedJobRunner jobs;
     const auto start = std::chrono::steady_clock::now();
-    Heard heard(jobs.start(makeJob("fast",
-                                   [](Progress& progress, std::stop_token) -> Result<int> {
-                                     for (int i = 0; i < 200000; ++i) progress.report(i, 200000);
-                                     return 0;
-                                   }),
+    Heard heard(jobs.start(makeJob([](Progress& progress, std::stop_token) -> Result<int> {
+                             for (int i = 0; i < 200000; ++i) progress.report(i, 200000);
+                             return 0;
+                           }),
                            this));
     QTRY_COMPARE(heard.outcomes.size(), std::size_t{1});
     const double seconds =
@@ -206,14 +198,13 @@ class JobTest : public QObject {
     ThreadedJobRunner jobs;
     std::binary_semaphore begun(0), go(0);
     std::atomic<int> steps = 0;
-    JobHandle* job = jobs.start(makeJob("steps",
-                                        [&](Progress& progress, std::stop_token) -> Result<int> {
-                                          begun.release();
-                                          go.acquire();
-                                          progress.report(1, 2);  // stands still here
-                                          ++steps;
-                                          return 7;
-                                        }),
+    JobHandle* job = jobs.start(makeJob([&](Progress& progress, std::stop_token) -> Result<int> {
+                                  begun.release();
+                                  go.acquire();
+                                  progress.report(1, 2);  // stands still here
+                                  ++steps;
+                                  return 7;
+                                }),
                                 this);
     Heard heard(job);
     begun.acquire();
@@ -231,11 +222,10 @@ class JobTest : public QObject {
   void aPausedJobCanBeCancelled() {
     ThreadedJobRunner jobs;
     JobHandle* job =
-        jobs.start(makeJob("loop",
-                           [](Progress& progress, std::stop_token stop) -> Result<int> {
-                             while (!stop.stop_requested()) progress.report(0, 1);
-                             return Error::cancelled();
-                           }),
+        jobs.start(makeJob([](Progress& progress, std::stop_token stop) -> Result<int> {
+                     while (!stop.stop_requested()) progress.report(0, 1);
+                     return Error::cancelled();
+                   }),
                    this);
     Heard heard(job);
     job->pause();
@@ -250,14 +240,12 @@ class JobTest : public QObject {
       ThreadedJobRunner jobs;
       auto* owner = new QObject;
       std::binary_semaphore begun(0);
-      JobHandle* job = jobs.start(makeJob("watch",
-                                          [&](Progress&, std::stop_token stop) -> Result<int> {
-                                            begun.release();
-                                            while (!stop.stop_requested())
-                                              std::this_thread::yield();
-                                            stopped = true;
-                                            return 1;
-                                          }),
+      JobHandle* job = jobs.start(makeJob([&](Progress&, std::stop_token stop) -> Result<int> {
+                                    begun.release();
+                                    while (!stop.stop_requested()) std::this_thread::yield();
+                                    stopped = true;
+                                    return 1;
+                                  }),
                                   owner);
       QSignalSpy spy(job, &QObject::destroyed);
       begun.acquire();
@@ -274,7 +262,6 @@ class JobTest : public QObject {
       ThreadedJobRunner jobs;
       for (const JobPriority priority : {JobPriority::Quick, JobPriority::Background})
         jobs.start(makeJob(
-                       "watch",
                        [&stopped](Progress&, std::stop_token stop) -> Result<int> {
                          while (!stop.stop_requested()) std::this_thread::yield();
                          return ++stopped;

@@ -13,10 +13,9 @@ class QuestionTest : public QObject {
 
  private:
   static Job asking(const Question& question) {
-    return makeJob("ask",
-                   [ask = question.asker()](Progress&, std::stop_token stop) -> Result<bool> {
-                     return ask("Turn the table.", stop);
-                   });
+    return makeJob([ask = question.asker()](Progress&, std::stop_token stop) -> Result<bool> {
+      return ask("Turn the table.", stop);
+    });
   }
 
  private slots:

@@ -180,7 +180,7 @@ class LookTest : public QObject {
          {static_cast<const QWidget*>(&line), static_cast<const QWidget*>(&box),
           static_cast<const QWidget*>(&number), static_cast<const QWidget*>(&button)})
       QCOMPARE(control->sizeHint().height(), Look::kControl);
-    QCOMPARE(BigButton().sizeHint().height(), Look::kPrimary);
+    QCOMPARE(BigButton({}, {}, nullptr).sizeHint().height(), Look::kPrimary);
   }
 
   void whatIsPressedInShowsItInEachTheme_data() { themes_data(); }

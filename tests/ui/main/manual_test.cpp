@@ -102,13 +102,13 @@ class ManualTest : public QObject {
     int keys = 0;
     for (const Screen* screen : window_->screens()) {
       QTextDocument page;
-      page.setHtml(contentsOf(QStringLiteral(":/manual/%1.html").arg(screen->manualPage())));
+      page.setHtml(contentsOf(QStringLiteral(":/manual/%1.html").arg(screen->iconName())));
       for (const QAction* action : screen->findChildren<QAction*>())
         for (const QKeySequence& key : action->shortcuts()) {
           if (action->text().isEmpty()) continue;
           ++keys;
           QVERIFY2(names(page.toPlainText(), key),
-                   qPrintable(screen->manualPage() + ": " + written(key) + ", " + action->text()));
+                   qPrintable(screen->iconName() + ": " + written(key) + ", " + action->text()));
         }
     }
     QVERIFY(keys > 30);

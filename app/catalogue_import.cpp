@@ -13,7 +13,7 @@
 #include "catalogue_commands.h"
 #include "exchange/read_back.h"
 #include "files/files.h"
-#include "files/input_file.h"
+#include "files/open_folder.h"
 #include "files/output_place.h"
 #include "shown.h"
 #include "tables/column_names.h"
@@ -217,11 +217,11 @@ Result<tables::ImportOptions> importOptions(const ImportArguments& arguments) {
 
 Result<void> checkReplaced(const fs::path& file) {
   const std::string head = tables::refusalsCsv({});
-  Result<InputFile> there = InputFile::open(file);
+  Result<OpenFile> there = OpenFile::open(file);
   if (!there) return there.error();
-  const Result<std::string> begin = there->read(head.size());
-  if (!begin) return begin.error();
-  if (*begin == head) return {};
+  std::string begin(head.size(), '\0');
+  if (const Result<std::size_t> read = there->read(begin); !read) return read.error();
+  if (begin == head) return {};
   return Error::unusable(
       "This file already exists and is not a table of refusals; choose another name.",
       file.string());

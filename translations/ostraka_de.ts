@@ -5065,11 +5065,6 @@
       <translation>Abgebrochen.</translation>
     </message>
     <message>
-      <source>The camera is not plugged in.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Kamera ist nicht angeschlossen.</translation>
-    </message>
-    <message>
       <source>The camera is not plugged in or not switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kamera ist nicht angeschlossen oder nicht eingeschaltet.</translation>
@@ -5158,11 +5153,6 @@
       <source>USB does not work on this computer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>USB funktioniert auf diesem Computer nicht.</translation>
-    </message>
-    <message>
-      <source>The disk is full; free some space, then continue shooting.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Datenträger ist voll; Platz schaffen und weiter aufnehmen.</translation>
     </message>
     <message>
       <source>The disk is full; free some space and try again.</source>
@@ -5318,11 +5308,6 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Datei lässt sich nicht öffnen (%1); ihre Zugriffsrechte prüfen.</translation>
-    </message>
-    <message>
-      <source>Not a regular file; choose a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das ist keine gewöhnliche Datei; eine Datei wählen.</translation>
     </message>
     <message>
       <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
@@ -5520,11 +5505,6 @@
       <translation>Die Maske hat eine andere Größe als ihr Foto; sie wird nicht verwendet.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Bild hat %1 x %2 Pixel, die übrigen dieser Kamera haben %3 x %4; dieses Foto wird ausgelassen.</translation>
-    </message>
-    <message>
       <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Brauchbare Fotos der Vorderseite: %1; mindestens %2 sind nötig. Fotos hinzufügen, die %3 heißen.</translation>
@@ -5635,11 +5615,6 @@
       <translation>jede braucht 'side', 'length' und 'ends' mit 'file' und 'pixel'</translation>
     </message>
     <message>
-      <source>The mask cannot be decoded; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Maske lässt sich nicht entschlüsseln; noch einmal kopieren.</translation>
-    </message>
-    <message>
       <source>The image cannot be decoded; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Bild lässt sich nicht entschlüsseln; noch einmal kopieren.</translation>
@@ -5678,11 +5653,6 @@
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Tafel braucht 'dictionary', 'squares_x', 'squares_y', 'square_mm' und 'marker_mm'.</translation>
-    </message>
-    <message>
-      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das lässt sich nicht schreiben (%1); einen anderen Ordner für den Durchgang wählen oder seine Zugriffsrechte prüfen.</translation>
     </message>
     <message>
       <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
@@ -5730,11 +5700,6 @@
       <translation>Der Drehtisch hat seine Nullstellung nicht erreicht.</translation>
     </message>
     <message>
-      <source>The turntable did not answer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Drehtisch hat nicht geantwortet.</translation>
-    </message>
-    <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Drehtisch meldet seine Position nicht.</translation>
@@ -5773,11 +5738,6 @@
       <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dieser serielle Anschluss darf nicht benutzt werden; die udev-Regeln von Ostraka installieren oder der Gruppe dialout beitreten und neu anmelden.</translation>
-    </message>
-    <message>
-      <source>Another program uses the serial port; close that program.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der serielle Anschluss wird von einem anderen Programm benutzt; es schließen.</translation>
     </message>
     <message>
       <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
@@ -6110,11 +6070,6 @@
       <translation>Der Drehtisch ist nicht angeschlossen.</translation>
     </message>
     <message>
-      <source>The turntable was unplugged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Drehtisch wurde abgezogen.</translation>
-    </message>
-    <message>
       <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die USB-Verbindung des Drehtisches ist ausgefallen (%1); noch einmal einstecken.</translation>
@@ -6155,11 +6110,6 @@
       <translation>Die Videokamera lässt sich nicht öffnen; prüfen, ob sie angeschlossen ist und kein anderes Programm sie benutzt.</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Videokamera lässt sich nicht öffnen.</translation>
-    </message>
-    <message>
       <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Videokamera hat exposure (0,1 ms), focus, white_balance (K) und gain, als Zahlen; nicht %1 %2.</translation>
@@ -6168,11 +6118,6 @@
       <source>The camera keeps %1 at %2 instead of %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kamera lässt %1 auf %2 statt auf %3.</translation>
-    </message>
-    <message>
-      <source>It is not open.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sie ist nicht offen.</translation>
     </message>
     <message>
       <source>The video camera no longer delivers pictures.</source>
@@ -6940,16 +6885,6 @@
       <translation>'%1' ist kein Pfad innerhalb seines Ordners; er muss relativ sein, mit '/' und ohne '..'.</translation>
     </message>
     <message>
-      <source>The mesh has no faces to write.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Netz hat keine Flächen zum Schreiben.</translation>
-    </message>
-    <message>
-      <source>A face of the mesh refers to a vertex that does not exist.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Fläche des Netzes nennt einen Punkt, den es nicht gibt.</translation>
-    </message>
-    <message>
       <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ist keine PLY-Datei; eine wählen oder den Scan neu exportieren.</translation>
@@ -7023,11 +6958,6 @@
       <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eine Fläche der PLY-Datei nennt einen Punkt, den es nicht gibt; neu exportieren.</translation>
-    </message>
-    <message>
-      <source>The PLY file ends within its faces; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die PLY-Datei endet mitten in ihren Flächen; noch einmal kopieren.</translation>
     </message>
     <message>
       <source>The PLY file ends within '%1'; copy it again.</source>

@@ -5060,11 +5060,6 @@
       <translation>Ακυρώθηκε.</translation>
     </message>
     <message>
-      <source>The camera is not plugged in.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η κάμερα δεν είναι συνδεδεμένη.</translation>
-    </message>
-    <message>
       <source>The camera is not plugged in or not switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα δεν είναι συνδεδεμένη ή δεν είναι ανοιχτή.</translation>
@@ -5153,11 +5148,6 @@
       <source>USB does not work on this computer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το USB δεν λειτουργεί σε αυτόν τον υπολογιστή.</translation>
-    </message>
-    <message>
-      <source>The disk is full; free some space, then continue shooting.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο δίσκος είναι γεμάτος· ελευθερώστε χώρο και συνεχίστε τη λήψη.</translation>
     </message>
     <message>
       <source>The disk is full; free some space and try again.</source>
@@ -5313,11 +5303,6 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αρχείο δεν ανοίγει (%1)· ελέγξτε τα δικαιώματά του.</translation>
-    </message>
-    <message>
-      <source>Not a regular file; choose a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν είναι κανονικό αρχείο· δώστε ένα αρχείο.</translation>
     </message>
     <message>
       <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
@@ -5515,11 +5500,6 @@
       <translation>Η μάσκα δεν έχει το μέγεθος της φωτογραφίας της· δεν χρησιμοποιείται.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η εικόνα έχει %1 x %2 εικονοστοιχεία, οι άλλες της κάμεράς της %3 x %4· αυτή η φωτογραφία παραλείπεται.</translation>
-    </message>
-    <message>
       <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρησιμοποιήσιμες φωτογραφίες της μπροστινής όψης: %1· χρειάζονται τουλάχιστον %2. Προσθέστε φωτογραφίες με όνομα %3.</translation>
@@ -5630,11 +5610,6 @@
       <translation>καθένα χρειάζεται 'side', 'length' και 'ends' με 'file' και 'pixel'</translation>
     </message>
     <message>
-      <source>The mask cannot be decoded; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η μάσκα δεν αποκωδικοποιείται· αντιγράψτε την ξανά.</translation>
-    </message>
-    <message>
       <source>The image cannot be decoded; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η εικόνα δεν αποκωδικοποιείται· αντιγράψτε την ξανά.</translation>
@@ -5673,11 +5648,6 @@
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο πίνακας βαθμονόμησης χρειάζεται 'dictionary', 'squares_x', 'squares_y', 'square_mm' και 'marker_mm'.</translation>
-    </message>
-    <message>
-      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν γίνεται εγγραφή εδώ (%1)· επιλέξτε άλλον φάκελο για την παρτίδα ή ελέγξτε τα δικαιώματά του.</translation>
     </message>
     <message>
       <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
@@ -5725,11 +5695,6 @@
       <translation>Το περιστρεφόμενο τραπέζι δεν έφτασε στο μηδέν του.</translation>
     </message>
     <message>
-      <source>The turntable did not answer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το περιστρεφόμενο τραπέζι δεν απάντησε.</translation>
-    </message>
-    <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το περιστρεφόμενο τραπέζι δεν αναφέρει τη στάση του.</translation>
@@ -5768,11 +5733,6 @@
       <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν επιτρέπεται η χρήση αυτής της σειριακής θύρας· εγκαταστήστε τους κανόνες udev του Ostraka ή μπείτε στην ομάδα dialout και συνδεθείτε ξανά.</translation>
-    </message>
-    <message>
-      <source>Another program uses the serial port; close that program.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η σειριακή θύρα χρησιμοποιείται από άλλο πρόγραμμα· κλείστε το.</translation>
     </message>
     <message>
       <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
@@ -6105,11 +6065,6 @@
       <translation>Το περιστρεφόμενο τραπέζι δεν είναι συνδεδεμένο.</translation>
     </message>
     <message>
-      <source>The turntable was unplugged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το περιστρεφόμενο τραπέζι αποσυνδέθηκε.</translation>
-    </message>
-    <message>
       <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η σύνδεση USB του περιστρεφόμενου τραπεζιού απέτυχε (%1)· συνδέστε το ξανά.</translation>
@@ -6150,11 +6105,6 @@
       <translation>Η βιντεοκάμερα δεν ανοίγει: είναι συνδεδεμένη, και δεν τη χρησιμοποιεί άλλο πρόγραμμα;</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η βιντεοκάμερα δεν ανοίγει.</translation>
-    </message>
-    <message>
       <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια βιντεοκάμερα έχει exposure (0,1 ms), focus, white_balance (K) και gain, ως αριθμούς· όχι %1 %2.</translation>
@@ -6163,11 +6113,6 @@
       <source>The camera keeps %1 at %2 instead of %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η κάμερα κρατά το %1 στο %2 αντί για %3.</translation>
-    </message>
-    <message>
-      <source>It is not open.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν είναι ανοιχτή.</translation>
     </message>
     <message>
       <source>The video camera no longer delivers pictures.</source>
@@ -6935,16 +6880,6 @@
       <translation>Το '%1' δεν είναι διαδρομή μέσα στον φάκελό της· πρέπει να είναι σχετική, με '/' και χωρίς '..'.</translation>
     </message>
     <message>
-      <source>The mesh has no faces to write.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το πλέγμα δεν έχει όψεις για εγγραφή.</translation>
-    </message>
-    <message>
-      <source>A face of the mesh refers to a vertex that does not exist.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μια όψη του πλέγματος ονομάζει κορυφή που δεν υπάρχει.</translation>
-    </message>
-    <message>
       <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι αρχείο PLY· δώστε ένα ή εξαγάγετε ξανά τη σάρωση.</translation>
@@ -7018,11 +6953,6 @@
       <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια όψη του PLY ονομάζει κορυφή που δεν υπάρχει· εξαγάγετέ το ξανά.</translation>
-    </message>
-    <message>
-      <source>The PLY file ends within its faces; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το αρχείο PLY τελειώνει μέσα στις όψεις του· αντιγράψτε το ξανά.</translation>
     </message>
     <message>
       <source>The PLY file ends within '%1'; copy it again.</source>

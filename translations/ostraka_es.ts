@@ -5060,11 +5060,6 @@
       <translation>Cancelado.</translation>
     </message>
     <message>
-      <source>The camera is not plugged in.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara no está conectada.</translation>
-    </message>
-    <message>
       <source>The camera is not plugged in or not switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara no está conectada o no está encendida.</translation>
@@ -5153,11 +5148,6 @@
       <source>USB does not work on this computer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>USB no funciona en este ordenador.</translation>
-    </message>
-    <message>
-      <source>The disk is full; free some space, then continue shooting.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El disco está lleno; libere espacio y siga fotografiando.</translation>
     </message>
     <message>
       <source>The disk is full; free some space and try again.</source>
@@ -5313,11 +5303,6 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El archivo no se puede abrir (%1); revise sus permisos.</translation>
-    </message>
-    <message>
-      <source>Not a regular file; choose a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es un archivo normal; elija un archivo.</translation>
     </message>
     <message>
       <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
@@ -5515,11 +5500,6 @@
       <translation>La máscara no tiene el tamaño de su foto; no se usa.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La imagen tiene %1 x %2 píxeles, las demás de su cámara %3 x %4; esta foto se omite.</translation>
-    </message>
-    <message>
       <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotografías utilizables del anverso: %1; hacen falta al menos %2. Añada fotografías con nombres como %3.</translation>
@@ -5630,11 +5610,6 @@
       <translation>cada una necesita 'side', 'length' y 'ends' con 'file' y 'pixel'</translation>
     </message>
     <message>
-      <source>The mask cannot be decoded; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La máscara no se puede descodificar; cópiela otra vez.</translation>
-    </message>
-    <message>
       <source>The image cannot be decoded; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La imagen no se puede descodificar; cópiela otra vez.</translation>
@@ -5673,11 +5648,6 @@
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El tablero necesita 'dictionary', 'squares_x', 'squares_y', 'square_mm' y 'marker_mm'.</translation>
-    </message>
-    <message>
-      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No se puede escribir (%1); elija otra carpeta para la tanda o revise sus permisos.</translation>
     </message>
     <message>
       <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
@@ -5725,11 +5695,6 @@
       <translation>La mesa giratoria no llegó a su cero.</translation>
     </message>
     <message>
-      <source>The turntable did not answer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa giratoria no respondió.</translation>
-    </message>
-    <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La mesa giratoria no comunica su posición.</translation>
@@ -5768,11 +5733,6 @@
       <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No tiene permiso para usar este puerto serie; instale las reglas udev de Ostraka o únase al grupo dialout y vuelva a iniciar sesión.</translation>
-    </message>
-    <message>
-      <source>Another program uses the serial port; close that program.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otro programa está usando el puerto serie; ciérrelo.</translation>
     </message>
     <message>
       <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
@@ -6105,11 +6065,6 @@
       <translation>La mesa giratoria no está conectada.</translation>
     </message>
     <message>
-      <source>The turntable was unplugged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La mesa giratoria se desconectó.</translation>
-    </message>
-    <message>
       <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Falló la conexión USB de la mesa giratoria (%1); vuelva a conectarla.</translation>
@@ -6150,11 +6105,6 @@
       <translation>La cámara de vídeo no se puede abrir; compruebe que está conectada y que no la usa otro programa.</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La cámara de vídeo no se puede abrir.</translation>
-    </message>
-    <message>
       <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una cámara de vídeo tiene exposure (0,1 ms), focus, white_balance (K) y gain, como números; no %1 %2.</translation>
@@ -6163,11 +6113,6 @@
       <source>The camera keeps %1 at %2 instead of %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La cámara mantiene %1 en %2 en vez de %3.</translation>
-    </message>
-    <message>
-      <source>It is not open.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No está abierta.</translation>
     </message>
     <message>
       <source>The video camera no longer delivers pictures.</source>
@@ -6935,16 +6880,6 @@
       <translation>'%1' no es una ruta dentro de su carpeta; debe ser relativa, con '/' y sin '..'.</translation>
     </message>
     <message>
-      <source>The mesh has no faces to write.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La malla no tiene caras que escribir.</translation>
-    </message>
-    <message>
-      <source>A face of the mesh refers to a vertex that does not exist.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Una cara de la malla nombra un vértice que no existe.</translation>
-    </message>
-    <message>
       <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es un archivo PLY; elija uno o exporte otra vez el escaneo.</translation>
@@ -7018,11 +6953,6 @@
       <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Una cara del PLY nombra un vértice que no existe; expórtelo otra vez.</translation>
-    </message>
-    <message>
-      <source>The PLY file ends within its faces; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El archivo PLY acaba en medio de sus caras; cópielo otra vez.</translation>
     </message>
     <message>
       <source>The PLY file ends within '%1'; copy it again.</source>

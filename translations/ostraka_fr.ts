@@ -5060,11 +5060,6 @@
       <translation>Annulé.</translation>
     </message>
     <message>
-      <source>The camera is not plugged in.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’appareil n’est pas branché.</translation>
-    </message>
-    <message>
       <source>The camera is not plugged in or not switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil n’est pas branché ou pas allumé.</translation>
@@ -5153,11 +5148,6 @@
       <source>USB does not work on this computer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’USB ne fonctionne pas sur cet ordinateur.</translation>
-    </message>
-    <message>
-      <source>The disk is full; free some space, then continue shooting.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le disque est plein ; libérez de la place et continuez les prises de vue.</translation>
     </message>
     <message>
       <source>The disk is full; free some space and try again.</source>
@@ -5313,11 +5303,6 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le fichier ne peut pas être ouvert (%1) ; vérifiez ses droits d’accès.</translation>
-    </message>
-    <message>
-      <source>Not a regular file; choose a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas un fichier ordinaire ; choisissez un fichier.</translation>
     </message>
     <message>
       <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
@@ -5515,11 +5500,6 @@
       <translation>Le masque n’a pas la taille de sa photo ; il n’est pas utilisé.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’image a %1 x %2 pixels, les autres de cet appareil %3 x %4 ; cette photo est laissée de côté.</translation>
-    </message>
-    <message>
       <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Photos utilisables de la face avant : %1 ; il en faut au moins %2. Ajoutez des photos nommées %3.</translation>
@@ -5630,11 +5610,6 @@
       <translation>il faut pour chacune 'side', 'length' et 'ends' avec 'file' et 'pixel'</translation>
     </message>
     <message>
-      <source>The mask cannot be decoded; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le masque ne peut pas être décodé ; copiez-le à nouveau.</translation>
-    </message>
-    <message>
       <source>The image cannot be decoded; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’image ne peut pas être décodée ; copiez-la à nouveau.</translation>
@@ -5673,11 +5648,6 @@
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il faut à la mire 'dictionary', 'squares_x', 'squares_y', 'square_mm' et 'marker_mm'.</translation>
-    </message>
-    <message>
-      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>L’écriture est impossible (%1) ; choisissez un autre dossier pour le lot, ou vérifiez ses droits d’accès.</translation>
     </message>
     <message>
       <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
@@ -5725,11 +5695,6 @@
       <translation>La table tournante n’a pas atteint son zéro.</translation>
     </message>
     <message>
-      <source>The turntable did not answer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table tournante n’a pas répondu.</translation>
-    </message>
-    <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La table tournante n’indique pas sa position.</translation>
@@ -5768,11 +5733,6 @@
       <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Vous n’avez pas le droit d’utiliser ce port série ; installez les règles udev d’Ostraka, ou entrez dans le groupe dialout, et reconnectez-vous.</translation>
-    </message>
-    <message>
-      <source>Another program uses the serial port; close that program.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le port série est utilisé par un autre programme ; fermez-le.</translation>
     </message>
     <message>
       <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
@@ -6105,11 +6065,6 @@
       <translation>La table tournante n’est pas branchée.</translation>
     </message>
     <message>
-      <source>The turntable was unplugged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La table tournante a été débranchée.</translation>
-    </message>
-    <message>
       <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La liaison USB de la table tournante a failli (%1) ; rebranchez-la.</translation>
@@ -6150,11 +6105,6 @@
       <translation>La caméra vidéo ne peut pas être ouverte ; vérifiez qu’elle est branchée et qu’aucun autre programme ne l’utilise.</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La caméra vidéo ne peut pas être ouverte.</translation>
-    </message>
-    <message>
       <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une caméra vidéo a exposure (0,1 ms), focus, white_balance (K) et gain, en nombres ; pas %1 %2.</translation>
@@ -6163,11 +6113,6 @@
       <source>The camera keeps %1 at %2 instead of %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’appareil garde %1 à %2 au lieu de %3.</translation>
-    </message>
-    <message>
-      <source>It is not open.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Elle n’est pas ouverte.</translation>
     </message>
     <message>
       <source>The video camera no longer delivers pictures.</source>
@@ -6935,16 +6880,6 @@
       <translation>'%1' n’est pas un chemin dans son dossier ; il doit être relatif, avec '/' et sans '..'.</translation>
     </message>
     <message>
-      <source>The mesh has no faces to write.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le maillage n’a aucune face à écrire.</translation>
-    </message>
-    <message>
-      <source>A face of the mesh refers to a vertex that does not exist.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Une face du maillage nomme un sommet qui n’existe pas.</translation>
-    </message>
-    <message>
       <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas un fichier PLY ; choisissez-en un, ou exportez à nouveau la numérisation.</translation>
@@ -7018,11 +6953,6 @@
       <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une face du PLY nomme un sommet qui n’existe pas ; exportez-le à nouveau.</translation>
-    </message>
-    <message>
-      <source>The PLY file ends within its faces; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le fichier PLY finit au milieu de ses faces ; copiez-le à nouveau.</translation>
     </message>
     <message>
       <source>The PLY file ends within '%1'; copy it again.</source>

@@ -5060,11 +5060,6 @@
       <translation>Չեղարկված է։</translation>
     </message>
     <message>
-      <source>The camera is not plugged in.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տեսախցիկը միացված չէ մալուխով։</translation>
-    </message>
-    <message>
       <source>The camera is not plugged in or not switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկը միացված չէ մալուխով կամ անջատված է։</translation>
@@ -5153,11 +5148,6 @@
       <source>USB does not work on this computer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>USB-ն այս համակարգչում չի աշխատում։</translation>
-    </message>
-    <message>
-      <source>The disk is full; free some space, then continue shooting.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկավառակը լի է. տեղ ազատեք և շարունակեք նկարահանումը։</translation>
     </message>
     <message>
       <source>The disk is full; free some space and try again.</source>
@@ -5313,11 +5303,6 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ֆայլը չի բացվում (%1). ստուգեք դրա թույլտվությունները։</translation>
-    </message>
-    <message>
-      <source>Not a regular file; choose a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա սովորական ֆայլ չէ. նշեք ֆայլ։</translation>
     </message>
     <message>
       <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
@@ -5515,11 +5500,6 @@
       <translation>Դիմակի չափը լուսանկարի չափը չէ. այն չի օգտագործվում։</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պատկերն ունի %1 x %2 պիքսել, տեսախցիկի մյուսները՝ %3 x %4. այս լուսանկարը բաց է թողնվում։</translation>
-    </message>
-    <message>
       <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առջևի երեսի պիտանի լուսանկարներ՝ %1. անհրաժեշտ է առնվազն %2։ Ավելացրեք %3 անունով լուսանկարներ։</translation>
@@ -5630,11 +5610,6 @@
       <translation>յուրաքանչյուրին պետք են 'side', 'length' և 'ends'՝ 'file'-ով ու 'pixel'-ով</translation>
     </message>
     <message>
-      <source>The mask cannot be decoded; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Դիմակը չի ապակոդավորվում. նորից պատճենեք։</translation>
-    </message>
-    <message>
       <source>The image cannot be decoded; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատկերը չի ապակոդավորվում. նորից պատճենեք։</translation>
@@ -5673,11 +5648,6 @@
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տրամաչափման տախտակին պետք են 'dictionary', 'squares_x', 'squares_y', 'square_mm' և 'marker_mm'։</translation>
-    </message>
-    <message>
-      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այստեղ հնարավոր չէ գրել (%1). խմբաքանակի համար ընտրեք այլ պանակ կամ ստուգեք թույլտվությունները։</translation>
     </message>
     <message>
       <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
@@ -5725,11 +5695,6 @@
       <translation>Պտտվող սեղանը չհասավ իր զրոյին։</translation>
     </message>
     <message>
-      <source>The turntable did not answer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանը չպատասխանեց։</translation>
-    </message>
-    <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանը չի հայտնում իր դիրքը։</translation>
@@ -5768,11 +5733,6 @@
       <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դուք չեք կարող օգտվել այս հաջորդական միացքից. տեղադրեք Ostraka-ի udev կանոնները կամ մտեք dialout խումբը և նորից մուտք գործեք։</translation>
-    </message>
-    <message>
-      <source>Another program uses the serial port; close that program.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հաջորդական միացքն օգտագործում է այլ ծրագիր. փակեք այն։</translation>
     </message>
     <message>
       <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
@@ -6105,11 +6065,6 @@
       <translation>Պտտվող սեղանը միացված չէ մալուխով։</translation>
     </message>
     <message>
-      <source>The turntable was unplugged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Պտտվող սեղանի մալուխն անջատվել է։</translation>
-    </message>
-    <message>
       <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պտտվող սեղանի USB կապը խափանվեց (%1). նորից միացրեք։</translation>
@@ -6150,11 +6105,6 @@
       <translation>Վիդեոտեսախցիկը չի բացվում. միացվա՞ծ է, և ա՞յլ ծրագիր չի օգտագործում այն։</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Վիդեոտեսախցիկը չի բացվում։</translation>
-    </message>
-    <message>
       <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վիդեոտեսախցիկն ունի exposure (0,1 մվ), focus, white_balance (K) և gain՝ որպես թվեր, ոչ թե %1 %2։</translation>
@@ -6163,11 +6113,6 @@
       <source>The camera keeps %1 at %2 instead of %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տեսախցիկը %1-ը պահում է %2, ոչ թե %3։</translation>
-    </message>
-    <message>
-      <source>It is not open.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այն բացված չէ։</translation>
     </message>
     <message>
       <source>The video camera no longer delivers pictures.</source>
@@ -6935,16 +6880,6 @@
       <translation>'%1'-ը իր պանակի ներսի ուղի չէ. այն պետք է լինի հարաբերական՝ '/'-ով և առանց '..'-ի։</translation>
     </message>
     <message>
-      <source>The mesh has no faces to write.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ցանցը գրելու նիստեր չունի։</translation>
-    </message>
-    <message>
-      <source>A face of the mesh refers to a vertex that does not exist.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ցանցի մի նիստը նշում է գոյություն չունեցող գագաթ։</translation>
-    </message>
-    <message>
       <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա PLY ֆայլ չէ. նշեք PLY ֆայլ կամ նորից արտահանեք սկանը։</translation>
@@ -7018,11 +6953,6 @@
       <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY-ի մի նիստը նշում է գոյություն չունեցող գագաթ. նորից արտահանեք։</translation>
-    </message>
-    <message>
-      <source>The PLY file ends within its faces; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PLY ֆայլն ավարտվում է նիստերի մեջտեղում. նորից պատճենեք։</translation>
     </message>
     <message>
       <source>The PLY file ends within '%1'; copy it again.</source>

@@ -5013,11 +5013,6 @@
       <translation>İptal edildi.</translation>
     </message>
     <message>
-      <source>The camera is not plugged in.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kamera takılı değil.</translation>
-    </message>
-    <message>
       <source>The camera is not plugged in or not switched on.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera takılı değil ya da açık değil.</translation>
@@ -5106,11 +5101,6 @@
       <source>USB does not work on this computer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>USB bu bilgisayarda çalışmıyor.</translation>
-    </message>
-    <message>
-      <source>The disk is full; free some space, then continue shooting.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Disk dolu; yer açın ve çekime devam edin.</translation>
     </message>
     <message>
       <source>The disk is full; free some space and try again.</source>
@@ -5266,11 +5256,6 @@
       <source>The file cannot be opened (%1); check its permissions.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dosya açılamıyor (%1); izinlerini denetleyin.</translation>
-    </message>
-    <message>
-      <source>Not a regular file; choose a file.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu olağan bir dosya değil; bir dosya belirtin.</translation>
     </message>
     <message>
       <source>The file is larger than the limit of %1 bytes; check that it is the right one.</source>
@@ -5468,11 +5453,6 @@
       <translation>Maskenin boyutu fotoğrafınınki değil; kullanılmıyor.</translation>
     </message>
     <message>
-      <source>The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this photograph is left out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Resim %1 x %2 piksel, bu kameranın ötekileri %3 x %4; bu fotoğraf atlanıyor.</translation>
-    </message>
-    <message>
       <source>Usable photographs of the front side: %1; at least %2 are needed. Add photographs named %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ön yüzün kullanılabilir fotoğrafları: %1; en az %2 gerekli. %3 adlı fotoğraflar ekleyin.</translation>
@@ -5583,11 +5563,6 @@
       <translation>her biri için 'side', 'length' ve içinde 'file' ile 'pixel' olan 'ends' gerekir</translation>
     </message>
     <message>
-      <source>The mask cannot be decoded; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Maske çözülemiyor; yeniden kopyalayın.</translation>
-    </message>
-    <message>
       <source>The image cannot be decoded; copy it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Resim çözülemiyor; yeniden kopyalayın.</translation>
@@ -5626,11 +5601,6 @@
       <source>The board needs 'dictionary', 'squares_x', 'squares_y', 'square_mm' and 'marker_mm'.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kalibrasyon levhası için 'dictionary', 'squares_x', 'squares_y', 'square_mm' ve 'marker_mm' gerekir.</translation>
-    </message>
-    <message>
-      <source>This cannot be written (%1); choose another folder for the batch or check its permissions.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Buraya yazılamıyor (%1); parti için başka bir klasör seçin ya da izinlerini denetleyin.</translation>
     </message>
     <message>
       <source>A file with this name already exists and is not overwritten; choose another batch name.</source>
@@ -5678,11 +5648,6 @@
       <translation>Döner masa sıfırına ulaşmadı.</translation>
     </message>
     <message>
-      <source>The turntable did not answer.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masa yanıt vermedi.</translation>
-    </message>
-    <message>
       <source>The turntable does not report its position.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masa nerede durduğunu söylemiyor.</translation>
@@ -5721,11 +5686,6 @@
       <source>You have no permission to use this serial port; install Ostraka&apos;s udev rules or join the group dialout, then log in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu seri portu kullanma izniniz yok; Ostraka’nın udev kurallarını kurun ya da dialout grubuna katılın ve yeniden oturum açın.</translation>
-    </message>
-    <message>
-      <source>Another program uses the serial port; close that program.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seri portu başka bir program kullanıyor; onu kapatın.</translation>
     </message>
     <message>
       <source>The serial port does not exist; check that the turntable is plugged in and switched on.</source>
@@ -6058,11 +6018,6 @@
       <translation>Döner masa takılı değil.</translation>
     </message>
     <message>
-      <source>The turntable was unplugged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Döner masanın fişi çekildi.</translation>
-    </message>
-    <message>
       <source>The turntable&apos;s USB connection failed (%1); plug it in again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Döner masanın USB bağlantısı kesildi (%1); yeniden takın.</translation>
@@ -6103,11 +6058,6 @@
       <translation>Video kamera açılamıyor: takılı mı, onu başka bir program kullanıyor mu?</translation>
     </message>
     <message>
-      <source>The video camera cannot be opened.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Video kamera açılamıyor.</translation>
-    </message>
-    <message>
       <source>A video camera has exposure (0.1 ms), focus, white_balance (K) and gain, as numbers; not %1 %2.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Video kameranın exposure (0,1 ms), focus, white_balance (K) ve gain ayarları sayı olarak vardır; %1 %2 değil.</translation>
@@ -6116,11 +6066,6 @@
       <source>The camera keeps %1 at %2 instead of %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kamera %1 ayarını %3 yerine %2 değerinde tutuyor.</translation>
-    </message>
-    <message>
-      <source>It is not open.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Açık değil.</translation>
     </message>
     <message>
       <source>The video camera no longer delivers pictures.</source>
@@ -6888,16 +6833,6 @@
       <translation>'%1' klasörünün içinde bir yol değil; göreli olmalı, '/' içermeli, '..' içermemeli.</translation>
     </message>
     <message>
-      <source>The mesh has no faces to write.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ağın yazılacak yüzeyi yok.</translation>
-    </message>
-    <message>
-      <source>A face of the mesh refers to a vertex that does not exist.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ağın bir yüzeyi olmayan bir köşeyi gösteriyor.</translation>
-    </message>
-    <message>
       <source>Not a PLY file; choose one, or export the scan again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bir PLY dosyası değil; bir PLY belirtin ya da taramayı yeniden dışa aktarın.</translation>
@@ -6971,11 +6906,6 @@
       <source>A face of the PLY file refers to a vertex that does not exist; export the file again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PLY dosyasının bir yüzeyi olmayan bir köşeyi gösteriyor; yeniden dışa aktarın.</translation>
-    </message>
-    <message>
-      <source>The PLY file ends within its faces; copy it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PLY dosyası yüzeylerinin ortasında bitiyor; yeniden kopyalayın.</translation>
     </message>
     <message>
       <source>The PLY file ends within '%1'; copy it again.</source>

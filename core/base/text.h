@@ -19,6 +19,9 @@ std::string fixed(double value, int digits);
 /// A to Z as a to z; other characters, those of UTF-8 too, stay as they are.
 std::string lowerCase(std::string text);
 
+/// Two small letters or digits for each byte.
+std::string hexadecimal(std::span<const unsigned char> bytes);
+
 /// The bytes of the character at `at` of a text in UTF-8 if XML 1.0 forbids it, else 0: control
 /// characters other than tab and line ends, U+FFFE, U+FFFF and halves of surrogate pairs.
 std::size_t forbiddenInXml(std::string_view text, std::size_t at);

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <random>
 
+#include "base/text.h"
+
 namespace ostraka {
 
 std::string newId(std::int64_t now_ms) {
@@ -18,12 +20,8 @@ std::string newId(std::int64_t now_ms) {
   }
   bytes[6] = static_cast<unsigned char>(0x70 | (bytes[6] & 0x0F));
   bytes[8] = static_cast<unsigned char>(0x80 | (bytes[8] & 0x3F));
-  std::string text;
-  for (std::size_t i = 0; i < 16; ++i) {
-    if (i == 4 || i == 6 || i == 8 || i == 10) text += '-';
-    text += "0123456789abcdef"[bytes[i] >> 4];
-    text += "0123456789abcdef"[bytes[i] & 15];
-  }
+  std::string text = hexadecimal(bytes);
+  for (const std::size_t at : {8, 13, 18, 23}) text.insert(at, 1, '-');
   return text;
 }
 

@@ -289,11 +289,10 @@ class Reader {
     std::erase_if(batch_.shots, [&](const Shot& shot) {
       const ImageSize size{shot.width, shot.height}, expected = usual.at(shot.camera);
       if (size == expected) return false;
-      warn(
-          shot.file,
-          message("The image has %1 x %2 pixels, but the others from its camera have %3 x %4; this "
-                  "photograph is left out.",
-                  size.width, size.height, expected.width, expected.height));
+      warn(shot.file,
+           message("The image has %1 x %2 pixels, but the photographs from its camera have "
+                   "%3 x %4; this picture is left out.",
+                   size.width, size.height, expected.width, expected.height));
       return true;
     });
   }

@@ -13,7 +13,7 @@
 #include "base/limits.h"
 #include "base/text.h"
 #include "batch/heif_image.h"
-#include "files/input_file.h"
+#include "files/open_folder.h"
 
 namespace ostraka::batch {
 namespace {
@@ -178,13 +178,16 @@ Exif exifIn(std::string_view bytes) {
 }
 
 Exif readExif(const std::filesystem::path& file) {
-  Result<InputFile> in = InputFile::open(file);
-  if (!in || in->size_bytes() > limits::kImageBytes.most) return {};
-  Result<std::string> bytes = in->read(std::min(kHead_bytes, in->size_bytes()));
-  if (bytes && (isTiff(*bytes) || isHeif(*bytes)))  // the block may stand at its end
-    if (const Result<std::string> rest = in->read(in->size_bytes() - bytes->size()))
-      *bytes += *rest;
-  return bytes ? exifIn(*bytes) : Exif();
+  Result<OpenFile> in = OpenFile::open(file);
+  if (!in || static_cast<std::uint64_t>(in->bytes()) > limits::kImageBytes.most) return {};
+  std::string bytes(std::min(kHead_bytes, static_cast<std::size_t>(in->bytes())), '\0');
+  if (!in->read(bytes)) return {};
+  if (isTiff(bytes) || isHeif(bytes)) {  // the block may stand at its end
+    const std::size_t head = bytes.size();
+    bytes.resize(static_cast<std::size_t>(in->bytes()));
+    if (!in->read(std::span(bytes).subspan(head))) bytes.resize(head);
+  }
+  return exifIn(bytes);
 }
 
 }  // namespace ostraka::batch

@@ -79,7 +79,7 @@ class GphotoCamera final : public devices::Camera {
     return Error{
         ErrorCode::Missing,
         others.empty()
-            ? message("The camera is not plugged in.")
+            ? message("The camera is not plugged in or not switched on.")
             : message("The camera with this serial number is not plugged in; found: %1.", others),
         serial_};
   }
@@ -225,7 +225,8 @@ class GphotoCamera final : public devices::Camera {
   };
 
   Error notOpen() const {
-    return {ErrorCode::Missing, message("The camera is not plugged in."), serial_};
+    return {ErrorCode::Missing, message("The camera is not plugged in or not switched on."),
+            serial_};
   }
 
   // Under the library's lock.

@@ -45,9 +45,7 @@ class UvcCamera final : public devices::Camera {
     const bool device = options_.source.starts_with("/dev/");
     try {
       if (!(device ? video_.open(options_.source, cv::CAP_V4L2) : video_.open(options_.source)))
-        return gone(message(
-            "The video camera cannot be opened; check that it is plugged in and that no other "
-            "program uses it."));
+        return notOpen();
       if (device) {
         video_.set(cv::CAP_PROP_BUFFERSIZE, 1);
         if (options_.width > 0) {
@@ -58,7 +56,7 @@ class UvcCamera final : public devices::Camera {
         }
       }
     } catch (const cv::Exception&) {
-      return gone(message("The video camera cannot be opened."));
+      return notOpen();
     }
     return {};
   }
@@ -110,7 +108,7 @@ class UvcCamera final : public devices::Camera {
 
   Result<void> getReady(std::stop_token) override {
     frame_.reset();
-    return video_.isOpened() ? Result<void>() : Result<void>(gone(message("It is not open.")));
+    return video_.isOpened() ? Result<void>() : Result<void>(notOpen());
   }
 
   Result<void> trigger() override {
@@ -162,6 +160,11 @@ class UvcCamera final : public devices::Camera {
 
  private:
   Error gone(const Message& what) const { return {ErrorCode::Missing, what, options_.source}; }
+  Error notOpen() const {
+    return gone(
+        message("The video camera cannot be opened; check that it is plugged in and that no other "
+                "program uses it."));
+  }
   void remember(int property) { before_.insert({property, video_.get(property)}); }
 
   Result<cv::Mat> read() {

@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <map>
 #include <set>
 
 #include "base/message.h"
 #include "base/text.h"
 #include "files/files.h"
+#include "files/unfinished_file.h"
 #include "rig/plate_print.h"
 
 namespace ostraka::capture {
@@ -22,31 +22,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* kArriving = ".arriving";
 
-Error cannotWrite(const fs::path& path, int reason) {
-  Message what = message(
-      "This cannot be written (%1); choose another folder for the batch or check its permissions.",
-      std::strerror(reason));
-  if (reason == ENOSPC)
-    what = message("The disk is full; free some space, then continue shooting.");
-  if (reason == EEXIST)
-    what = message(
-        "A file with this name already exists and is not overwritten; choose another batch name.");
-  return {ErrorCode::CannotWrite, what, path.string()};
-}
-
-Result<void> syncFolder(const fs::path& folder) {
-  const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (fd < 0) return cannotWrite(folder, errno);
-  ::fsync(fd);  // some file systems cannot; the names are then synced with the files
-  ::close(fd);
-  return {};
-}
-
-Result<void> makeFolder(const fs::path& folder) {
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed) return cannotWrite(folder, failed.value());
-  return {};
+Error cannotMake(const fs::path& path, int reason) {
+  if (reason != EEXIST) return cannotWrite(path, reason);
+  return {ErrorCode::CannotWrite,
+          message("A file with this name already exists and is not overwritten; choose another "
+                  "batch name."),
+          path.string()};
 }
 
 std::string lowerExtension(const std::string& name) {
@@ -109,36 +90,26 @@ Result<void> keepPlate(const fs::path& folder, const batch::Plate& plate) {
 }  // namespace
 
 Result<void> writeNewFile(const fs::path& path, std::string_view bytes) {
-  const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (fd < 0) return cannotWrite(path, errno);
-  int reason = 0;
-  while (!bytes.empty() && reason == 0) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n > 0)
-      bytes.remove_prefix(static_cast<std::size_t>(n));
-    else if (n == 0 || errno != EINTR)
-      reason = n == 0 ? ENOSPC : errno;
-  }
-  if (reason == 0 && ::fsync(fd) != 0) reason = errno;
-  if (::close(fd) != 0 && reason == 0) reason = errno;
-  if (reason == 0) return {};
+  const FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
+  if (!file.isOpen()) return cannotMake(path, errno);
+  if (writeAll(file.get(), bytes) && ::fsync(file.get()) == 0) return {};
+  const int reason = errno;
   ::unlink(path.c_str());
   return cannotWrite(path, reason);
 }
 
 Result<void> renameToNew(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
-  if (errno != EINVAL && errno != ENOSYS) return cannotWrite(to, errno);
+  if (errno != EINVAL && errno != ENOSYS) return cannotMake(to, errno);
   // The file system knows no such renaming: a second name, then without the first.
   if (::link(from.c_str(), to.c_str()) == 0) {
     ::unlink(from.c_str());
     return {};
   }
-  if (errno != EPERM && errno != EOPNOTSUPP) return cannotWrite(to, errno);
+  if (errno != EPERM && errno != EOPNOTSUPP) return cannotMake(to, errno);
   // Nor second names (FAT): an empty file takes the place, which nobody else can then.
-  const int fd = ::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
-  if (fd < 0) return cannotWrite(to, errno);
-  ::close(fd);
+  if (!FileDescriptor(::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)).isOpen())
+    return cannotMake(to, errno);
   if (::rename(from.c_str(), to.c_str()) != 0) return cannotWrite(to, errno);
   return {};
 }
@@ -300,8 +271,7 @@ Result<void> BatchStore::commit(std::vector<Arriving> arriving) {
       if (Result<void> r = renameToNew(hidden(batch_ / file), batch_ / file); !r) return r;
       folders.insert((batch_ / file).parent_path());
     }
-  for (const fs::path& folder : folders)
-    if (Result<void> r = syncFolder(folder); !r) return r;
+  for (const fs::path& folder : folders) syncFolder(folder);
   return {};
 }
 
@@ -323,7 +293,8 @@ Result<void> BatchStore::setAside(const std::vector<ShotName>& shots, const std:
   }
   for (const auto& [file, aside] : names)
     if (Result<void> r = renameToNew(batch_ / file, batch_ / aside); !r) return r;
-  return syncFolder(batch_ / "set_aside");
+  syncFolder(batch_ / "set_aside");
+  return {};
 }
 
 bool BatchStore::holdsElsewhere(const ManifestEntry& entry) const {

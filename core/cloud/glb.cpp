@@ -155,10 +155,10 @@ namespace {
 
 Result<void> checkFaces(const TriangleMesh& mesh) {
   const int n = static_cast<int>(mesh.vertices.size());
-  if (mesh.triangles.empty()) return Error::unusable(message("The mesh has no faces to write."));
+  if (mesh.triangles.empty()) return Error::unusable(message("The mesh has no faces."));
   for (const auto& t : mesh.triangles)
     if (std::min({t[0], t[1], t[2]}) < 0 || std::max({t[0], t[1], t[2]}) >= n)
-      return Error::unusable(message("A face of the mesh refers to a vertex that does not exist."));
+      return Error::unusable(message("A face refers to a vertex that does not exist."));
   return {};
 }
 

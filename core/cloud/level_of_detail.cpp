@@ -15,13 +15,6 @@ using Eigen::Vector3i;
 constexpr double kPointsPerCell = 9;  // fewer scatter, more blur the edge of a dense part
 constexpr int kGridRounds = 4;        // each brings the cell's edge nearer to that many points
 
-struct CellHash {
-  std::size_t operator()(const Vector3i& k) const {
-    return static_cast<std::size_t>(k.x()) * 73856093u ^
-           static_cast<std::size_t>(k.y()) * 19349663u ^
-           static_cast<std::size_t>(k.z()) * 83492791u;
-  }
-};
 using Counts = std::unordered_map<Vector3i, int, CellHash>;
 
 Vector3i cellOf(const Vector3f& point, float edge) {

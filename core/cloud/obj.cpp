@@ -55,8 +55,7 @@ Result<std::string> formatted(const TriangleMesh& mesh, const ObjTexture* textur
     text += 'f';
     for (const int v : t) {
       if (v < 0 || v >= n)
-        return Error::unusable(
-            message("A face of the mesh refers to a vertex that does not exist."));
+        return Error::unusable(message("A face refers to a vertex that does not exist."));
       const std::string number = std::to_string(v + 1);
       text += ' ' + number;
       if (texture != nullptr || normals) text += '/';

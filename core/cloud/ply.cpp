@@ -436,8 +436,8 @@ Result<PlyContents> parsePly(std::string_view bytes, const std::string& where) {
                                where);
       if (outcome == FaceOutcome::TooManyFaces) return tooMany(limits::kFaces, element.name, where);
       if (outcome == FaceOutcome::Truncated)
-        return Error::unusable(message("The PLY file ends within its faces; copy it again."),
-                               where);
+        return Error::unusable(
+            message("The PLY file ends within '%1'; copy it again.", element.name), where);
     } else if (!skip(element, values)) {
       return Error::unusable(message("The PLY file ends within '%1'; copy it again.", element.name),
                              where);

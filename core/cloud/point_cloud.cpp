@@ -50,14 +50,7 @@ PointCloud thinned(const PointCloud& cloud, double edge_mm) {
     int count = 0, best = -1;
     double best_distance = 0;
   };
-  struct Hash {
-    std::size_t operator()(const Eigen::Vector3i& k) const {
-      return static_cast<std::size_t>(k.x()) * 73856093u ^
-             static_cast<std::size_t>(k.y()) * 19349663u ^
-             static_cast<std::size_t>(k.z()) * 83492791u;
-    }
-  };
-  std::unordered_map<Eigen::Vector3i, int, Hash> number;
+  std::unordered_map<Eigen::Vector3i, int, CellHash> number;
   std::vector<Cube> cubes;  // in order of first appearance
   std::vector<int> cube_of(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {

@@ -6,6 +6,15 @@
 
 namespace ostraka {
 
+/// For maps by the cells of a grid.
+struct CellHash {
+  std::size_t operator()(const Eigen::Vector3i& k) const {
+    return static_cast<std::size_t>(k.x()) * 73856093u ^
+           static_cast<std::size_t>(k.y()) * 19349663u ^
+           static_cast<std::size_t>(k.z()) * 83492791u;
+  }
+};
+
 PointCloud transformed(const PointCloud& cloud, const Eigen::Isometry3d& target_from_source);
 TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& target_from_source);
 /// The points with these indices, in this order.

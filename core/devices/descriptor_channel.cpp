@@ -126,13 +126,13 @@ Result<int> openPort(const std::string& path, speed_t speed) {
           "You have no permission to use this serial port; install Ostraka's udev rules or join "
           "the group dialout, then log in again."));
     if (errno == EBUSY)
-      return missing(message("Another program uses the serial port; close that program."));
+      return missing(message("Another program uses the turntable; close that program."));
     return missing(message(
         "The serial port does not exist; check that the turntable is plugged in and switched on."));
   }
   if (::flock(fd, LOCK_EX | LOCK_NB) != 0) {
     ::close(fd);
-    return missing(message("Another program uses the serial port; close that program."));
+    return missing(message("Another program uses the turntable; close that program."));
   }
   termios settings{};
   if (::tcgetattr(fd, &settings) != 0) {

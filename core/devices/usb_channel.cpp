@@ -174,7 +174,7 @@ class UsbChannel final : public ByteChannel {
   Error failed(int rc) {
     if (rc == LIBUSB_ERROR_NO_DEVICE) {
       close();
-      return gone(message("The turntable was unplugged."));
+      return gone(message("The turntable is not plugged in."));
     }
     if (rc == LIBUSB_ERROR_PIPE) {
       libusb_clear_halt(handle_, layout_.in);

@@ -4,6 +4,9 @@
 
 #include <array>
 
+#include "base/text.h"
+#include "files/files.h"
+
 namespace ostraka {
 namespace {
 
@@ -11,31 +14,25 @@ constexpr std::size_t kPiece = std::size_t{1} << 20;
 
 }  // namespace
 
-struct Sha256::Context {
-  EVP_MD_CTX* openssl = EVP_MD_CTX_new();
-  ~Context() { EVP_MD_CTX_free(openssl); }
-};
-
-Sha256::Sha256() : context_(std::make_unique<Context>()) {
-  EVP_DigestInit_ex(context_->openssl, EVP_sha256(), nullptr);
+Sha256::Sha256() : context_(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+  EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr);
 }
-Sha256::Sha256(Sha256&&) noexcept = default;
-Sha256::~Sha256() = default;
 
 void Sha256::add(std::string_view bytes) {
-  EVP_DigestUpdate(context_->openssl, bytes.data(), bytes.size());
+  EVP_DigestUpdate(context_.get(), bytes.data(), bytes.size());
 }
 
 std::string Sha256::hexadecimal() {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned size = 0;
-  EVP_DigestFinal_ex(context_->openssl, digest.data(), &size);
-  std::string text;
-  for (unsigned i = 0; i < size; ++i) {
-    text += "0123456789abcdef"[digest[i] >> 4];
-    text += "0123456789abcdef"[digest[i] & 15];
-  }
-  return text;
+  EVP_DigestFinal_ex(context_.get(), digest.data(), &size);
+  return ostraka::hexadecimal(std::span(digest).first(size));
+}
+
+std::string sha256(std::string_view bytes) {
+  Sha256 hash;
+  hash.add(bytes);
+  return hash.hexadecimal();
 }
 
 Result<Checksum> checksumOf(OpenFile& file, const std::stop_token& stop,

@@ -9,20 +9,19 @@
 #include "base/result.h"
 #include "files/open_folder.h"
 
+struct evp_md_ctx_st;
+
 namespace ostraka {
 
 /// SHA-256 of bytes that arrive in pieces.
 class Sha256 {
  public:
   Sha256();
-  Sha256(Sha256&&) noexcept;
-  ~Sha256();
   void add(std::string_view bytes);
   std::string hexadecimal();  ///< in lower case; call once, at the end
 
  private:
-  struct Context;
-  std::unique_ptr<Context> context_;
+  std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
 struct Checksum {

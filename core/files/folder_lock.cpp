@@ -18,14 +18,16 @@ Result<std::pair<FolderLock, FolderLock::Held>> FolderLock::tryTo(
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const std::filesystem::path file = folder / "lock";
-  const int fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
-  if (fd < 0 && errno == ELOOP)
+  FileDescriptor lock(
+      ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666));
+  if (!lock.isOpen() && errno == ELOOP)
     return Error{ErrorCode::CannotWrite,
                  message("A link has taken the place of this folder's lock file; delete the link."),
                  file.string()};
   // Without a file nothing is held; who writes there next says why it cannot.
-  const bool elsewhere = fd >= 0 && ::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  return std::pair(FolderLock(folder, fd), elsewhere ? Held::Elsewhere : Held::Here);
+  const bool elsewhere =
+      lock.isOpen() && ::flock(lock.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  return std::pair(FolderLock(folder, std::move(lock)), elsewhere ? Held::Elsewhere : Held::Here);
 }
 
 Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
@@ -50,7 +52,8 @@ Result<FolderLock> FolderLock::waitFor(const std::filesystem::path& folder, cons
     Result<std::pair<FolderLock, Held>> tried = tryTo(folder);
     if (!tried) return tried.error();
     const bool here = tried->second == Held::Here;
-    if (here && (tried->first.fd_ < 0 || tried->first.stands())) return std::move(tried->first);
+    if (here && (!tried->first.file_.isOpen() || tried->first.stands()))
+      return std::move(tried->first);
     if (!here && !std::exchange(noted, true)) progress.note(NoteLevel::Warning, waiting);
   }
 }
@@ -58,15 +61,11 @@ Result<FolderLock> FolderLock::waitFor(const std::filesystem::path& folder, cons
 // By the file that is held open: its number cannot be given to another meanwhile.
 bool FolderLock::stands() const {
   std::error_code failed;
-  if (fd_ < 0) return std::filesystem::is_directory(folder_, failed);
+  if (!file_.isOpen()) return std::filesystem::is_directory(folder_, failed);
   struct stat held {
   }, there{};
-  return ::fstat(fd_, &held) == 0 && ::stat((folder_ / "lock").c_str(), &there) == 0 &&
+  return ::fstat(file_.get(), &held) == 0 && ::stat((folder_ / "lock").c_str(), &there) == 0 &&
          held.st_dev == there.st_dev && held.st_ino == there.st_ino;
-}
-
-FolderLock::~FolderLock() {
-  if (fd_ >= 0) ::close(fd_);
 }
 
 }  // namespace ostraka

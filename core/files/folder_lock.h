@@ -6,6 +6,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "files/file_descriptor.h"
 
 namespace ostraka {
 
@@ -20,11 +21,6 @@ class FolderLock {
   /// Cancelled, CannotWrite.
   static Result<FolderLock> waitFor(const std::filesystem::path& folder, const Message& waiting,
                                     Progress& progress, const std::stop_token& stop);
-  ~FolderLock();
-  FolderLock(FolderLock&& other) noexcept
-      : folder_(std::move(other.folder_)), fd_(std::exchange(other.fd_, -1)) {}
-  FolderLock& operator=(FolderLock&&) = delete;
-
   const std::filesystem::path& folder() const { return folder_; }
   /// False once the folder was deleted or moved away, even if another now has its name.
   bool stands() const;
@@ -32,9 +28,10 @@ class FolderLock {
  private:
   enum class Held { Here, Elsewhere };
   static Result<std::pair<FolderLock, Held>> tryTo(const std::filesystem::path& folder);
-  FolderLock(std::filesystem::path folder, int fd) : folder_(std::move(folder)), fd_(fd) {}
+  FolderLock(std::filesystem::path folder, FileDescriptor file)
+      : folder_(std::move(folder)), file_(std::move(file)) {}
   std::filesystem::path folder_;
-  int fd_;
+  FileDescriptor file_;
 };
 
 }  // namespace ostraka

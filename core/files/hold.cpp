@@ -9,11 +9,9 @@
 namespace ostraka {
 
 std::optional<Hold> Hold::take(const std::filesystem::path& path) {
-  const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (fd < 0) return std::nullopt;
-  Hold hold(fd);
-  if (::flock(fd, LOCK_EX | LOCK_NB) != 0) return std::nullopt;
-  return hold;
+  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!file.isOpen() || ::flock(file.get(), LOCK_EX | LOCK_NB) != 0) return std::nullopt;
+  return Hold(std::move(file));
 }
 
 std::optional<Hold> Hold::wait(const std::filesystem::path& path, std::chrono::milliseconds most) {
@@ -23,10 +21,6 @@ std::optional<Hold> Hold::wait(const std::filesystem::path& path, std::chrono::m
     if (hold || std::chrono::steady_clock::now() >= end) return hold;
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-}
-
-Hold::~Hold() {
-  if (fd_ >= 0) ::close(fd_);
 }
 
 }  // namespace ostraka

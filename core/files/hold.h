@@ -2,6 +2,9 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <utility>
+
+#include "files/file_descriptor.h"
 
 namespace ostraka {
 
@@ -14,13 +17,10 @@ class Hold {
   /// Waits at most this long for another holder.
   static std::optional<Hold> wait(const std::filesystem::path& path,
                                   std::chrono::milliseconds most);
-  ~Hold();
-  Hold(Hold&& other) noexcept : fd_(other.fd_) { other.fd_ = -1; }
-  Hold& operator=(Hold&&) = delete;
 
  private:
-  explicit Hold(int fd) : fd_(fd) {}
-  int fd_;
+  explicit Hold(FileDescriptor file) : file_(std::move(file)) {}
+  FileDescriptor file_;
 };
 
 }  // namespace ostraka

@@ -2,6 +2,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "files/file_descriptor.h"
+
 namespace ostraka {
 
 /// A text file that is appended to. A link with its name is replaced, not followed; nothing is
@@ -9,17 +11,13 @@ namespace ostraka {
 class LogFile {
  public:
   explicit LogFile(const std::filesystem::path& path);
-  ~LogFile();
-  LogFile(const LogFile&) = delete;
-  LogFile& operator=(const LogFile&) = delete;
-
   /// Written immediately, so that it survives if the program ends the next moment.
   void line(std::string_view text);
   /// For a program that writes into it; negative if it is not open.
-  int descriptor() const { return fd_; }
+  int descriptor() const { return file_.get(); }
 
  private:
-  int fd_;
+  FileDescriptor file_;
 };
 
 }  // namespace ostraka

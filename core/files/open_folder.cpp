@@ -43,16 +43,21 @@ Error cannotMake(int reason, std::string where) {
   return cannotWrite(where, reason);
 }
 
-struct Closing {
-  void operator()(DIR* folder) const { ::closedir(folder); }
-};
+Message kindOf(mode_t mode) {
+  if (S_ISDIR(mode)) return message("This is a folder, not a file; choose a file.");
+  if (S_ISFIFO(mode)) return message("This is a pipe, not a file; choose a file.");
+  if (S_ISSOCK(mode)) return message("This is a socket, not a file; choose a file.");
+  if (S_ISCHR(mode) || S_ISBLK(mode))
+    return message("This is a device, not a file; choose a file.");
+  return {};
+}
 
 // 0, or why a folder could not be read.
 int listBelow(FileDescriptor folder, const std::string& at, int depth,
               std::vector<OpenFolder::Entry>& found) {
   if (depth > kMostNested) return ENAMETOOLONG;
   const int own = ::fcntl(folder.get(), F_DUPFD_CLOEXEC, 0);  // closedir closes it
-  const std::unique_ptr<DIR, Closing> open(own < 0 ? nullptr : ::fdopendir(own));
+  const std::unique_ptr<DIR, int (*)(DIR*)> open(own < 0 ? nullptr : ::fdopendir(own), ::closedir);
   if (open == nullptr) return errno;
   errno = 0;
   while (const dirent* entry = ::readdir(open.get())) {
@@ -75,11 +80,15 @@ int listBelow(FileDescriptor folder, const std::string& at, int depth,
 
 }  // namespace
 
-FileDescriptor::~FileDescriptor() {
-  if (fd_ >= 0) ::close(fd_);
+Message otherThanAFile(const std::filesystem::path& path) {
+  struct stat info {};
+  return ::stat(path.c_str(), &info) == 0 ? kindOf(info.st_mode) : Message();
 }
 
 Result<OpenFile> OpenFile::open(const std::filesystem::path& path) {
+  // Before it is opened: opening a device may do something to it.
+  if (Message other = otherThanAFile(path); !other.empty())
+    return Error::unusable(std::move(other), path);
   FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (!file.isOpen()) return cannotOpen(errno, path.string());
   return of(std::move(file), path.string());
@@ -95,7 +104,7 @@ Result<OpenFile> OpenFile::within(const std::filesystem::path& folder, std::stri
 Result<OpenFile> OpenFile::of(FileDescriptor file, std::string name) {
   struct stat info {};
   if (::fstat(file.get(), &info) != 0 || !S_ISREG(info.st_mode))
-    return Error::unusable(message("Not a regular file; choose a file."), std::move(name));
+    return Error::unusable(kindOf(info.st_mode), std::move(name));
   return OpenFile(std::move(file), std::move(name), info.st_size);
 }
 
@@ -136,13 +145,7 @@ Error NewFile::cannotWrite(int reason) const {
 }
 
 Result<void> NewFile::write(std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(file_.get(), bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return cannotWrite(n == 0 ? ENOSPC : errno);
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return {};
+  return writeAll(file_.get(), bytes) ? Result<void>() : cannotWrite(errno);
 }
 
 Result<void> NewFile::finish() {
@@ -208,10 +211,9 @@ Result<NewFile> OpenFolder::create(const ContainedPath& path) const {
   if (::fstatat(folder->get(), path.parts().back().c_str(), &there, AT_SYMLINK_NOFOLLOW) == 0)
     return cannotMake(EEXIST, named(path));
   UnfinishedFile begun = beginFile(folder->get(), path.parts().back(), 0644);
-  FileDescriptor file(begun.fd);
-  if (!file.isOpen()) return cannotMake(errno, named(path));
-  return NewFile(std::move(*folder), std::move(file), std::move(begun.name), path.parts().back(),
-                 named(path));
+  if (!begun.file.isOpen()) return cannotMake(errno, named(path));
+  return NewFile(std::move(*folder), std::move(begun.file), std::move(begun.name),
+                 path.parts().back(), named(path));
 }
 
 Result<void> OpenFolder::move(const ContainedPath& from, const ContainedPath& to) const {

@@ -10,32 +10,20 @@
 
 #include "base/result.h"
 #include "files/contained_path.h"
+#include "files/file_descriptor.h"
 
 namespace ostraka {
 
-/// A file descriptor that is closed with this object.
-class FileDescriptor {
- public:
-  explicit FileDescriptor(int fd = -1) : fd_(fd) {}
-  FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
-    std::swap(fd_, other.fd_);
-    return *this;
-  }
-  ~FileDescriptor();
-  int get() const { return fd_; }
-  bool isOpen() const { return fd_ >= 0; }
-
- private:
-  int fd_;
-};
+/// What stands in the place of a regular file, in a sentence; empty for a regular file and for
+/// nothing. A link counts as what it leads to.
+Message otherThanAFile(const std::filesystem::path& path);
 
 /// A regular file, opened once: everything read comes from one file, even if another takes its name
 /// in the meantime.
 class OpenFile {
  public:
-  /// Links on the way are followed: for names that come from a person. Never waits, not for a pipe
-  /// either. Error: UnusableInput if it does not exist, cannot be read or is not a regular file.
+  /// Links on the way are followed: for names that come from a person. A folder, pipe, device or
+  /// socket is refused by its kind, without waiting for a writer. Error: UnusableInput.
   static Result<OpenFile> open(const std::filesystem::path& path);
   /// For names that come from a catalogue or another file: ContainedPath and OpenFolder in one.
   static Result<OpenFile> within(const std::filesystem::path& folder, std::string_view path);

@@ -12,8 +12,6 @@
 #include <memory>
 #include <string_view>
 
-#include "files/open_folder.h"
-
 namespace ostraka {
 namespace {
 
@@ -68,17 +66,28 @@ UnfinishedFile beginFile(int folder, const std::string& of, mode_t mode) {
   for (int attempt = 0; attempt < 100; ++attempt) {
     const std::string name = partialName(start);
     if (name.empty()) break;
-    const int fd =
-        ::openat(folder, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
-    if (fd < 0 && errno == EEXIST) continue;
-    if (fd < 0) break;
+    FileDescriptor file(
+        ::openat(folder, name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode));
+    if (!file.isOpen() && errno == EEXIST) continue;
+    if (!file.isOpen()) break;
     struct stat info {};
-    const bool taken = ::flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (!taken && ::fstat(fd, &info) == 0 && info.st_nlink > 0) return {fd, name};
-    ::close(fd);
+    const bool taken = ::flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    if (!taken && ::fstat(file.get(), &info) == 0 && info.st_nlink > 0)
+      return {std::move(file), name};
     errno = EAGAIN;
   }
   return {};
+}
+
+bool writeAll(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n == 0) errno = ENOSPC;
+    if (n <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return true;
 }
 
 }  // namespace ostraka

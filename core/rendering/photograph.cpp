@@ -192,9 +192,7 @@ class Renderer {
       return sum / 4;  // felt and paper vary by less, ink and paper by 20 times
     sum.setZero();
     for (k = 0; k < 16; ++k)
-      sum += backdrop.light(
-          ray(x, y, (static_cast<float>(k % 4) - 1.5f) / 4, (static_cast<float>(k / 4) - 1.5f) / 4),
-          sampleHash(x, y, k));
+      sum += backdrop.light(ray(x, y, sixteenth(k)[0], sixteenth(k)[1]), sampleHash(x, y, k));
     return sum / 16;
   }
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <opencv2/aruco/charuco.hpp>
 
-#include "files/json.h"
+#include "rig/plate_print.h"
 
 namespace ostraka::rendering {
 namespace {
@@ -50,22 +49,11 @@ batch::Plate sheetPlate(SheetSize size) {
   return plate;
 }
 
-Result<void> writeSheet(const std::filesystem::path& file, const batch::Plate& plate) {
-  nlohmann::ordered_json markers = nlohmann::ordered_json::array();
-  for (const batch::Marker& marker : plate.markers) {
-    nlohmann::ordered_json corners = nlohmann::ordered_json::array();
-    for (const Eigen::Vector3d& c : marker.corners) {
-      nlohmann::ordered_json corner = nlohmann::ordered_json::array();
-      for (int i = 0; i < 3; ++i) corner.push_back(std::round(c[i] * 1e4) / 1e4);
-      corners.push_back(corner);
-    }
-    markers.push_back({{"id", marker.id}, {"corners", corners}});
-  }
-  const Eigen::Vector2d size = plate.sheet->sizes();
-  return writeJson(file, {{"unit", "mm"},
-                          {"dictionary", plate.dictionary},
-                          {"sheet", {size.x(), size.y()}},
-                          {"markers", markers}});
+Result<void> writeSheet(const std::filesystem::path& file, batch::Plate plate) {
+  for (batch::Marker& marker : plate.markers)
+    for (Eigen::Vector3d& corner : marker.corners)
+      for (double& value : corner) value = std::round(value * 1e4) / 1e4;
+  return rig::writePlate(file, plate);
 }
 
 SheetSurface::SheetSurface(SheetSize size, double bend_mm, vessels::Random& random)

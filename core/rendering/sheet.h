@@ -13,8 +13,8 @@ namespace ostraka::rendering {
 /// A printed sheet: markers of DICT_5X5_100 round its border, 20 mm, tops along +y, ids from 0
 /// clockwise from the upper left. Origin in the middle of the paper.
 batch::Plate sheetPlate(SheetSize size);
-/// plate.json with the paper's width and height.
-Result<void> writeSheet(const std::filesystem::path& file, const batch::Plate& plate);
+/// plate.json, to a ten-thousandth of a millimetre.
+Result<void> writeSheet(const std::filesystem::path& file, batch::Plate plate);
 
 /// The sheet as it lies there: paper, print, and how it bends.
 class SheetSurface final : public Ground {

@@ -88,7 +88,7 @@ class ComXimTurntable final : public LineTurntable {
         return gone(message("The turntable did not reach its zero."));
       base_deg_ = **angle;
     } else if (!*arrived && reply->kind == Kind::Other) {
-      return gone(message("The turntable did not answer."));
+      return gone(message("The turntable does not answer."));
     }
     setPosition(0);
     return {};

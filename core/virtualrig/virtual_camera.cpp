@@ -22,17 +22,8 @@ constexpr int kPreviewWidth = 960;  // small enough for a picture a second, larg
 
 SimulateOptions simulateOptions(const VirtualDevicesOptions& options,
                                 const std::filesystem::path& output) {
-  SimulateOptions simulate;
-  simulate.seed = options.seed;
-  simulate.sherds = options.sherds;
-  simulate.width = options.width;
+  SimulateOptions simulate = options;
   simulate.output = output;
-  simulate.plate = options.plate;
-  simulate.scramble = options.scramble;
-  simulate.near_duplicates = options.near_duplicates;
-  simulate.touching = options.touching;
-  simulate.stops = options.stops;
-  simulate.threads = options.threads;
   return simulate;
 }
 
@@ -126,7 +117,7 @@ class VirtualPlace {
         at_stop ? rig_.angles_rad[static_cast<std::size_t>(near)] : turned * kRadians;
     const std::uint64_t seed =
         vessels::mixed(options_.seed, side_ == batch::Side::Front ? 101 : 102);
-    const rendering::Lighting lighting = turned_(angle);
+    const rendering::Lighting lighting = rendering::turned(lighting_, angle);
     if (!ambient_)
       ambient_ = std::make_shared<const rendering::AmbientField>(rendering::gatherAmbient(
           *scene_, lighting_, plate_, seed, {.threads = options_.threads}));
@@ -137,9 +128,6 @@ class VirtualPlace {
       light_shot_ = shot;
     }
     return {side_, shot, angle, lighting, scene_, ambient_, light_};
-  }
-  rendering::Lighting turned_(double angle_rad) const {
-    return rendering::turned(lighting_, angle_rad);
   }
 
   const VirtualDevicesOptions options_;

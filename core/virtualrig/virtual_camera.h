@@ -1,5 +1,4 @@
 #pragma once
-#include <cstdint>
 #include <memory>
 #include <stop_token>
 
@@ -10,18 +9,10 @@
 /// The virtual rig as devices: three cameras and a turntable that render what they would see.
 namespace ostraka::virtualrig {
 
-struct VirtualDevicesOptions {
-  std::uint64_t seed = 1;
-  int sherds = 8;
-  int width = 1600;  ///< pixels of a photograph; the height is 3/4 of it
-  rendering::PlateColor plate = rendering::PlateColor::Dark;
-  bool scramble = false;
-  int near_duplicates = 0;
-  int touching = 0;
-  int stops = 8;          ///< at these angles the table misses its marks as simulateBatch's does
+/// stops: at their angles the table misses its marks as simulateBatch's does. output: not used.
+struct VirtualDevicesOptions : SimulateOptions {
   double turn_deg_s = 0;  ///< how fast the table seems to turn; 0: at once
   double settle_s = 0;
-  int threads = 0;
   std::shared_ptr<devices::Clock> clock = devices::steadyClock();
 };
 

@@ -88,7 +88,6 @@ QWidget* MergeDialog::buildSettling() {
   new_number_ = new QLineEdit(settling_);
   new_number_->setObjectName("mergeNewNumber");
   new_number_->setAccessibleName(tr("New number of the other project's record"));
-  new_number_->setMinimumHeight(controlHeight(*this));
   number_ = actButton(settling_, renumber_);
   number_->setDefault(true);  // Return behind a typed number
   rest_ = iconButton(settling_, "mergeRest", "check", tr("All open ones: this project"));
@@ -123,10 +122,7 @@ void MergeDialog::buildLayout() {
   bar_->setAccessibleName(tr("Progress of the merge"));
   cancel_ = iconButton(this, "mergeCancel", "cancel", {});
   connect(cancel_, &QPushButton::clicked, this, &MergeDialog::leave);
-  auto* enter = new BigButton(this);
-  enter->setObjectName("mergeEnter");
-  enter->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
-  enter_ = enter;
+  enter_ = new BigButton("mergeEnter", {}, this);
   connect(enter_, &QPushButton::clicked, &model_, &MergeModel::enter);
   auto* first = new QHBoxLayout;
   first->addWidget(choose_);

@@ -80,7 +80,7 @@ TEST(BadPly, ListsLongerThanTheFileAreRefused) {
                        "element vertex 1\n" + kXyz +
                            "element face 1\nproperty list uint int vertex_indices\n") +
                     std::string(12, '\0') + "\x84\x03" + std::string(10, '\0'),
-                "ends within its faces");
+                "ends within 'face'");
 }
 
 // A fan of 30 million corners kept `evaluate` busy beyond a minute.

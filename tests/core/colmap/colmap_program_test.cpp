@@ -1,12 +1,12 @@
 #include "colmap/colmap_program.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "tests/core/batch/batch_folder.h"
 #include "tests/core/colmap/model_forms.h"
 #include "tests/core/rig/simulated_rig.h"
 
@@ -14,27 +14,11 @@ namespace ostraka::colmap {
 namespace {
 
 namespace fs = std::filesystem;
+using batch::Listener;
 using testing::HasSubstr;
-
-class Listener final : public Progress {
- public:
-  void begin(std::string_view, double) override {}
-  void report(std::int64_t, std::int64_t) override {}
-  void note(NoteLevel level, const Message& text) override {
-    if (level == NoteLevel::Warning) warnings.emplace_back(text.english());
-  }
-  std::vector<std::string> warnings;
-};
 
 class ColmapProgram : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() / (std::to_string(::getpid()) + "-colmap-program");
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   // A program that writes down how it was called and runs `body` for the mapper ($out: its folder).
   fs::path standIn(const std::string& body) {
     const fs::path program = folder_ / "standin";
@@ -65,7 +49,8 @@ class ColmapProgram : public testing::Test {
     return poseWithColmap(shots(count), folder_ / "work", options, quiet, {});
   }
 
-  fs::path folder_;
+  TemporaryFolder temporary_;
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(ColmapProgram, GivesTheShotsTheirPosesInATurntableFrame) {

@@ -1,20 +1,21 @@
 #include "rig/rig.h"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "files/json.h"
 #include "simulated_rig.h"
+#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::rig {
 namespace {
 
-std::filesystem::path temporaryFile(const std::string& name) {
-  return std::filesystem::temp_directory_path() / (std::to_string(::getpid()) + "-" + name);
-}
+struct RigFile : testing::Test {
+  TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "rig.json";
+};
 
 Rig sample() {
   Rig rig;
@@ -27,12 +28,10 @@ Rig sample() {
   return rig;
 }
 
-TEST(RigFile, ComesBackAsItWasWritten) {
-  const std::filesystem::path file = temporaryFile("rig.json");
+TEST_F(RigFile, ComesBackAsItWasWritten) {
   const Rig rig = sample();
   ASSERT_TRUE(writeRig(file, rig).has_value());
   const auto read = readRig(file);
-  std::filesystem::remove(file);
   ASSERT_TRUE(read.has_value()) << read.error().sentence();
   ASSERT_NE(read->find(4), nullptr);
   EXPECT_EQ(read->find(3), nullptr);
@@ -46,29 +45,24 @@ TEST(RigFile, ComesBackAsItWasWritten) {
   EXPECT_NEAR(read->stop_angles_rad[2], 3, 1e-14);
 }
 
-TEST(RigFile, KeepsTheDevicesOfAnEarlierCalibration) {
-  const std::filesystem::path file = temporaryFile("devices.json");
+TEST_F(RigFile, KeepsTheDevicesOfAnEarlierCalibration) {
   std::ofstream(file) << R"({"devices":{"settle_s":2},"cameras":["old"]})";
   ASSERT_TRUE(writeRig(file, sample()).has_value());
   const auto json = readJson(file);
   EXPECT_TRUE(readRig(file).has_value());
-  std::filesystem::remove(file);
   ASSERT_TRUE(json.has_value());
   EXPECT_EQ(json->at("devices").at("settle_s"), 2);
   EXPECT_EQ(json->at("cameras").size(), 2u);
 }
 
-TEST(RigFile, DoesNotOverwriteWhatIsNoRigAtAll) {
-  const std::filesystem::path file = temporaryFile("letter.json");
+TEST_F(RigFile, DoesNotOverwriteWhatIsNoRigAtAll) {
   std::ofstream(file) << "Dear colleague";
   const auto written = writeRig(file, sample());
-  std::filesystem::remove(file);
   ASSERT_FALSE(written.has_value());
   EXPECT_EQ(written.error().code, ErrorCode::UnusableInput);
 }
 
-TEST(RigFile, RefusesNumbersThatNoRigHas) {
-  const std::filesystem::path file = temporaryFile("impossible.json");
+TEST_F(RigFile, RefusesNumbersThatNoRigHas) {
   ASSERT_TRUE(writeRig(file, sample()).has_value());
   const nlohmann::json good = *readJson(file);
   const auto refuses = [&](const char* pointer, const nlohmann::json& value) {
@@ -89,11 +83,9 @@ TEST(RigFile, RefusesNumbersThatNoRigHas) {
   EXPECT_FALSE(refuses("/stops", stops));
   stops.push_back({{"stop", 400}, {"angle_deg", 360}});
   EXPECT_TRUE(refuses("/stops", stops));
-  std::filesystem::remove(file);
 }
 
-TEST(RigFile, RefusesWhatIsNoRig) {
-  const std::filesystem::path file = temporaryFile("norig.json");
+TEST_F(RigFile, RefusesWhatIsNoRig) {
   for (const char* text : {"{}", "[1]", R"({"format":"ostraka-rig/9","cameras":[],"stops":[]})",
                            R"({"format":"ostraka-rig/1","cameras":[],"stops":[]})",
                            R"({"format":"ostraka-rig/1","cameras":[{"camera":0}],"stops":[]})"}) {
@@ -103,7 +95,6 @@ TEST(RigFile, RefusesWhatIsNoRig) {
     EXPECT_EQ(read.error().code, ErrorCode::UnusableInput);
     EXPECT_THAT(read.error().sentence(), testing::HasSubstr("norig.json"));
   }
-  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ struct FakeRig {
   std::optional<Error> refuse_open, refuse_shoot;
   int front = 9, back = 9;                  ///< sherds counted
   std::vector<capture::ShotName> flagged;   ///< of the next side
-  bool cut_off = false;                ///< what is flagged
+  bool cut_off = false;                     ///< what is flagged
   bool ask = false;                         ///< opening asks a person to do something
   std::atomic<bool> wait_for_stop = false;  ///< the next side runs until it is stopped
   int released = 0;                         ///< how often the desktop was asked to let go

@@ -1,4 +1,4 @@
-#include "files/input_file.h"
+#include "files/open_folder.h"
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class InputFiles : public testing::Test {
+class OpenFiles : public testing::Test {
  protected:
   void SetUp() override {
     fs::remove_all(folder_);
@@ -31,18 +31,8 @@ class InputFiles : public testing::Test {
   fs::path folder_ = fs::path("/tmp") / ("ostraka_in_" + std::to_string(::getpid()));
 };
 
-TEST_F(InputFiles, AreReadInPieces) {
-  std::ofstream(folder_ / "file") << "one two";
-  Result<InputFile> file = InputFile::open(folder_ / "file");
-  ASSERT_TRUE(file.has_value());
-  EXPECT_EQ(file->size_bytes(), 7U);
-  EXPECT_EQ(*file->read(4), "one ");
-  EXPECT_EQ(*file->read(100), "two");
-  EXPECT_EQ(*file->read(100), "");
-}
-
 // Were one of them opened as a file, this test would hang or fill the memory.
-TEST_F(InputFiles, OtherThingsAreRefusedByTheirKindAtOnce) {
+TEST_F(OpenFiles, OtherThingsAreRefusedByTheirKindAtOnce) {
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
   const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
   sockaddr_un address{};
@@ -61,7 +51,7 @@ TEST_F(InputFiles, OtherThingsAreRefusedByTheirKindAtOnce) {
   ::close(socket);
 }
 
-TEST_F(InputFiles, AbsentOnesAndLinksToNothingAreNamed) {
+TEST_F(OpenFiles, AbsentOnesAndLinksToNothingAreNamed) {
   fs::create_symlink(folder_ / "gone", folder_ / "link");
   for (const char* name : {"gone", "link"})
     EXPECT_EQ(refusal(folder_ / name),

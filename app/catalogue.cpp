@@ -244,6 +244,7 @@ int runRepair(const Options& options, Session& session) {
   const auto report = upkeep::repairCatalogue(options.project, session.progress, session.stop);
   if (!report) return fail(session, report.error());
   session.finishProgress();
+  if (!report->warning.empty()) session.progress.note(NoteLevel::Warning, report->warning);
   const std::string backup = report->backup.filename().string();
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   int lost = 0;

@@ -3228,9 +3228,9 @@
 <context>
     <name>ostraka::ui::NewProject</name>
     <message>
-      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <source>The site&apos;s code has two to eight letters from A to Z and digits, without accents, like ARM1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Kürzel des Fundorts hat zwei bis acht Großbuchstaben und Ziffern, wie ARM1.</translation>
+      <translation>Das Kürzel des Fundorts hat zwei bis acht Großbuchstaben von A bis Z und Ziffern, ohne Umlaute, wie ARM1.</translation>
     </message>
     <message>
       <source>Choose a folder for the project.</source>
@@ -6225,9 +6225,9 @@
       <translation>Dieser Durchgang ist nicht im Katalog.</translation>
     </message>
     <message>
-      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 letters from A to Z or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Das Kürzel des Projekts muss aus 2 bis 8 Großbuchstaben oder Ziffern bestehen, wie ARM.</translation>
+      <translation>Das Kürzel des Projekts muss aus 2 bis 8 Großbuchstaben von A bis Z oder Ziffern bestehen, wie ARM.</translation>
     </message>
     <message>
       <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
@@ -9738,6 +9738,36 @@
         <source>%1: not restored</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: nicht wiederhergestellt</translation>
+    </message>
+    <message>
+      <source>draft %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entwurf %1</translation>
+    </message>
+    <message>
+      <source>The remarks in this file are longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Anmerkungen in dieser Datei sind länger als %1 Bytes; eine frühere Kopie der Datei wiederherstellen oder den Durchgang neu verarbeiten.</translation>
+    </message>
+    <message>
+      <source>A remark in this file is nested more than %1 levels deep; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Anmerkung in dieser Datei ist mehr als %1 Ebenen tief verschachtelt; eine frühere Kopie der Datei wiederherstellen oder den Durchgang neu verarbeiten.</translation>
+    </message>
+    <message>
+      <source>The template of a remark in this file is longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Vorlage einer Anmerkung in dieser Datei ist länger als %1 Bytes; eine frühere Kopie der Datei wiederherstellen oder den Durchgang neu verarbeiten.</translation>
+    </message>
+    <message>
+      <source>A remark in this file uses a value more than %1 times; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Anmerkung in dieser Datei verwendet einen Wert mehr als %1-mal; eine frühere Kopie der Datei wiederherstellen oder den Durchgang neu verarbeiten.</translation>
+    </message>
+    <message>
+      <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Version des beschädigten Katalogs ist nicht lesbar, daher stützt sich diese Reparatur auf die Sicherung %1. Falls ein neueres Ostraka das Projekt seitdem geändert hat, die beschädigte Datei zurücklegen und mit jener Version reparieren.</translation>
     </message>
 </context>
 <context>

@@ -3223,9 +3223,9 @@
 <context>
     <name>ostraka::ui::NewProject</name>
     <message>
-      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <source>The site&apos;s code has two to eight letters from A to Z and digits, without accents, like ARM1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο κωδικός της θέσης έχει δύο έως οκτώ κεφαλαία και ψηφία, όπως ARM1.</translation>
+      <translation>Ο κωδικός της θέσης έχει δύο έως οκτώ λατινικά κεφαλαία από A έως Z και ψηφία, χωρίς τόνους, όπως ARM1.</translation>
     </message>
     <message>
       <source>Choose a folder for the project.</source>
@@ -6220,9 +6220,9 @@
       <translation>Αυτή η παρτίδα δεν είναι στον κατάλογο.</translation>
     </message>
     <message>
-      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 letters from A to Z or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο κωδικός του έργου πρέπει να έχει 2 έως 8 κεφαλαία ή ψηφία, όπως ARM.</translation>
+      <translation>Ο κωδικός του έργου πρέπει να έχει 2 έως 8 λατινικά κεφαλαία από A έως Z ή ψηφία, όπως ARM.</translation>
     </message>
     <message>
       <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
@@ -9733,6 +9733,36 @@
         <source>%1: not restored</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: δεν αποκαταστάθηκε</translation>
+    </message>
+    <message>
+      <source>draft %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>προσχέδιο %1</translation>
+    </message>
+    <message>
+      <source>The remarks in this file are longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι παρατηρήσεις στο αρχείο υπερβαίνουν τα %1 byte· επαναφέρετε παλαιότερο αντίγραφό του ή επεξεργαστείτε ξανά την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>A remark in this file is nested more than %1 levels deep; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια παρατήρηση στο αρχείο έχει περισσότερα από %1 επίπεδα ένθεσης· επαναφέρετε παλαιότερο αντίγραφό του ή επεξεργαστείτε ξανά την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>The template of a remark in this file is longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πρότυπο μιας παρατήρησης στο αρχείο υπερβαίνει τα %1 byte· επαναφέρετε παλαιότερο αντίγραφό του ή επεξεργαστείτε ξανά την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>A remark in this file uses a value more than %1 times; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια παρατήρηση στο αρχείο χρησιμοποιεί μια τιμή περισσότερες από %1 φορές· επαναφέρετε παλαιότερο αντίγραφό του ή επεξεργαστείτε ξανά την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η έκδοση του κατεστραμμένου καταλόγου δεν διαβάζεται, γι’ αυτό η επισκευή βασίζεται στο αντίγραφο ασφαλείας %1. Αν νεότερο Ostraka άλλαξε έκτοτε το έργο, επαναφέρετε το κατεστραμμένο αρχείο και επισκευάστε το με εκείνη την έκδοση.</translation>
     </message>
 </context>
 <context>

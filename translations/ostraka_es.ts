@@ -3223,9 +3223,9 @@
 <context>
     <name>ostraka::ui::NewProject</name>
     <message>
-      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <source>The site&apos;s code has two to eight letters from A to Z and digits, without accents, like ARM1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El código del yacimiento tiene de dos a ocho mayúsculas y cifras, como ARM1.</translation>
+      <translation>El código del yacimiento tiene de dos a ocho mayúsculas de la A a la Z y cifras, sin acentos, como ARM1.</translation>
     </message>
     <message>
       <source>Choose a folder for the project.</source>
@@ -6220,9 +6220,9 @@
       <translation>Esta tanda no está en el catálogo.</translation>
     </message>
     <message>
-      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 letters from A to Z or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El código del proyecto debe tener de 2 a 8 mayúsculas o cifras, como ARM.</translation>
+      <translation>El código del proyecto debe tener de 2 a 8 mayúsculas de la A a la Z o cifras, como ARM.</translation>
     </message>
     <message>
       <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
@@ -9733,6 +9733,36 @@
         <source>%1: not restored</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: no restaurado</translation>
+    </message>
+    <message>
+      <source>draft %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>borrador %1</translation>
+    </message>
+    <message>
+      <source>The remarks in this file are longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las observaciones de este archivo superan los %1 bytes; restaure una copia anterior del archivo o vuelva a procesar la tanda.</translation>
+    </message>
+    <message>
+      <source>A remark in this file is nested more than %1 levels deep; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una observación de este archivo tiene más de %1 niveles de anidamiento; restaure una copia anterior del archivo o vuelva a procesar la tanda.</translation>
+    </message>
+    <message>
+      <source>The template of a remark in this file is longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La plantilla de una observación de este archivo supera los %1 bytes; restaure una copia anterior del archivo o vuelva a procesar la tanda.</translation>
+    </message>
+    <message>
+      <source>A remark in this file uses a value more than %1 times; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una observación de este archivo usa un valor más de %1 veces; restaure una copia anterior del archivo o vuelva a procesar la tanda.</translation>
+    </message>
+    <message>
+      <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La versión del catálogo dañado no puede leerse, por lo que esta reparación se basa en la copia de seguridad %1. Si un Ostraka más reciente ha modificado el proyecto desde entonces, vuelva a colocar el archivo dañado y repárelo con esa versión.</translation>
     </message>
 </context>
 <context>

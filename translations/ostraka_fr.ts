@@ -3223,9 +3223,9 @@
 <context>
     <name>ostraka::ui::NewProject</name>
     <message>
-      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <source>The site&apos;s code has two to eight letters from A to Z and digits, without accents, like ARM1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le code du site a de deux à huit majuscules et chiffres, comme ARM1.</translation>
+      <translation>Le code du site a de deux à huit majuscules de A à Z et chiffres, sans accents, comme ARM1.</translation>
     </message>
     <message>
       <source>Choose a folder for the project.</source>
@@ -6220,9 +6220,9 @@
       <translation>Ce lot n’est pas dans le catalogue.</translation>
     </message>
     <message>
-      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 letters from A to Z or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le code du projet doit avoir 2 à 8 majuscules ou chiffres, comme ARM.</translation>
+      <translation>Le code du projet doit avoir 2 à 8 majuscules de A à Z ou chiffres, comme ARM.</translation>
     </message>
     <message>
       <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
@@ -9733,6 +9733,36 @@
         <source>%1: not restored</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 : non restauré</translation>
+    </message>
+    <message>
+      <source>draft %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ébauche %1</translation>
+    </message>
+    <message>
+      <source>The remarks in this file are longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les remarques de ce fichier dépassent %1 octets ; restaurez une copie antérieure du fichier, ou retraitez le lot.</translation>
+    </message>
+    <message>
+      <source>A remark in this file is nested more than %1 levels deep; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une remarque de ce fichier est imbriquée sur plus de %1 niveaux ; restaurez une copie antérieure du fichier, ou retraitez le lot.</translation>
+    </message>
+    <message>
+      <source>The template of a remark in this file is longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le modèle d’une remarque de ce fichier dépasse %1 octets ; restaurez une copie antérieure du fichier, ou retraitez le lot.</translation>
+    </message>
+    <message>
+      <source>A remark in this file uses a value more than %1 times; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une remarque de ce fichier utilise une valeur plus de %1 fois ; restaurez une copie antérieure du fichier, ou retraitez le lot.</translation>
+    </message>
+    <message>
+      <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La version du catalogue endommagé est illisible ; cette réparation s’appuie donc sur la sauvegarde %1. Si un Ostraka plus récent a modifié ce projet depuis, remettez le fichier endommagé en place et réparez-le avec cette version.</translation>
     </message>
 </context>
 <context>

@@ -3223,9 +3223,9 @@
 <context>
     <name>ostraka::ui::NewProject</name>
     <message>
-      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <source>The site&apos;s code has two to eight letters from A to Z and digits, without accents, like ARM1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Հուշարձանի ծածկագիրը երկուսից ութ մեծատառ և թվանշան ունի, ինչպես ARM1։</translation>
+      <translation>Հուշարձանի ծածկագիրը երկուսից ութ լատինական մեծատառ (A-ից Z) և թվանշան ունի, ինչպես ARM1։</translation>
     </message>
     <message>
       <source>Choose a folder for the project.</source>
@@ -6220,9 +6220,9 @@
       <translation>Այս խմբաքանակը կատալոգում չկա։</translation>
     </message>
     <message>
-      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 letters from A to Z or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նախագծի ծածկագիրը պետք է լինի 2-ից 8 մեծատառ կամ թվանշան, ինչպես ARM։</translation>
+      <translation>Նախագծի ծածկագիրը պետք է լինի 2-ից 8 լատինական մեծատառ (A-ից Z) կամ թվանշան, ինչպես ARM։</translation>
     </message>
     <message>
       <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
@@ -9733,6 +9733,36 @@
         <source>%1: not restored</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1. չվերականգնվեց</translation>
+    </message>
+    <message>
+      <source>draft %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սևագիր %1</translation>
+    </message>
+    <message>
+      <source>The remarks in this file are longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլի նշումները երկար են %1 բայթից. վերականգնեք ֆայլի ավելի վաղ պատճենը կամ վերամշակեք խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>A remark in this file is nested more than %1 levels deep; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլի նշումներից մեկն ունի %1-ից ավելի ներդրված մակարդակ. վերականգնեք ֆայլի ավելի վաղ պատճենը կամ վերամշակեք խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>The template of a remark in this file is longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլի նշումներից մեկի ձևանմուշը երկար է %1 բայթից. վերականգնեք ֆայլի ավելի վաղ պատճենը կամ վերամշակեք խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>A remark in this file uses a value more than %1 times; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս ֆայլի նշումներից մեկը որևէ արժեք օգտագործում է %1-ից ավելի անգամ. վերականգնեք ֆայլի ավելի վաղ պատճենը կամ վերամշակեք խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վնասված կատալոգի տարբերակը չի կարդացվում, ուստի այս վերականգնումը հիմնվում է %1 պահուստային պատճենի վրա։ Եթե դրանից հետո ավելի նոր Ostraka է փոխել նախագիծը, հետ դրեք վնասված ֆայլը և վերականգնեք այն այդ տարբերակով։</translation>
     </message>
 </context>
 <context>

@@ -3183,9 +3183,9 @@
 <context>
     <name>ostraka::ui::NewProject</name>
     <message>
-      <source>The site's code has two to eight capital letters and digits, like ARM1.</source>
+      <source>The site&apos;s code has two to eight letters from A to Z and digits, without accents, like ARM1.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alan kodu ARM1 gibi iki ile sekiz büyük harf ve rakamdan oluşur.</translation>
+      <translation>Alan kodu ARM1 gibi A'dan Z'ye iki ile sekiz büyük harf ve rakamdan oluşur; Ç, Ş gibi harfler olmaz.</translation>
     </message>
     <message>
       <source>Choose a folder for the project.</source>
@@ -6173,9 +6173,9 @@
       <translation>Bu parti katalogda yok.</translation>
     </message>
     <message>
-      <source>The project&apos;s code must be 2 to 8 capital letters or digits, for example ARM.</source>
+      <source>The project&apos;s code must be 2 to 8 letters from A to Z or digits, for example ARM.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Projenin kodu ARM gibi 2–8 büyük harf ya da rakam olmalı.</translation>
+      <translation>Projenin kodu ARM gibi A'dan Z'ye 2–8 büyük harf ya da rakam olmalı.</translation>
     </message>
     <message>
       <source>A vocabulary term must contain letters and no &apos;;&apos;.</source>
@@ -9686,6 +9686,36 @@
         <source>%1: not restored</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: geri getirilemedi</translation>
+    </message>
+    <message>
+      <source>draft %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>taslak %1</translation>
+    </message>
+    <message>
+      <source>The remarks in this file are longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosyadaki notlar %1 bayttan uzun; dosyanın daha eski bir kopyasını geri yükleyin ya da partiyi yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>A remark in this file is nested more than %1 levels deep; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosyadaki bir not %1 düzeyden daha derin iç içe geçmiş; dosyanın daha eski bir kopyasını geri yükleyin ya da partiyi yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>The template of a remark in this file is longer than %1 bytes; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosyadaki bir notun şablonu %1 bayttan uzun; dosyanın daha eski bir kopyasını geri yükleyin ya da partiyi yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>A remark in this file uses a value more than %1 times; restore an earlier copy of the file, or reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dosyadaki bir not bir değeri %1 kereden fazla kullanıyor; dosyanın daha eski bir kopyasını geri yükleyin ya da partiyi yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hasarlı kataloğun sürümü okunamıyor, bu yüzden bu onarım %1 yedeğine dayanıyor. O zamandan beri daha yeni bir Ostraka bu projeyi değiştirdiyse hasarlı dosyayı geri koyup o sürümle onarın.</translation>
     </message>
 </context>
 <context>

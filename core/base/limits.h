@@ -85,6 +85,16 @@ inline constexpr Limit kTableFieldBytes{"Field of a table", kMiB, "bytes",
 inline constexpr Limit kValueBytes{"Text of a field in the catalogue", kMiB, "bytes",
                                    "a remark of 500 pages"};
 
+inline constexpr Limit kTemplateBytes{"Template of a remark", 1024, "bytes",
+                                      "the program's longest has 274"};
+inline constexpr Limit kPlaceUses{"Uses of one value in a template", 3, "uses",
+                                  "nested remarks multiply with it; the program's use each once"};
+inline constexpr Limit kRemarkDepth{"Remarks within each other", 8, "levels",
+                                    "an error within an error within a remark has 4"};
+inline constexpr Limit kRemarkBytes{
+    "Text of all remarks of a list, counting those within each other", 4 * kMiB, "bytes",
+    "a kilobyte about each of 4,000 photographs"};
+
 inline constexpr Limit kAll[] = {
     kFileBytes,     kJsonBytes,      kJsonDepth,       kPlateMarkers,     kPlateReach_mm,
     kPoseReach_mm,  kScanReach_mm,   kBoardSquares,    kRigCameras,       kRigStops,
@@ -92,7 +102,8 @@ inline constexpr Limit kAll[] = {
     kTexturePixels, kJpegScans,      kNetworkBytes,    kNetworkRunBytes,  kVertices,
     kFaces,         kFaceCorners,    kDecisions,       kDecisionReplaces, kMaskStrokes,
     kMaskPoints,    kModelExtent_mm, kRasterPixels,    kManifestBytes,    kTableBytes,
-    kTableRows,     kTableColumns,   kTableFieldBytes, kValueBytes};
+    kTableRows,     kTableColumns,   kTableFieldBytes, kValueBytes,       kTemplateBytes,
+    kPlaceUses,     kRemarkDepth,    kRemarkBytes};
 
 }  // namespace limits
 }  // namespace ostraka

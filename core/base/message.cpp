@@ -24,10 +24,7 @@ std::string MessageValue::english() const {
 Message::Message(std::string template_words, std::vector<MessageValue> values)
     : template_(std::move(template_words)), values_(std::move(values)) {
   for (std::size_t at = 0; at < template_.size(); ++at) {
-    const std::size_t place =
-        template_[at] == '%' && at + 1 < template_.size() && template_[at + 1] >= '1'
-            ? static_cast<std::size_t>(template_[at + 1] - '0')
-            : 0;
+    const std::size_t place = placeAt(template_, at);
     if (place == 0 || place > values_.size()) {
       english_ += template_[at];
     } else {

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
@@ -7,6 +8,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/limits.h"
 
 namespace ostraka {
 
@@ -50,20 +53,34 @@ struct MessageValue {
   std::shared_ptr<const Message> message;  ///< of kind Message; else none
 };
 
-/// An English sentence or phrase with places %1 to %N, each used at least once; checked at compile
-/// time. translations/messages.py finds these literals for translators.
+/// The place that begins at `at` of a template, %1 to %9 as 1 to 9; else 0.
+constexpr std::size_t placeAt(std::string_view words, std::size_t at) {
+  const bool is_place =
+      at + 1 < words.size() && words[at] == '%' && words[at + 1] >= '1' && words[at + 1] <= '9';
+  return is_place ? static_cast<std::size_t>(words[at + 1] - '0') : 0;
+}
+/// How often a template uses %1 to %9, at 1 to 9.
+constexpr std::array<std::uint64_t, 10> usesOfPlaces(std::string_view words) {
+  std::array<std::uint64_t, 10> uses{};
+  for (std::size_t at = 0; at < words.size(); ++at) ++uses[placeAt(words, at)];
+  uses[0] = 0;
+  return uses;
+}
+
+/// An English sentence or phrase with places %1 to %N, each used at least once, within the limits
+/// of what is read back; checked at compile time. translations/messages.py finds these literals
+/// for translators.
 template <std::size_t N>
 class Template {
  public:
   consteval Template(const char* words) : words_(words) {
-    bool there[10] = {};
-    for (const char* at = words; *at != '\0'; ++at) {
-      if (at[0] != '%' || at[1] < '1' || at[1] > '9') continue;
-      if (static_cast<std::size_t>(at[1] - '0') > N) throw "a place without a value";
-      there[at[1] - '0'] = true;
+    if (std::string_view(words).size() > limits::kTemplateBytes.most) throw "too long a template";
+    const std::array<std::uint64_t, 10> uses = usesOfPlaces(words);
+    for (std::size_t place = 1; place < uses.size(); ++place) {
+      if (place > N && uses[place] > 0) throw "a place without a value";
+      if (place <= N && uses[place] == 0) throw "a value without a place";
+      if (uses[place] > limits::kPlaceUses.most) throw "a value that is used too often";
     }
-    for (std::size_t i = 1; i <= N; ++i)
-      if (!there[i]) throw "a value without a place";
   }
   constexpr const char* words() const { return words_; }
 

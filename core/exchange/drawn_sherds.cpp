@@ -30,7 +30,7 @@ namespace {
 // Before it has a number it is known by its place in its batch, as on the plate's map.
 Message nameOf(const SherdRecord& sherd) {
   if (!sherd.number.empty()) return sherd.number;
-  if (sherd.batch_number.empty() || sherd.piece == 0) return "draft " + sherd.id;
+  if (sherd.batch_number.empty() || sherd.piece == 0) return message("draft %1", sherd.id);
   return message("sherd %1 of %2", sherd.piece, sherd.batch_number);
 }
 
@@ -87,11 +87,11 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
                                         const SherdRecord& sherd,
                                         const std::filesystem::path& project,
                                         const DrawSherdsOptions& options) {
-  const std::string id = nameOf(sherd).english();
+  const Message id = nameOf(sherd);
   if (sherd.model_path.empty())
     return Error::unusable(
         message("This sherd has no model yet, so it cannot be drawn; process its batch first."),
-        id);
+        id.english());
   const Result<PlyContents> model = modelOf(sherd, project);
   if (!model) return model.error();
   drawing::DrawingOptions how = options.drawing;

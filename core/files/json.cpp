@@ -101,21 +101,21 @@ std::string plain(double value) {
 }  // namespace
 
 void refuseWhole(const std::string& name, std::int64_t least, std::int64_t most) {
-  throw JsonNumberError(
+  throw JsonValueError(
       message("'%1' must be a whole number from %2 to %3; correct it.", name, least, most));
 }
 
 void refuseNumber(const std::string& name, double least, double most) {
   if (least == -kMostNumber && most == kMostNumber)
-    throw JsonNumberError(message("'%1' must be a number; correct it.", name));
-  throw JsonNumberError(
+    throw JsonValueError(message("'%1' must be a number; correct it.", name));
+  throw JsonValueError(
       message("'%1' must be a number from %2 to %3; correct it.", name, plain(least), plain(most)));
 }
 
 Error unusableJson(const nlohmann::json::exception& refused, const Message& otherwise,
                    const std::string& where) {
-  const auto* number = dynamic_cast<const JsonNumberError*>(&refused);
-  return Error::unusable(number != nullptr ? number->sentence : otherwise, where);
+  const auto* value = dynamic_cast<const JsonValueError*>(&refused);
+  return Error::unusable(value != nullptr ? value->sentence : otherwise, where);
 }
 
 Result<nlohmann::json> parseJson(std::string_view text, const std::string& where) {

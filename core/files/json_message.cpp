@@ -2,8 +2,9 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 
+#include "base/limits.h"
+#include "files/json_numbers.h"
 #include "files/json_text.h"
 
 namespace ostraka {
@@ -12,9 +13,10 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr int kDeepest = 8;
-constexpr std::size_t kMostValues = 9;
 constexpr int kMostDigits = 80;
+constexpr Template<0> kUnreadableRemark = translatable<0>(
+    "A remark in this file cannot be read; restore an earlier copy of the file, or reprocess the "
+    "batch.");
 
 ordered_json valueJson(const MessageValue& value) {
   switch (value.kind) {
@@ -31,46 +33,71 @@ ordered_json valueJson(const MessageValue& value) {
   return ordered_json::object({{"message", toJson(*value.message)}});
 }
 
-std::optional<Message> messageOf(const json& value, int depth);
-
-std::optional<MessageValue> valueOf(const json& value, int depth) {
-  if (value.is_string()) return MessageValue(value.get<std::string>());
-  if (value.is_number_integer()) return MessageValue(value.get<std::int64_t>());
-  if (!value.is_object()) return {};
-  if (value.size() == 1 && value.contains("message")) {
-    const std::optional<Message> inner = messageOf(value["message"], depth + 1);
-    return inner ? std::optional<MessageValue>(*inner) : std::nullopt;
+// Few bytes can hold gigabytes: each level multiplies what is within it. So the text is counted as
+// it is made, all messages of a list together. What is no message throws.
+class MessageReader {
+ public:
+  Message read(const json& value, std::uint64_t depth = 0) {
+    Message made =
+        value.is_string() ? Message(value.get<std::string>()) : filledTemplate(value, depth);
+    bytes_ += made.english().size();
+    if (bytes_ > limits::kRemarkBytes.most)
+      throw JsonValueError(
+          message("The remarks in this file are longer than %1 bytes; restore an earlier copy of "
+                  "the file, or reprocess the batch.",
+                  limits::kRemarkBytes.most));
+    return made;
   }
-  if (value.size() != 2 || !value.contains("decimal") || !value.contains("digits")) return {};
-  const json& number = value["decimal"];
-  const json& digits = value["digits"];
-  if (!number.is_number() || !digits.is_number_integer() || digits < 0 || digits > kMostDigits)
-    return {};
-  return MessageValue(decimal(number.get<double>(), digits.get<int>()));
-}
 
-std::optional<Message> messageOf(const json& value, int depth) {
-  if (value.is_string()) return Message(value.get<std::string>());
-  if (depth > kDeepest || !value.is_object() || value.size() != 3 || !value.contains("template") ||
-      !value.contains("values"))
-    return {};
-  const json& words = value["template"];
-  const json& values = value["values"];
-  if (!words.is_string() || !values.is_array() || values.size() > kMostValues) return {};
-  std::vector<MessageValue> read;
-  for (const json& one : values) {
-    std::optional<MessageValue> known = valueOf(one, depth);
-    if (!known) return {};
-    read.push_back(std::move(*known));
+ private:
+  Message filledTemplate(const json& value, std::uint64_t depth) {
+    if (depth > limits::kRemarkDepth.most)
+      throw JsonValueError(
+          message("A remark in this file is nested more than %1 levels deep; restore an earlier "
+                  "copy of the file, or reprocess the batch.",
+                  limits::kRemarkDepth.most));
+    const auto& words = value.at("template").get_ref<const std::string&>();
+    const auto& values = value.at("values").get_ref<const json::array_t&>();
+    if (value.size() != 3 || !value.at("text").is_string() || words.empty()) refuse();
+    checkTemplate(words, values.size());
+    std::vector<MessageValue> read;
+    for (const json& one : values) read.push_back(valueOf(one, depth));
+    return {words, std::move(read)};
   }
-  return Message(words.get<std::string>(), std::move(read));
-}
 
-Error unreadable(const std::string& where) {
-  return Error::unusable(
-      message("A remark in this file cannot be read; restore an earlier copy of the file, or "
-              "reprocess the batch."),
-      where);
+  static void checkTemplate(const std::string& words, std::size_t values) {
+    if (words.size() > limits::kTemplateBytes.most)
+      throw JsonValueError(
+          message("The template of a remark in this file is longer than %1 bytes; restore an "
+                  "earlier copy of the file, or reprocess the batch.",
+                  limits::kTemplateBytes.most));
+    const auto uses = usesOfPlaces(words);
+    if (values >= uses.size()) refuse();
+    for (std::size_t place = 1; place < uses.size(); ++place) {
+      if ((place <= values) != (uses[place] > 0)) refuse();
+      if (uses[place] > limits::kPlaceUses.most)
+        throw JsonValueError(
+            message("A remark in this file uses a value more than %1 times; restore an earlier "
+                    "copy of the file, or reprocess the batch.",
+                    limits::kPlaceUses.most));
+    }
+  }
+
+  MessageValue valueOf(const json& value, std::uint64_t depth) {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number()) return wholeIn(value, "values", INT64_MIN, INT64_MAX);
+    if (value.size() == 1) return read(value.at("message"), depth + 1);
+    if (value.size() != 2) refuse();
+    return decimal(numberAt(value, "decimal"), wholeAt(value, "digits", 0, kMostDigits));
+  }
+
+  [[noreturn]] static void refuse() { throw JsonValueError(message(kUnreadableRemark)); }
+
+  std::uint64_t bytes_ = 0;
+};
+
+Error unreadable(const json::exception& refused, const std::string& where) {
+  return unusableJson(refused, message(kUnreadableRemark), where);
 }
 
 }  // namespace
@@ -91,19 +118,22 @@ ordered_json toJson(const std::vector<Message>& messages) {
 }
 
 Result<Message> messageFromJson(const json& value, const std::string& where) {
-  if (std::optional<Message> read = messageOf(value, 0)) return std::move(*read);
-  return unreadable(where);
+  try {
+    return MessageReader().read(value);
+  } catch (const json::exception& refused) {
+    return unreadable(refused, where);
+  }
 }
 
 Result<std::vector<Message>> messagesFromJson(const json& value, const std::string& where) {
-  if (!value.is_array()) return unreadable(where);
-  std::vector<Message> all;
-  for (const json& one : value) {
-    Result<Message> read = messageFromJson(one, where);
-    if (!read) return read.error();
-    all.push_back(std::move(*read));
+  try {
+    MessageReader reader;
+    std::vector<Message> all;
+    for (const json& one : value.get_ref<const json::array_t&>()) all.push_back(reader.read(one));
+    return all;
+  } catch (const json::exception& refused) {
+    return unreadable(refused, where);
   }
-  return all;
 }
 
 std::string textOf(const std::vector<Message>& messages) {

@@ -14,7 +14,8 @@ namespace ostraka {
 nlohmann::ordered_json toJson(const Message& message);
 nlohmann::ordered_json toJson(const std::vector<Message>& messages);
 
-/// `where` names the file in errors. At most 9 values and 8 messages within each other.
+/// `where` names the file in errors. What toJson never writes is rejected, as is what exceeds the
+/// limits (base/limits.h) of a template, of messages within each other, and of a list's text.
 Result<Message> messageFromJson(const nlohmann::json& value, const std::string& where);
 Result<std::vector<Message>> messagesFromJson(const nlohmann::json& value,
                                               const std::string& where);

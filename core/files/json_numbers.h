@@ -10,11 +10,11 @@
 
 namespace ostraka {
 
-/// A number of a JSON text that is rejected: not a number, not whole, or out of its range.
-/// what() is a sentence that names the field and its range.
-class JsonNumberError final : public nlohmann::json::exception {
+/// A value of a JSON text that is rejected: not a number, not whole, out of its range, or beyond a
+/// limit. what() is a sentence that says so.
+class JsonValueError final : public nlohmann::json::exception {
  public:
-  explicit JsonNumberError(Message sentence_)
+  explicit JsonValueError(Message sentence_)
       : exception(600, sentence_.english().c_str()), sentence(std::move(sentence_)) {}
   Message sentence;
 };
@@ -22,7 +22,7 @@ class JsonNumberError final : public nlohmann::json::exception {
 [[noreturn]] void refuseWhole(const std::string& name, std::int64_t least, std::int64_t most);
 [[noreturn]] void refuseNumber(const std::string& name, double least, double most);
 
-/// The sentence of a JsonNumberError, or else `otherwise`, which says what the reader needs.
+/// The sentence of a JsonValueError, or else `otherwise`, which says what the reader needs.
 Error unusableJson(const nlohmann::json::exception& refused, const Message& otherwise,
                    const std::string& where);
 
@@ -30,7 +30,7 @@ constexpr std::int64_t kMostInt = 2'147'483'647;
 constexpr double kMostNumber = std::numeric_limits<double>::max();  ///< where there is no limit
 
 /// A whole number from least to most; 9.0 is one, but 9.5, true and "9" are not. name: for the
-/// sentence. Throws JsonNumberError.
+/// sentence. Throws JsonValueError.
 template <class Json>
 std::int64_t wholeIn(const Json& value, const std::string& name, std::int64_t least,
                      std::int64_t most) {
@@ -51,7 +51,7 @@ std::int64_t wholeIn(const Json& value, const std::string& name, std::int64_t le
   refuseWhole(name, least, most);
 }
 
-/// A finite number from least to most. Throws JsonNumberError.
+/// A finite number from least to most. Throws JsonValueError.
 template <class Json>
 double numberIn(const Json& value, const std::string& name, double least = -kMostNumber,
                 double most = kMostNumber) {

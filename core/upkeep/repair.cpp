@@ -96,7 +96,8 @@ class Repair {
     const Result<ExclusiveLock> alone = ExclusiveLock::take(file_);
     if (!alone) return alone.error();
     std::error_code failed;
-    if (fs::exists(fs::symlink_status(repaired_, failed))) {
+    const bool interrupted = fs::exists(fs::symlink_status(repaired_, failed));
+    if (interrupted) {
       const Result<bool> ended = endInterrupted();
       if (!ended) return ended.error();
       if (*ended) return report_;
@@ -114,6 +115,10 @@ class Repair {
     backups_ = backupsOf(project_, clock_());
     const Result<PageRepair> pages = repairPages(copy->path(), backups_);
     if (!pages) return pages.error();
+    const Result<bool> version_known = checkVersion(copy->path(), store::Database::Mode::ReadOnly);
+    if (!version_known) return version_known.error();
+    if (interrupted)
+      if (Result<void> aside = setAside(); !aside) return aside.error();
     report_.pages = pages->pages;
     report_.pages_by_bit = pages->by_bit;
     report_.pages_by_backup = pages->by_backup;
@@ -130,6 +135,12 @@ class Repair {
       return report_;
     if (!provable)
       if (Result<void> made = makeFrom(copy->path(), *pages, *fresh); !made) return made.error();
+    if (!*version_known)
+      report_.warning = message(
+          "The version of the damaged catalogue cannot be read, so this repair relies on the "
+          "backup %1. If a newer Ostraka has changed this project since, put the damaged file "
+          "back and repair it with that version.",
+          base_.filename());
     if (pages->wal_pages_lost > 0 || foreign_wal)
       report_.rows.push_back(
           {file_.filename().string() + kWal, 0, {}, {}, RepairedRow::From::Nowhere});
@@ -144,6 +155,19 @@ class Repair {
     Result<std::unique_ptr<store::Database>> database = store::Database::open(file, mode);
     if (!database) return database.error();
     return catalogue::Catalogue(std::move(*database), clock_);
+  }
+
+  // A newer version is refused, as by opening: this program would take what it does not know for
+  // damage. Its page must be whole; false where nothing tells the version.
+  Result<bool> checkVersion(const fs::path& file, store::Database::Mode mode) const {
+    const Result<catalogue::Catalogue> catalogue = opened(file, mode);
+    if (!catalogue) return false;
+    const Result<int> version =
+        catalogue->database().asResult([&] { return catalogue->schemaVersion(); });
+    if (!version || *version <= store::migrations().back().number) return version.has_value();
+    Error newer = store::migrate(catalogue->database(), store::migrations(), {}).error();
+    newer.where = file_.string();
+    return newer;
   }
 
   // A disk that takes nothing says nothing of the file. What leads outside the project is no damage
@@ -175,6 +199,9 @@ class Repair {
   Result<void> findBase(const fs::path& damaged) {
     for (const Backup& backup : copiesOf(projectOf(damaged), backups_)) {
       if (stop_.stop_requested()) return Error::cancelled();
+      if (const Result<bool> known = checkVersion(backup.file, store::Database::Mode::ReadOnly);
+          !known)
+        return known.error();
       const Result<catalogue::Catalogue> catalogue =
           opened(backup.file, store::Database::Mode::ReadOnly);
       if (!catalogue || !catalogue->checkIntegrity() || !checkPaths(*catalogue)) continue;
@@ -309,9 +336,13 @@ class Repair {
 
   // The damaged file and its WAL were kept before the repaired one got this name. False where what
   // bears it is no whole catalogue, or where somebody has put another in the damaged one's place
-  // since; then it is kept as damaged, too, and what lies there is repaired.
+  // since; then what lies there is repaired.
   Result<bool> endInterrupted() {
     if (fs::is_regular_file(fs::symlink_status(repaired_))) {
+      // A reader would leave an empty WAL beside it.
+      if (const Result<bool> known = checkVersion(repaired_, store::Database::Mode::ReadWrite);
+          !known)
+        return known.error();
       const Result<bool> whole = isWhole(repaired_);
       if (!whole && whole.error().code != ErrorCode::UnusableInput) return whole;
       if (const fs::path kept = keptCopy(); whole && *whole && !kept.empty()) {
@@ -321,10 +352,14 @@ class Repair {
         return true;
       }
     }
+    return false;
+  }
+
+  // What no repair can be ended with is kept as damaged, too.
+  Result<void> setAside() const {
     std::error_code failed;
     fs::rename(repaired_, damagedCopy(), failed);
-    if (failed) return cannotWrite(repaired_, failed.value());
-    return false;
+    return failed ? Result<void>(cannotWrite(repaired_, failed.value())) : Result<void>();
   }
 
   // Its WAL must not be left to the new file, not even by a power cut between the two.

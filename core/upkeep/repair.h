@@ -34,6 +34,7 @@ struct RepairReport {
   std::filesystem::path backup;   ///< whose rows were taken; empty: none were needed
   std::filesystem::path damaged;  ///< where the damaged file is now; empty: nothing was damaged
   std::vector<RepairedRow> rows;
+  Message warning;  ///< empty where the version of the damaged catalogue was known
 };
 
 /// Makes a damaged catalogue whole: pages that their own checksums prove, then row by row from the
@@ -41,8 +42,9 @@ struct RepairReport {
 /// catalogue beside it, checks it, backs it up, keeps the damaged file and renames. Nobody may have
 /// the project open, and nobody can open it in the meantime. A repair that was killed is completed
 /// by the next one. A whole catalogue is left as it is; a backup that was put in its place loses
-/// the WAL of the file that it replaced, which is kept as `damaged`-wal. Errors: in use, no whole
-/// backup where one is needed, CannotWrite, Cancelled; then everything is as it was.
+/// the WAL of the file that it replaced, which is kept as `damaged`-wal. Errors: a newer version,
+/// as by opening; in use, no whole backup where one is needed, CannotWrite, Cancelled; then
+/// everything is as it was.
 Result<RepairReport> repairCatalogue(const std::filesystem::path& project, Progress& progress,
                                      std::stop_token stop,
                                      const catalogue::Catalogue::Clock& clock = {});

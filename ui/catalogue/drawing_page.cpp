@@ -311,7 +311,8 @@ void DrawingPage::save() {
   const QString name =
       sherds_.size() > 1
           ? tr("plates")
-          : QString::fromStdString(store::slug(drawn->sherds.drawings.front().id.english()));
+          : QString::fromStdString(
+                store::slug(printWording().said(drawn->sherds.drawings.front().id)));
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save the drawing"), QDir::home().filePath(name + ".pdf"),
       tr("PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)"));

@@ -39,6 +39,7 @@ QString wordsOf(const RepairReport& report) {
         "changes.");
   if (rows.isEmpty() && !report.all_from_backup && !report.interrupted)
     words << CatalogueRepair::tr("Everything in it is as it was.");
+  if (!report.warning.empty()) words << ui::wordsOf(report.warning);
   words << rows.mid(0, kMostRows);
   const std::filesystem::path list = report.damaged.string() + ".txt";
   if (rows.size() > kMostRows &&

@@ -49,6 +49,16 @@ class DrawnSherds : public ExportedProject {
   }
 };
 
+TEST_F(DrawnSherds, WithoutANumberAreNamedInWordsThatCanBeTranslated) {
+  records::SherdRecord sherd = *sherds::Sherds(catalogue()).get(rows[1]);
+  sherd.number.clear();
+  sherd.piece = 2;
+  const auto drawn = drawSherd(catalogue(), sherd, project_->folder(), {});
+  ASSERT_TRUE(drawn) << drawn.error().sentence();
+  EXPECT_EQ(drawn->id.english(), "sherd 2 of B0001");
+  EXPECT_EQ(drawn->id.values().size(), 2u);
+}
+
 TEST_F(DrawnSherds, AreNamedByTheirNumbersAndWhatCannotBeDrawnIsNamed) {
   const std::vector<store::SherdRow> two = {rows[1], rows[2]};
   const auto drawn = drawSherds(catalogue(), project_->folder(), two, {}, quiet, {});

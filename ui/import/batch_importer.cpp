@@ -4,9 +4,9 @@
 #include <system_error>
 
 #include "catalogue/batches.h"
-#include "intake/enter_results.h"
 #include "records/records.h"
 #include "ui/frame/project_session.h"
+#include "ui/import/record_photographs.h"
 #include "ui/jobs/when_done.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -70,32 +70,11 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
       emit failed(number.error());
       return;
     }
-    if (options.kind == ImportKind::Photographs) recordPhotographs(*number);
+    if (options.kind == ImportKind::Photographs) recordPhotographs(*session_, *number, "import");
     emit imported(*number, copied->files, doubts_);
     session_->tellBatchChanged(*number);
   });
   emit started(tr("Import of %1").arg(folder));
-}
-
-// What vanishes or changes from now on is noticed. Where it fails the computation enters them.
-void BatchImporter::recordPhotographs(const QString& number) {
-  records::Provenance provenance = session_->provenance();
-  provenance.source = "import";
-  Job job = makeJob(
-      [project = session_->folder(), number = number.toStdString(), provenance](
-          Progress& progress, std::stop_token stop) -> Result<int> {
-        Result<catalogue::Catalogue> rows = upkeep::Project::connect(project);
-        if (!rows) return rows.error();
-        const auto record = catalogue::Batches(*rows).byNumber(number);
-        if (!record) return record.error();
-        return intake::enterPhotographs(*rows, project, record->row, provenance, progress, stop);
-      },
-      JobPriority::Background);
-  job.is_promised = true;
-  JobHandle* handle = session_->jobs().start(std::move(job), this);
-  whenDone<int>(handle, this, [this, number, session = session_](const auto& entered) {
-    if (entered && session != nullptr && session == session_) session->tellBatchChanged(number);
-  });
 }
 
 void BatchImporter::cancel() {

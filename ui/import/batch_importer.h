@@ -42,7 +42,6 @@ class BatchImporter final : public QObject {
  private:
   void copy(const ImportOptions& options, const PlaceText& place);
   Result<QString> enter(const Imported& copied, const PlaceText& place);
-  void recordPhotographs(const QString& number);
   Result<std::string> addBatch(const Imported& copied, const PlaceText& place);  ///< its number
 
   QPointer<ProjectSession> session_;

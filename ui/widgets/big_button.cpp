@@ -16,6 +16,8 @@ BigButton::BigButton(const QString& name, const QString& text, QWidget* parent)
     : QPushButton(text, parent) {
   setObjectName(name);
   setPrimary(true);
+  setSizePolicy(QSizePolicy::Preferred,
+                QSizePolicy::Fixed);  // narrower, in two lines, where needed
   setFocusPolicy(Qt::StrongFocus);
 }
 

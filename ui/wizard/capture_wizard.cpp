@@ -6,6 +6,7 @@
 #include "batch/batch.h"
 #include "capture/batch_store.h"
 #include "ui/frame/project_session.h"
+#include "ui/import/record_photographs.h"
 #include "ui/wizard/batch_description.h"
 #include "ui/wizard/plate_pictures.h"
 #include "ui/wizard/rig_connection.h"
@@ -362,6 +363,7 @@ void CaptureWizard::queueBatch() {
     return fail(kept.error(), {});
   const int seen = summary_[0] ? summary_[0]->check.sherds : 0;
   if (const Result<void> queued = batch_.queue(seen); !queued) return fail(queued.error(), {});
+  recordPhotographs(*session_, batch_.number(), "capture");
   queued_ = true;
   doubts_.clear();
   enter(CapturePhase::Done);

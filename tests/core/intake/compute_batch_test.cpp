@@ -81,7 +81,7 @@ TEST_F(ComputeBatch, AnotherNumberOfSherdsThanWasCountedIsSaid) {
   record.counted = 3;
   ASSERT_TRUE(catalogue::Batches(catalogue()).save(record, anna));
   EXPECT_EQ(compute(notes).counted, 3);
-  EXPECT_THAT(notes.said, testing::HasSubstr("Sherds counted on the plate: 3."));
+  EXPECT_THAT(notes.said, testing::HasSubstr("Sherds counted on the plate: 3,"));
 }
 
 TEST_F(ComputeBatch, PhotographsThatWentAwayWhileItWaitedAreNamedInTheResults) {

@@ -2,8 +2,11 @@
 #include <QSignalSpy>
 #include <QtTest>
 
+#include <QImage>
+
 #include "bench.h"
 #include "catalogue/batches.h"
+#include "catalogue/files.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -221,6 +224,28 @@ class CaptureWizardTest : public QObject {
     QTRY_COMPARE(bench.batch().state, BatchState::Queued);
     QCOMPARE(bench.rig.asked.back().retake.size(), std::size_t{24});  // the whole side
     QVERIFY(bench.wizard.doubts().isEmpty());
+  }
+
+  // What vanishes before the batch is processed is missed by 'catalogue check' and archives.
+  void aQueuedBatchHasItsPhotographsInTheCatalogue() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    bench.toFlip();
+    const auto batch = bench.session.project().batchFolder(bench.batch().number);
+    for (const char* side : {"front", "back"}) {
+      std::filesystem::create_directories(batch / side);
+      for (int stop = 0; stop < 4; ++stop) {
+        QImage picture(16, 12, QImage::Format_RGB32);
+        picture.fill(QColor(40 * stop, 0, side[0] == 'f' ? 0 : 90));
+        const std::string name = "cam1_pos0" + std::to_string(stop) + ".jpg";
+        QVERIFY(picture.save(QString::fromStdString((batch / side / name).string())));
+      }
+    }
+    bench.goOn(CapturePhase::Done);
+    QTRY_COMPARE(bench.batch().state, BatchState::Queued);
+    const auto files = catalogue::Files(bench.session.project().catalogue()).of(bench.batch().row);
+    QVERIFY(files.has_value());
+    QCOMPARE(files->size(), std::size_t{8});
   }
 
   // What is in the queue are the photographs before.

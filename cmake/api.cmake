@@ -35,6 +35,6 @@ set(core ${CMAKE_SOURCE_DIR}/core)
 install(FILES ${core}/api/catalogue.h ${core}/api/close_model.h ${core}/api/dense.h
   ${core}/api/point_files.h ${core}/api/register.h ${core}/api/version.h
   DESTINATION ${headers} COMPONENT development)
-install(FILES ${core}/base/message.h ${core}/base/progress.h ${core}/base/result.h DESTINATION ${headers}/base
-  COMPONENT development)
+install(FILES ${core}/base/limits.h ${core}/base/message.h ${core}/base/progress.h
+  ${core}/base/result.h DESTINATION ${headers}/base COMPONENT development)
 install(FILES ${core}/cloud/points_and_meshes.h DESTINATION ${headers}/cloud COMPONENT development)

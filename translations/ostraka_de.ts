@@ -384,6 +384,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Inhalt</translation>
     </message>
+    <message>
+      <source>mask strokes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maskenstriche</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -9768,6 +9773,26 @@
       <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Version des beschädigten Katalogs ist nicht lesbar, daher stützt sich diese Reparatur auf die Sicherung %1. Falls ein neueres Ostraka das Projekt seitdem geändert hat, die beschädigte Datei zurücklegen und mit jener Version reparieren.</translation>
+    </message>
+    <message>
+      <source>The setting %1 of project B says that two different things are the same; nothing was merged. Ask for another copy of project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Einstellung %1 von Projekt B setzt zwei verschiedene Dinge gleich; nichts wurde zusammengeführt. Um eine andere Kopie von Projekt B bitten.</translation>
+    </message>
+    <message>
+      <source>The number or code %1 is already in use; nothing was merged. Settle the conflict %2 with another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer oder das Kürzel %1 wird schon verwendet; nichts wurde zusammengeführt. Den Konflikt %2 mit einer anderen Angabe lösen.</translation>
+    </message>
+    <message>
+      <source>A new number cannot be empty; nothing was merged. Enter a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine neue Nummer darf nicht leer sein; nichts wurde zusammengeführt. Eine Nummer eingeben.</translation>
+    </message>
+    <message>
+      <source>The merged catalogue would be inconsistent, so nothing was merged; report this with a copy of both projects.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der zusammengeführte Katalog wäre in sich widersprüchlich, deshalb wurde nichts zusammengeführt; dies mit einer Kopie beider Projekte melden.</translation>
     </message>
 </context>
 <context>

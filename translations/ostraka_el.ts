@@ -384,6 +384,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>περιεχόμενο</translation>
     </message>
+    <message>
+      <source>mask strokes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πινελιές σε μάσκες</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -9763,6 +9768,26 @@
       <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η έκδοση του κατεστραμμένου καταλόγου δεν διαβάζεται, γι’ αυτό η επισκευή βασίζεται στο αντίγραφο ασφαλείας %1. Αν νεότερο Ostraka άλλαξε έκτοτε το έργο, επαναφέρετε το κατεστραμμένο αρχείο και επισκευάστε το με εκείνη την έκδοση.</translation>
+    </message>
+    <message>
+      <source>The setting %1 of project B says that two different things are the same; nothing was merged. Ask for another copy of project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η ρύθμιση %1 του έργου B λέει ότι δύο διαφορετικά πράγματα είναι το ίδιο· δεν συγχωνεύτηκε τίποτα. Ζητήστε άλλο αντίγραφο του έργου B.</translation>
+    </message>
+    <message>
+      <source>The number or code %1 is already in use; nothing was merged. Settle the conflict %2 with another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός ή κωδικός %1 χρησιμοποιείται ήδη· δεν συγχωνεύτηκε τίποτα. Λύστε τη σύγκρουση %2 με άλλον.</translation>
+    </message>
+    <message>
+      <source>A new number cannot be empty; nothing was merged. Enter a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας νέος αριθμός δεν μπορεί να είναι κενός· δεν συγχωνεύτηκε τίποτα. Δώστε έναν αριθμό.</translation>
+    </message>
+    <message>
+      <source>The merged catalogue would be inconsistent, so nothing was merged; report this with a copy of both projects.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο συγχωνευμένος κατάλογος θα ήταν ασυνεπής, γι’ αυτό δεν συγχωνεύτηκε τίποτα· αναφέρετέ το μαζί με αντίγραφο των δύο έργων.</translation>
     </message>
 </context>
 <context>

@@ -384,6 +384,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>contenido</translation>
     </message>
+    <message>
+      <source>mask strokes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>trazos en máscaras</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -9763,6 +9768,26 @@
       <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La versión del catálogo dañado no puede leerse, por lo que esta reparación se basa en la copia de seguridad %1. Si un Ostraka más reciente ha modificado el proyecto desde entonces, vuelva a colocar el archivo dañado y repárelo con esa versión.</translation>
+    </message>
+    <message>
+      <source>The setting %1 of project B says that two different things are the same; nothing was merged. Ask for another copy of project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El ajuste %1 del proyecto B dice que dos cosas distintas son la misma; no se unió nada. Pida otra copia del proyecto B.</translation>
+    </message>
+    <message>
+      <source>The number or code %1 is already in use; nothing was merged. Settle the conflict %2 with another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número o código %1 ya está en uso; no se unió nada. Resuelva el conflicto %2 con otro.</translation>
+    </message>
+    <message>
+      <source>A new number cannot be empty; nothing was merged. Enter a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un número nuevo no puede estar vacío; no se unió nada. Escriba un número.</translation>
+    </message>
+    <message>
+      <source>The merged catalogue would be inconsistent, so nothing was merged; report this with a copy of both projects.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El catálogo unido sería incoherente, por lo que no se unió nada; comuníquelo con una copia de ambos proyectos.</translation>
     </message>
 </context>
 <context>

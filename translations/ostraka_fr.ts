@@ -384,6 +384,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>contenu</translation>
     </message>
+    <message>
+      <source>mask strokes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>traits sur les masques</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -9763,6 +9768,26 @@
       <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La version du catalogue endommagé est illisible ; cette réparation s’appuie donc sur la sauvegarde %1. Si un Ostraka plus récent a modifié ce projet depuis, remettez le fichier endommagé en place et réparez-le avec cette version.</translation>
+    </message>
+    <message>
+      <source>The setting %1 of project B says that two different things are the same; nothing was merged. Ask for another copy of project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le réglage %1 du projet B dit que deux choses différentes sont la même ; rien n’a été fusionné. Demandez une autre copie du projet B.</translation>
+    </message>
+    <message>
+      <source>The number or code %1 is already in use; nothing was merged. Settle the conflict %2 with another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro ou code %1 est déjà utilisé ; rien n’a été fusionné. Résolvez le conflit %2 avec un autre.</translation>
+    </message>
+    <message>
+      <source>A new number cannot be empty; nothing was merged. Enter a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un nouveau numéro ne peut pas être vide ; rien n’a été fusionné. Saisissez un numéro.</translation>
+    </message>
+    <message>
+      <source>The merged catalogue would be inconsistent, so nothing was merged; report this with a copy of both projects.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le catalogue fusionné serait incohérent, rien n’a donc été fusionné ; signalez-le avec une copie des deux projets.</translation>
     </message>
 </context>
 <context>

@@ -384,6 +384,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>բովանդակություն</translation>
     </message>
+    <message>
+      <source>mask strokes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վրձնահարվածներ դիմակների վրա</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -9763,6 +9768,26 @@
       <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վնասված կատալոգի տարբերակը չի կարդացվում, ուստի այս վերականգնումը հիմնվում է %1 պահուստային պատճենի վրա։ Եթե դրանից հետո ավելի նոր Ostraka է փոխել նախագիծը, հետ դրեք վնասված ֆայլը և վերականգնեք այն այդ տարբերակով։</translation>
+    </message>
+    <message>
+      <source>The setting %1 of project B says that two different things are the same; nothing was merged. Ask for another copy of project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>B նախագծի %1 կարգավորումն ասում է, որ երկու տարբեր բաներ նույնն են. ոչինչ չի միավորվել։ Խնդրեք B նախագծի մեկ այլ պատճեն։</translation>
+    </message>
+    <message>
+      <source>The number or code %1 is already in use; nothing was merged. Settle the conflict %2 with another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարը կամ ծածկագիրն արդեն օգտագործվում է. ոչինչ չի միավորվել։ %2 հակասությունը լուծեք մեկ ուրիշով։</translation>
+    </message>
+    <message>
+      <source>A new number cannot be empty; nothing was merged. Enter a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր համարը չի կարող դատարկ լինել. ոչինչ չի միավորվել։ Մուտքագրեք համար։</translation>
+    </message>
+    <message>
+      <source>The merged catalogue would be inconsistent, so nothing was merged; report this with a copy of both projects.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միավորված կատալոգն անհետևողական կլիներ, ուստի ոչինչ չի միավորվել. հայտնեք այս մասին երկու նախագծերի պատճեններով։</translation>
     </message>
 </context>
 <context>

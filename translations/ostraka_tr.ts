@@ -384,6 +384,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>içerik</translation>
     </message>
+    <message>
+      <source>mask strokes</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>maskelerdeki fırça izleri</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -9716,6 +9721,26 @@
       <source>The version of the damaged catalogue cannot be read, so this repair relies on the backup %1. If a newer Ostraka has changed this project since, put the damaged file back and repair it with that version.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hasarlı kataloğun sürümü okunamıyor, bu yüzden bu onarım %1 yedeğine dayanıyor. O zamandan beri daha yeni bir Ostraka bu projeyi değiştirdiyse hasarlı dosyayı geri koyup o sürümle onarın.</translation>
+    </message>
+    <message>
+      <source>The setting %1 of project B says that two different things are the same; nothing was merged. Ask for another copy of project B.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>B projesinin %1 ayarı iki farklı şeyin aynı olduğunu söylüyor; hiçbir şey birleştirilmedi. B projesinin başka bir kopyasını isteyin.</translation>
+    </message>
+    <message>
+      <source>The number or code %1 is already in use; nothing was merged. Settle the conflict %2 with another one.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numarası veya kodu zaten kullanılıyor; hiçbir şey birleştirilmedi. %2 çakışmasını başka biriyle çözün.</translation>
+    </message>
+    <message>
+      <source>A new number cannot be empty; nothing was merged. Enter a number.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeni bir numara boş olamaz; hiçbir şey birleştirilmedi. Bir numara girin.</translation>
+    </message>
+    <message>
+      <source>The merged catalogue would be inconsistent, so nothing was merged; report this with a copy of both projects.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Birleştirilen katalog tutarsız olurdu, bu yüzden hiçbir şey birleştirilmedi; bunu iki projenin kopyasıyla bildirin.</translation>
     </message>
 </context>
 <context>

@@ -126,13 +126,7 @@ Result<void> Settings::setVocabulary(const std::string& name,
     }
     for (const std::string& term : older) {
       if (seen.contains(term)) continue;
-      const int count =
-          database_
-              ->sql(
-                  "SELECT count(*) FROM sherd_term WHERE term = ?1 AND (field = ?2 OR (?2 = "
-                  "'surface' AND field IN ('surface_out', 'surface_in')))",
-                  term, name)
-              .one<int>();
+      const int count = store::valueOrThrow(sherdsWith(name, term));
       if (count > 0)
         store::refuse(message("Sherds with the term '%1': %2; change those first.", term, count),
                       name);
@@ -144,6 +138,17 @@ Result<void> Settings::setVocabulary(const std::string& name,
                      terms[i].uri);
     remember(catalogue_, provenance, "vocabulary", 0, name, store::joinTerms(older),
              store::joinTerms(newer));
+  });
+}
+
+Result<int> Settings::sherdsWith(const std::string& vocabulary, const std::string& term) const {
+  return database_->asResult([&] {
+    return database_
+        ->sql(
+            "SELECT count(*) FROM sherd_term WHERE term = ?1 AND (field = ?2 OR (?2 = 'surface' "
+            "AND field IN ('surface_out', 'surface_in')))",
+            term, vocabulary)
+        .one<int>();
   });
 }
 

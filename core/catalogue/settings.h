@@ -21,6 +21,8 @@ class Settings : public Subject {
   Result<std::vector<records::Term>> vocabulary(const std::string& name) const;
   Result<void> setVocabulary(const std::string& name, const std::vector<records::Term>&,
                              const records::Provenance&);
+  /// How many have this term of the vocabulary.
+  Result<int> sherdsWith(const std::string& vocabulary, const std::string& term) const;
 };
 
 }  // namespace ostraka::catalogue

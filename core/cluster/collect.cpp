@@ -1,10 +1,11 @@
 #include "cluster/collect.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "batch/peoples_files.h"
 #include "catalogue/batches.h"
 #include "cluster/place.h"
 #include "cluster/tasks.h"
@@ -22,8 +23,6 @@ namespace fs = std::filesystem;
 using records::BatchState;
 
 const std::string kIncoming = "cluster/incoming/";
-// What people say of a batch's results; the cluster has copies as old as the job.
-const std::vector<std::string> kOfPeople = {"decisions.json", "mask_strokes.json"};
 
 Result<void> moved(const fs::path& from, const fs::path& to) {
   std::error_code error;
@@ -82,7 +81,8 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const std::str
   }
   if (place.isRemote()) {
     if (const Result<void> whole = undoHalf(project, batch); !whole) return whole.error();
-    std::vector<std::string> but = kOfPeople;
+    // Of what people say the cluster has copies as old as the job.
+    std::vector<std::string> but(std::begin(batch::kPeoplesFiles), std::end(batch::kPeoplesFiles));
     but.emplace_back("work/lock");
     if (const Result<void> here = place.fetch("results/" + batch, kIncoming + batch, 0, but, stop);
         !here)
@@ -111,7 +111,7 @@ Result<void> takePlace(const upkeep::Project& project, const std::string& batch,
     if (!taken) return taken.error();
     held.emplace(std::move(*taken));
   }
-  for (const std::string& name : kOfPeople) {
+  for (const std::string name : batch::kPeoplesFiles) {
     if (!fs::exists(results / name, error)) continue;
     const Result<std::string> text = readFile(results / name);
     if (!text) return text.error();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "batch/peoples_files.h"
 #include "batch/photographs.h"
 #include "catalogue/batches.h"
 #include "cluster/place.h"
@@ -120,7 +121,7 @@ Result<std::string> submitArray(const upkeep::Project& project, const Place& pla
     if (one.before == nullptr || one.before->state != TaskState::Failed)
       sent.push_back(results);
     else
-      sent.insert(sent.end(), {results + "/decisions.json", results + "/mask_strokes.json"});
+      for (const std::string name : batch::kPeoplesFiles) sent.push_back(results + "/" + name);
   }
   if (const Result<void> there = place.send(sent, stop); !there) return there.error();
 

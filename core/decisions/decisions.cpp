@@ -10,6 +10,7 @@
 #include "base/message.h"
 #include "base/text.h"
 #include "base/uuid.h"
+#include "batch/peoples_files.h"
 #include "decisions/candidate_table.h"
 #include "files/files.h"
 #include "files/json.h"
@@ -49,7 +50,7 @@ std::optional<DecisionKind> kindOf(const std::string& name) {
 }
 
 fs::path fileIn(const fs::path& output) {
-  return output / "decisions.json";
+  return output / batch::kDecisionsFile;
 }
 
 ordered_json toJson(const Eigen::Vector2d& p) {
@@ -327,6 +328,10 @@ ordered_json toJson(const Decisions& decisions) {
   return list;
 }
 
+std::string textOf(const Decisions& decisions) {
+  return jsonText({{"format", kFormat}, {"unit", "mm"}, {"decisions", toJson(decisions)}});
+}
+
 Result<PairDecision> appendDecision(const fs::path& output, PairDecision decision) {
   if (const Result<void> valid = checked(decision); !valid) return valid.error();
   std::error_code failed;
@@ -359,8 +364,7 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
   decision.id = newId(duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count());
   decision.at = utcNow();
   decisions->push_back(decision);
-  const Result<void> written = writeJson(
-      fileIn(output), {{"format", kFormat}, {"unit", "mm"}, {"decisions", toJson(*decisions)}});
+  const Result<void> written = writeFileAtomically(fileIn(output), textOf(*decisions));
   if (!written) return written.error();
   return decision;
 }

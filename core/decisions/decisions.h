@@ -77,6 +77,8 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
 Result<PairDecision> appendDecision(const std::filesystem::path& output, PairDecision decision);
 
 nlohmann::ordered_json toJson(const Decisions& decisions);
+/// All of decisions.json, as parseDecisions reads it.
+std::string textOf(const Decisions& decisions);
 
 /// Those whose ids OUT/report.json names: what holds may have changed since. None where there are
 /// no results.

@@ -11,6 +11,7 @@
 #include "base/limits.h"
 #include "base/message.h"
 #include "batch/moved_batch.h"
+#include "batch/peoples_files.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
@@ -27,7 +28,7 @@ constexpr const char* kFormatName = "ostraka-mask-strokes/1";
 constexpr double kMostRadius_px = 4000, kMostPlace_px = 1e5;
 
 fs::path strokesFile(const fs::path& output) {
-  return output / "mask_strokes.json";
+  return output / batch::kMaskStrokesFile;
 }
 
 ordered_json strokeJson(const MaskStroke& s) {
@@ -82,14 +83,20 @@ MaskStroke strokeFrom(const json& value) {
 }  // namespace
 
 Result<std::vector<MaskStroke>> readMaskStrokes(const fs::path& output) {
-  std::vector<MaskStroke> strokes;
   const fs::path file = strokesFile(output);
   std::error_code ignored;
-  if (!fs::exists(file, ignored)) return strokes;
-  const Result<json> value = readJson(file);
+  if (!fs::exists(file, ignored)) return std::vector<MaskStroke>{};
+  const Result<std::string> text = readFile(file, limits::kJsonBytes.most);
+  if (!text) return text.error();
+  return parseMaskStrokes(*text, file.string());
+}
+
+Result<std::vector<MaskStroke>> parseMaskStrokes(std::string_view text, const std::string& where) {
+  std::vector<MaskStroke> strokes;
+  const Result<json> value = parseJson(text, where);
   if (!value) return value.error();
   const Error bad = Error::unusable(
-      message("Not a list of mask strokes; restore an earlier one, or delete it."), file.string());
+      message("Not a list of mask strokes; restore an earlier one, or delete it."), where);
   try {
     if (value->at("format") != kFormatName) return bad;
     for (const json& one : value->at("strokes")) {
@@ -107,6 +114,10 @@ ordered_json toJson(const std::vector<MaskStroke>& strokes) {
   ordered_json list = ordered_json::array();
   for (const MaskStroke& stroke : strokes) list.push_back(strokeJson(stroke));
   return list;
+}
+
+std::string textOf(const std::vector<MaskStroke>& strokes) {
+  return jsonText({{"format", kFormatName}, {"strokes", toJson(strokes)}});
 }
 
 StrokesOn strokesOn(const std::vector<MaskStroke>& strokes, batch::Side side, int camera, int stop,
@@ -133,7 +144,7 @@ Result<void> writeMaskStrokes(const fs::path& output, const std::vector<MaskStro
                                    "is saved until you undo "
                                    "some."),
                            strokesFile(output).string());
-  return writeJson(strokesFile(output), {{"format", kFormatName}, {"strokes", toJson(strokes)}});
+  return writeFileAtomically(strokesFile(output), textOf(strokes));
 }
 
 bool masksWantComputing(const fs::path& output) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <opencv2/core/mat.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.h"
@@ -29,6 +30,8 @@ struct MaskStroke {
 /// computes never changes it. Errors: UnusableInput names the file; also of more strokes or points
 /// on a photograph than limits.h allows, which are not written, either.
 Result<std::vector<MaskStroke>> readMaskStrokes(const std::filesystem::path& output);
+/// The same from the file's text; `where` names the file in errors.
+Result<std::vector<MaskStroke>> parseMaskStrokes(std::string_view text, const std::string& where);
 /// All of them; an empty list takes the masks back to those of the program.
 Result<void> writeMaskStrokes(const std::filesystem::path& output,
                               const std::vector<MaskStroke>& strokes);
@@ -37,6 +40,8 @@ Result<void> writeMaskStrokes(const std::filesystem::path& output,
 bool masksWantComputing(const std::filesystem::path& output);
 
 nlohmann::ordered_json toJson(const std::vector<MaskStroke>& strokes);
+/// All of mask_strokes.json, as parseMaskStrokes reads it.
+std::string textOf(const std::vector<MaskStroke>& strokes);
 
 /// Those on the photograph of a side, camera and stop, in the order painted. Where it was taken
 /// again (its file has another hash) sherds may lie elsewhere: those before hold no more.

@@ -143,9 +143,12 @@ Result<nlohmann::json> readJson(const std::filesystem::path& path) {
   return parseJson(*text, path.string());
 }
 
+std::string jsonText(const nlohmann::ordered_json& value) {
+  return value.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 Result<void> writeJson(const std::filesystem::path& path, const nlohmann::ordered_json& value) {
-  return writeFileAtomically(
-      path, value.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  return writeFileAtomically(path, jsonText(value));
 }
 
 nlohmann::ordered_json toJson(const Eigen::Isometry3d& transform) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/limits.h"
@@ -14,7 +15,9 @@ namespace ostraka {
 /// errors.
 Result<nlohmann::json> parseJson(std::string_view text, const std::string& where);
 Result<nlohmann::json> readJson(const std::filesystem::path& path);
-/// Indented by one space, UTF-8, LF at the end, written atomically.
+/// Indented by one space, UTF-8, LF at the end.
+std::string jsonText(const nlohmann::ordered_json& value);
+/// The same, written atomically.
 Result<void> writeJson(const std::filesystem::path& path, const nlohmann::ordered_json& value);
 
 /// 4x4, row by row. Reading refuses what is not finite, not 4x4 (nested or flat), not rigid (1e-3)

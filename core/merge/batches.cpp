@@ -6,6 +6,7 @@
 #include "catalogue/settings.h"
 #include "merge/merging.h"
 #include "merge/staged_files.h"
+#include "merge/told.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
 
@@ -126,13 +127,29 @@ FileCopy& Merging::addFile(const Table& table, const Values& values, const std::
   return copy;
 }
 
-// A term that one project took away stays away; one that it described otherwise is settled.
+// A term that one project took away goes, unless a sherd has it or the other project took it up
+// again; one that it described otherwise is settled.
 void Merging::mergeTerms() {
   compareHistories("vocabulary");
   copyEvents("vocabulary#0");
+  const auto toldIn = [](const std::vector<const Event*>& since) {
+    Told told;
+    for (const Event* event : since)
+      tellMembers(*event, [&](const std::string& term, bool added) {
+        told[{event->field, term}] = added;
+      });
+    return told;
+  };
+  const Told in_a = toldIn(since_a_["vocabulary"]), in_b = toldIn(since_b_["vocabulary"]);
+  const auto isUnused = [&](const std::pair<std::string, std::string>& term) {
+    return store::valueOrThrow(
+               catalogue::Settings(projects_.a).sherdsWith(term.first, term.second)) == 0;
+  };
   std::map<std::pair<std::string, std::string>, const std::vector<std::string>*> mine;
   for (const std::vector<std::string>& term : a_.terms) mine[{term[0], term[1]}] = &term;
+  std::set<std::pair<std::string, std::string>> theirs;
   for (const std::vector<std::string>& term : b_.terms) {
+    theirs.emplace(term[0], term[1]);
     const auto found = mine.find({term[0], term[1]});
     if (found != mine.end()) {
       const std::vector<std::string>& own = *found->second;
@@ -148,8 +165,7 @@ void Merging::mergeTerms() {
         database_.sql("UPDATE vocabulary SET labels = ?, uri = ? WHERE name = ? AND term = ?")
             .with(term[2], term[3], term[0], term[1])
             .run();
-    } else if (!touches(touched_a_, "vocabulary#0", {term[0]}) ||
-               touches(touched_b_, "vocabulary#0", {term[0]})) {
+    } else if (!isGone(in_a, in_b, {term[0], term[1]}) || !isUnused({term[0], term[1]})) {
       database_
           .sql(
               "INSERT INTO vocabulary SELECT ?1, ?2, ifnull(max(position), -1) + 1, ?3, ?4 FROM "
@@ -158,6 +174,11 @@ void Merging::mergeTerms() {
           .run();
     }
   }
+  for (const auto& [term, row] : mine)
+    if (!theirs.contains(term) && isGone(in_b, in_a, term) && isUnused(term))
+      database_.sql("DELETE FROM vocabulary WHERE name = ? AND term = ?")
+          .with(term.first, term.second)
+          .run();
 }
 
 void Merging::mergeProject() {
@@ -235,9 +256,7 @@ void Merging::finishBatches() {
     }
     if (computed_in_b_.contains(id) && !computed_in_a_.contains(id))
       outcome_.files_of["results/" + there] = "results/" + here;
-    if (!decided_in_b_.contains(id)) continue;
-    outcome_.joint_decisions["results/" + there] = "results/" + here;
-    if (!outcome_.unsettled())
+    if (decided_in_b_.contains(id) && !outcome_.unsettled())
       sherds::settleSherds(projects_.a, store::BatchRow{rows_.at(id)}, provenance_);
   }
 }

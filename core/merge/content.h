@@ -15,6 +15,9 @@ class Database;
 /// that they refer to.
 namespace ostraka::merge {
 
+/// Settings of rows that are one though each project made its own: this and the one's uuid.
+inline constexpr const char* kSameRow = "merge.same.";
+
 using Value = std::optional<std::string>;  ///< as text, independent of its type; none: NULL
 
 struct Row {

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "catalogue/history.h"
 #include "merge/merging.h"
+#include "merge/told.h"
 #include "store/database.h"
 #include "store/values.h"
 
@@ -42,13 +43,16 @@ void Merging::compareHistories(const std::string& table) {
     std::string key = keyOf(known);
     if (!mine.contains(key)) {
       touched_b_[known.row][known.field] = &event;
+      since_b_[table].push_back(&event);
       new_events_[known.row].push_back(std::move(known));
     }
     theirs.insert(std::move(key));
   }
   for (const Event& event : a_.events)
-    if (event.table == table && !theirs.contains(keyOf(event)))
+    if (event.table == table && !theirs.contains(keyOf(event))) {
       touched_a_[event.row][event.field] = &event;
+      since_a_[table].push_back(&event);
+    }
 }
 
 void Merging::copyEvents(const std::string& row) {
@@ -84,6 +88,25 @@ void Merging::copyEvents(const std::string& row) {
 void Merging::remember(const std::string& table, std::int64_t row, const std::string& field,
                        const std::string& old_value, const std::string& new_value) {
   catalogue::remember(projects_.a, provenance_, table.c_str(), row, field, old_value, new_value);
+}
+
+void tellMembers(const Event& event, const std::function<void(const std::string&, bool)>& tell) {
+  const std::vector<std::string> older = store::splitTerms(event.old_value),
+                                 newer = store::splitTerms(event.new_value);
+  const auto tellThoseOf = [&](const std::vector<std::string>& all,
+                               const std::vector<std::string>& but, bool added) {
+    const std::unordered_set<std::string> known(but.begin(), but.end());
+    for (const std::string& member : all)
+      if (!known.contains(member)) tell(member, added);
+  };
+  tellThoseOf(older, newer, false);
+  tellThoseOf(newer, older, true);
+}
+
+bool isGone(const Told& here, const Told& there,
+            const std::pair<std::string, std::string>& member) {
+  const auto own = here.find(member), other = there.find(member);
+  return own != here.end() && !own->second && (other == there.end() || !other->second);
 }
 
 bool Merging::touches(const Touched& touched, const std::string& row,

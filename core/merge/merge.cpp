@@ -1,12 +1,8 @@
 #include "merge/merge.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <set>
 
-#include "base/text.h"
 #include "catalogue/history.h"
-#include "decisions/decisions.h"
 #include "files/folder_lock.h"
 #include "merge/merging.h"
 #include "merge/staged_files.h"
@@ -89,40 +85,23 @@ Result<void> countFiles(const fs::path& a, const fs::path& b, const Outcome& out
       report.bytes += static_cast<std::int64_t>(bytes);
     }
   }
+  for (const auto& [to, text] : outcome.peoples_files) {
+    if (!text) continue;
+    ++report.files;
+    report.bytes += static_cast<std::int64_t>(text->size());
+  }
   return {};
 }
 
-// What both projects' lists of decisions say, for the next computation of the batch.
-Result<void> joinDecisions(StagedFiles& files, const fs::path& a, const fs::path& b,
-                           const Outcome& outcome) {
-  for (const auto& [there, here] : outcome.joint_decisions) {
-    Result<decisions::Decisions> all = decisions::readDecisions(a / here);
-    const Result<decisions::Decisions> theirs = decisions::readDecisions(b / there);
-    if (!all) return all.error();
-    if (!theirs) return theirs.error();
-    std::set<std::string> known;
-    for (const decisions::PairDecision& decision : *all) known.insert(decision.id);
-    const std::size_t before = all->size();
-    for (const decisions::PairDecision& decision : *theirs)
-      if (known.insert(decision.id).second) all->push_back(decision);
-    for (const std::string& id : known) {
-      const auto lost = outcome.withdrawn.find(id);
-      if (lost == outcome.withdrawn.end()) continue;
-      decisions::PairDecision withdrawn;
-      withdrawn.id = lost->second;
-      withdrawn.replaces = {id};
-      withdrawn.kind = decisions::DecisionKind::Withdraw;
-      withdrawn.at = utcNow();
-      withdrawn.by = "merge";
-      all->push_back(std::move(withdrawn));
-    }
-    if (all->size() == before) continue;
-    if (const Result<void> put =
-            files.put(here + "/decisions.json", decisions::toJson(*all).dump(1) + "\n");
-        !put)
-      return put;
-  }
-  return {};
+// What a merge has made, as a restored project is checked. A was whole when it was backed up.
+Result<void> checkMerged(const Catalogue& catalogue) {
+  const Result<void> whole = catalogue.checkIntegrity();
+  if (!whole && whole.error().code == ErrorCode::Damaged)
+    return Error{ErrorCode::Failed,
+                 message("The merged catalogue would be inconsistent, so nothing was merged; "
+                         "report this with a copy of both projects."),
+                 catalogue.database().file().string()};
+  return whole ? upkeep::checkValues(catalogue) : whole;
 }
 
 class Merge {
@@ -141,7 +120,9 @@ class Merge {
       const Result<void> counted = countFiles(a_.folder(), b_folder_, outcome, report);
       return counted ? Result<MergeReport>(std::move(report)) : counted.error();
     }
-    if (!writes_) {
+    const bool as_in_a = std::none_of(outcome.peoples_files.begin(), outcome.peoples_files.end(),
+                                      [](const auto& file) { return file.second.has_value(); });
+    if (!writes_ && as_in_a) {
       report.entered = true;  // A has all of it
       return report;
     }
@@ -180,9 +161,9 @@ class Merge {
                      message("The project changed while files were copied, so nothing was merged; "
                              "run the same command again."),
                      a_.folder().string()};
-      if (const Result<void> joined = joinDecisions(files, a_.folder(), b_folder_, entered);
-          !joined)
-        return joined;
+      for (const auto& [to, text] : entered.peoples_files)
+        if (text)
+          if (const Result<void> put = files.put(to, *text); !put) return put;
       return files.note(a_.catalogue());
     });
   }
@@ -199,10 +180,13 @@ class Merge {
       };
       catalogue_before_ = catalogue::History(a_.catalogue()).length();
       const std::int64_t before = written();
-      outcome = Merging({a_.catalogue(), a_.folder(), b_, content_}, settled_, provenance_).run();
+      outcome =
+          Merging({a_.catalogue(), a_.folder(), b_, b_folder_, content_}, settled_, provenance_)
+              .run();
       writes_ = written() != before;
       if (keep == Keep::No) return Error::cancelled();
-      return afterwards();
+      const Result<void> good = checkMerged(a_.catalogue());
+      return good ? afterwards() : good;
     });
     const bool taken_back = keep == Keep::No && !done && done.error().code == ErrorCode::Cancelled;
     return taken_back ? Result<void>() : done;

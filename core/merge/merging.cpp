@@ -28,6 +28,29 @@ bool allEmpty(const std::vector<Value>& values, const Unit& unit) {
                      [&](std::size_t i) { return values[i].value_or("").empty(); });
 }
 
+const Table* tableWith(const Content& content, const std::string& id) {
+  for (const Table& table : content.tables)
+    if (table.by_id.contains(id)) return &table;
+  return nullptr;
+}
+
+// Whether a setting may call two rows the same. Places and persons that have different names were
+// called otherwise since, as a history tells.
+bool canBeSame(const Content& a, const std::string& mine, const Content& b,
+               const std::string& theirs) {
+  const Table &table = *tableWith(a, mine), &other = *tableWith(b, theirs);
+  if (table.name != other.name || !kPlaces.contains(table.name)) return table.name == other.name;
+  const std::string& key = table.unique.back();
+  if (table.find(mine)->values[table.column(key)] == other.find(theirs)->values[other.column(key)])
+    return true;
+  const auto renamed = [&](const Content& content, const std::string& id) {
+    return std::any_of(content.events.begin(), content.events.end(), [&](const Event& event) {
+      return event.table == table.name && event.row == id && event.field + "_key" == key;
+    });
+  };
+  return renamed(a, mine) || renamed(b, theirs);
+}
+
 bool sameIn(const Unit& unit, const std::vector<Value>& a, const std::vector<Value>& b) {
   return std::all_of(unit.columns.begin(), unit.columns.end(),
                      [&](std::size_t i) { return a[i] == b[i]; });
@@ -63,13 +86,14 @@ Outcome Merging::run() {
   addGivenNumbers();
   mergeMeasurements();
   mergeJoins();
-  mergeTerms();
   mergeProject();
   mergeSettings();
   withdrawLosers();
+  mergePeoplesFiles();
   finishBatches();
   assignNumbers();
   searchAnew();
+  mergeTerms();
   return std::move(outcome_);
 }
 
@@ -83,8 +107,17 @@ void Merging::readAliases() {
     for (const auto& [key, value] : content->settings) {
       if (!key.starts_with(kSameRow)) continue;
       const std::string other = key.substr(std::string_view(kSameRow).size());
-      if (rows_.contains(value) && !rows_.contains(other)) alias_[other] = value;
-      if (rows_.contains(other) && !rows_.contains(value)) alias_[value] = other;
+      for (const auto& [mine, theirs] : {std::pair(value, other), {other, value}}) {
+        if (!rows_.contains(mine) || rows_.contains(theirs) || !tableWith(b_, theirs)) continue;
+        // One of A's own that does not fit came with a merge, and means nothing.
+        if (canBeSame(a_, mine, b_, theirs))
+          alias_[theirs] = mine;
+        else if (content == &b_)
+          store::refuse(message("The setting %1 of project B says that two different things are "
+                                "the same; nothing was merged. Ask for another copy of project B.",
+                                key),
+                        projects_.b.database().file().string());
+      }
     }
 }
 
@@ -151,6 +184,7 @@ bool Merging::sameUnderAnotherId(const Table& a, const Row& mine, const Table& b
 void Merging::mergeTable(const Table& a, const Table& b) {
   aliasRows(a, b);
   compareHistories(a.name);
+  if (a.name == "sherd") noteNumbersOfB();
   if (a.name == "pair_decision") comparePairs();
   if (a.name == "piece_decision") comparePieces();
   if (a.name == "scan") noteOwnComputations();
@@ -271,17 +305,23 @@ void Merging::insertRow(const Table& table, const Row& theirs, const Values& giv
   Values values = given;
   if (isOfResults(table, values, computed_in_a_)) return;
   std::string called_before, calling;
-  if (kPlaces.contains(table.name))
-    if (const Choice* choice = choiceOf(table.name + "/" + theirs.id);
-        choice && choice->take == Take::Number) {
+  if (kPlaces.contains(table.name)) {
+    const std::string conflict = table.name + "/" + theirs.id;
+    if (const Choice* choice = choiceOf(conflict); choice && choice->take == Take::Number) {
       calling = table.name == "person"                           ? "initials"
                 : table.name == "site" || table.name == "trench" ? "code"
                                                                  : "number";
       Value& called = values[table.column(calling)];
       called_before = called.value_or("");
-      called = choice->number;
-      values[table.column(calling + "_key")] = store::uniqueKey(choice->number);
+      called = store::valueOrThrow(newName(conflict, *choice));
+      values[table.column(calling + "_key")] = store::uniqueKey(*called);
+      if (!claimName(table, values))
+        store::refuse(
+            message("The number or code %1 is already in use; nothing was merged. Settle "
+                    "the conflict %2 with another one.",
+                    *called, conflict));
     }
+  }
   if (table.name == "batch") numberBatch(table, theirs, values);
   if (table.name == "scan") placeScan(table, theirs, values);
   const bool numbered = table.name != "sherd" || takesNumber(theirs.id, table, values);
@@ -334,6 +374,18 @@ void Merging::insertRow(const Table& table, const Row& theirs, const Values& giv
   }
   if (table.name == "file")
     addFile(table, values, theirs.values[table.column("path")].value_or(""));
+}
+
+// False where another place or person has the name, or another conflict was settled with it.
+bool Merging::claimName(const Table& table, const Values& values) {
+  const std::string key = naturalKey(table, values);
+  const auto is_called_so = [&](const Row& row) {
+    return naturalKey(table, canonical(table, row)) == key;
+  };
+  const std::vector<Row>&mine = a_.table(table.name).rows, &theirs = table.rows;
+  return std::none_of(mine.begin(), mine.end(), is_called_so) &&
+         std::none_of(theirs.begin(), theirs.end(), is_called_so) &&
+         new_places_.insert(table.name + key).second;
 }
 
 void Merging::write(const Table& table, std::int64_t row,

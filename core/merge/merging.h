@@ -14,9 +14,6 @@
 
 namespace ostraka::merge {
 
-/// Settings of rows that are one though each project made its own: this and the one's uuid.
-inline constexpr const char* kSameRow = "merge.same.";
-
 /// Brings the content of B into A's catalogue: once, within the caller's transaction, which is
 /// rolled back if a conflict is unsettled (until then it counts as settled for A). Throws as
 /// Statement does. docs/merge.md has the rules.
@@ -26,6 +23,7 @@ class Merging {
     const catalogue::Catalogue& a;
     std::filesystem::path a_folder;
     const catalogue::Catalogue& b;
+    std::filesystem::path b_folder;
     const Content& b_content;
   };
   Merging(Projects projects, const Settled& settled, const records::Provenance& provenance);
@@ -45,6 +43,7 @@ class Merging {
   void mergeRow(const Table& table, const Row& mine, const Row& theirs);
   void mergeOwnFields(const Table& table, const Row& mine, const Values& theirs);
   void insertRow(const Table& table, const Row& theirs, const Values& values);
+  bool claimName(const Table& table, const Values& values);
   void write(const Table& table, std::int64_t row,
              const std::vector<std::pair<std::size_t, Value>>& changes);
   void setDeferred();
@@ -81,15 +80,16 @@ class Merging {
 
   // numbers.cpp: sherds and their numbers
   void readGivenNumbers();
+  void noteNumbersOfB();
   bool takesNumber(const std::string& sherd, const Table& table, Values& values);
-  std::string numberOf(const std::string& sherd) const;
+  void takeNumberAway(std::int64_t sherd, const std::string& number);
   void claimNumber(const std::string& sherd, const std::string& number);
   void addGivenNumbers();
   void assignNumbers();
   void mergeMeasurements();
   void mergeJoins();
 
-  // batches.cpp: batches, their scans, decisions and files
+  // batches.cpp, peoples_files.cpp: batches, their scans, decisions and files
   void numberBatch(const Table& table, const Row& theirs, Values& values);
   std::string placed(const std::string& path) const;
   void noteOwnComputations();
@@ -100,9 +100,10 @@ class Merging {
   Version decided(std::vector<std::pair<std::string, std::string>> verdicts, const Table& table,
                   const std::vector<const Row*>& rows) const;
   void withdrawLosers();
+  void mergePeoplesFiles();
+  Take settleMasks(Conflict, const std::string& batch, const std::string& a, const std::string& b);
   void finishBatches();
-  static bool isOfResults(const Table& table, const Values& values,
-                          const std::set<std::string>& batches);
+  static bool isOfResults(const Table&, const Values&, const std::set<std::string>& batches);
   FileCopy& addFile(const Table& table, const Values& values, const std::string& from);
   void mergeTerms();
   void mergeProject();
@@ -124,12 +125,15 @@ class Merging {
   std::unordered_map<std::string, Take> of_row_;         ///< settled for all its fields at once
   std::unordered_map<std::string, std::vector<Event>> new_events_;  ///< of B alone, by row
   Touched touched_a_, touched_b_;
+  std::map<std::string, std::vector<const Event*>> since_a_, since_b_;  ///< by table, in order
   struct Deferred {
     std::string table, column, id;
     std::int64_t row = 0;
   };
   std::vector<Deferred> deferred_;
-  std::unordered_map<std::string, std::string> number_owner_, slug_owner_;  ///< by key: sherd
+  std::unordered_map<std::string, std::string> number_owner_;   ///< by slug: sherd
+  std::set<std::pair<std::string, std::string>> numbers_in_b_;  ///< slug, sherd: at any time
+  std::set<std::string> new_places_;     ///< table and natural key: as settled
   std::vector<std::int64_t> to_number_;  ///< sherds of A whose number went to another
   std::set<std::string> lost_numbers_;   ///< sherds of B whose number stays with another
   std::map<std::string, std::pair<std::string, std::string>> new_numbers_;  ///< sherd: old, new

@@ -1,7 +1,11 @@
 // Sherds: whose a number is, which measurement counts, and which sherds join.
 #include "sherds/numbers.h"
+
+#include <algorithm>
+
 #include "catalogue/search.h"
 #include "merge/merging.h"
+#include "merge/told.h"
 #include "records/sherd.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
@@ -11,20 +15,42 @@
 namespace ostraka::merge {
 namespace {
 
-std::string keyOfNumber(const std::string& number) {
-  return store::uniqueKey(number);
-}
+// Numbers with one file name are one number: they differ in case or punctuation at most.
 std::string slugOfNumber(const std::string& number) {
-  return store::uniqueKey(store::slug(number));
+  return number.empty() ? std::string() : store::uniqueKey(store::slug(number));
+}
+
+// Of one project's history, by pair. It names sherds by the numbers that they had then.
+template <class Canonical>
+Told toldJoins(const Content& content, const std::vector<const Event*>& since,
+               Canonical canonical) {
+  std::unordered_map<std::string, std::string> by_number;
+  for (const std::vector<Value>& given : content.given)
+    by_number[given[0].value_or("")] = given[3].value_or("");
+  Told told;
+  for (const Event* event : since)
+    if (event->field == "joins")
+      tellMembers(*event, [&](const std::string& name, bool added) {
+        const auto numbered = by_number.find(keyOfNumber(name));
+        const std::string sherd = canonical(event->row),
+                          other = canonical(numbered == by_number.end() ? name : numbered->second);
+        told[std::minmax(sherd, other)] = added;
+      });
+  return told;
 }
 
 }  // namespace
 
 void Merging::readGivenNumbers() {
-  for (const std::vector<Value>& given : a_.given) {
-    number_owner_[given[0].value_or("")] = given[3].value_or("");
-    slug_owner_[given[1].value_or("")] = given[3].value_or("");
-  }
+  for (const std::vector<Value>& given : a_.given)
+    number_owner_[slugOfNumber(given[2].value_or(""))] = given[3].value_or("");
+}
+
+void Merging::noteNumbersOfB() {
+  for (const Event& event : b_.events)
+    if (event.table == "sherd" && event.field == "number")
+      for (const std::string* number : {&event.old_value, &event.new_value})
+        numbers_in_b_.emplace(slugOfNumber(*number), canonicalId(event.row));
 }
 
 // False where another sherd of A keeps the number. values: of the sherd as it would be.
@@ -36,17 +62,17 @@ bool Merging::takesNumber(const std::string& sherd, const Table& table, Values& 
   // What A called otherwise since is A's word on it.
   if (mine && touches(touched_a_, sherd, {"number"}) && !touches(touched_b_, sherd, {"number"}))
     return true;
-  std::string owner;
-  if (const auto found = number_owner_.find(keyOfNumber(number)); found != number_owner_.end())
-    owner = found->second;
-  else if (const auto slug = slug_owner_.find(slugOfNumber(number)); slug != slug_owner_.end())
-    owner = slug->second;
-  if (owner.empty() || owner == sherd) return true;
-  // Settled before: B knows the other sherd, and it is called otherwise by now.
-  if (b_.table("sherd").by_id.contains(owner) && numberOf(owner) != number) return true;
-  const Choice* choice = choiceOf("number/" + sherd);
-  const Row* other = a_.table("sherd").find(owner);
-  const Take take = settle({"number/" + sherd,
+  const auto owner = number_owner_.find(slugOfNumber(number));
+  if (owner == number_owner_.end() || owner->second == sherd) return true;
+  const std::int64_t owner_row = rows_.at(owner->second);
+  const auto now =
+      database_.sql("SELECT number FROM sherd WHERE row = ?", owner_row).one<std::string>();
+  const bool bears = slugOfNumber(now) == owner->first;
+  // Settled before: B knows that the other sherd had the number, and it is called otherwise by now.
+  if (!bears && numbers_in_b_.contains(*owner)) return true;
+  const std::string conflict = "number/" + sherd;
+  const Row* other = a_.table("sherd").find(owner->second);
+  const Take take = settle({conflict,
                             "sherd",
                             number,
                             "number",
@@ -54,9 +80,8 @@ bool Merging::takesNumber(const std::string& sherd, const Table& table, Values& 
                             sherdSeen(table, values),
                             {Take::A, Take::B, Take::Number}});
   if (take == Take::Number) {
-    const std::string wanted = store::valueOrThrow(store::checkedNumber(choice->number));
-    if (wanted.empty() || number_owner_.contains(keyOfNumber(wanted)) ||
-        slug_owner_.contains(slugOfNumber(wanted)))
+    const std::string wanted = store::valueOrThrow(newName(conflict, *choiceOf(conflict)));
+    if (number_owner_.contains(slugOfNumber(wanted)))
       store::refuse(message(
           "The number %1 was assigned before and is never reused; nothing was merged. Settle "
           "the conflict number/%2 with another number.",
@@ -66,61 +91,50 @@ bool Merging::takesNumber(const std::string& sherd, const Table& table, Values& 
     values[table.column("number_sort")] = store::sortKey(wanted);
     return true;
   }
-  if (take == Take::B) {
-    if (other && other->values[table.column("number")] == number) {
-      database_
-          .sql(
-              "UPDATE sherd SET number = '', number_sort = ?, state = CASE state WHEN 'numbered' "
-              "THEN 'draft' ELSE state END WHERE row = ?")
-          .with(sherds::kBehindAllNumbers, other->row)
-          .run();
-      remember("sherd", other->row, "number", number, "");
-      if (other->values[table.column("state")] == "numbered") to_number_.push_back(other->row);
-    }
-    return true;
-  }
-  lost_numbers_.insert(sherd);
-  return false;
+  if (take == Take::A) lost_numbers_.insert(sherd);
+  if (take == Take::B && bears) takeNumberAway(owner_row, now);
+  return take == Take::B;
 }
 
-std::string Merging::numberOf(const std::string& sherd) const {
-  if (const auto claimed = claimed_.find(sherd); claimed != claimed_.end()) return claimed->second;
-  const Table& sherds = a_.table("sherd");
-  const Row* row = sherds.find(sherd);
-  return row ? row->values[sherds.column("number")].value_or("") : std::string();
+void Merging::takeNumberAway(std::int64_t sherd, const std::string& number) {
+  if (database_.sql("SELECT state FROM sherd WHERE row = ?", sherd).one<std::string>() ==
+      "numbered")
+    to_number_.push_back(sherd);
+  database_.run(
+      "UPDATE sherd SET number = '', number_sort = ?, state = CASE state WHEN 'numbered' THEN "
+      "'draft' ELSE state END WHERE row = ?",
+      sherds::kBehindAllNumbers, sherd);
+  remember("sherd", sherd, "number", number, "");
 }
 
 void Merging::claimNumber(const std::string& sherd, const std::string& number) {
   if (number.empty()) return;
-  number_owner_[keyOfNumber(number)] = sherd;
-  slug_owner_[slugOfNumber(number)] = sherd;
+  number_owner_[slugOfNumber(number)] = sherd;
   claimed_[sherd] = number;
 }
 
 void Merging::addGivenNumbers() {
   std::unordered_map<std::string, const std::vector<Value>*> of_b;
   for (const std::vector<Value>& given : b_.given) {
-    of_b[given[0].value_or("")] = &given;
+    const std::string number = given[2].value_or(""), key = store::uniqueKey(number);
+    of_b[key] = &given;
     const std::string sherd = canonicalId(given[3].value_or(""));
     if (!rows_.contains(sherd)) continue;
     // One that was given in both projects stays with the sherd of A, or goes to the one that a
     // person chose.
-    database_.sql("INSERT OR IGNORE INTO given_number VALUES (?, ?, ?, ?, ?, ?, ?)")
-        .with(given[0], given[1], given[2], rows_.at(sherd), given[4], given[5], given[6])
-        .run();
+    database_.run("INSERT OR IGNORE INTO given_number VALUES (?, ?, ?, ?, ?, ?, ?)", key,
+                  slugOfNumber(number), number, rows_.at(sherd), given[4], given[5], given[6]);
   }
   for (const auto& [sherd, number] : claimed_) {
-    const std::string key = keyOfNumber(number);
+    const std::string key = store::uniqueKey(number);
     const auto found = of_b.find(key);
     const bool counted = found != of_b.end();
-    database_
-        .sql(
-            "INSERT INTO given_number VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE "
-            "SET sherd = ?4")
-        .with(key, slugOfNumber(number), number, rows_.at(sherd), projects_.a.now(),
-              counted ? (*found->second)[5].value_or("") : std::string(),
-              counted ? (*found->second)[6] : Value())
-        .run();
+    database_.run(
+        "INSERT INTO given_number VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET "
+        "number_key = ?1, number = ?3, sherd = ?4",
+        key, slugOfNumber(number), number, rows_.at(sherd), projects_.a.now(),
+        counted ? (*found->second)[5].value_or("") : std::string(),
+        counted ? (*found->second)[6] : Value());
   }
   for (const auto& [sherd, numbers] : new_numbers_)
     remember("sherd", rows_.at(sherd), "number", numbers.first, numbers.second);
@@ -200,20 +214,21 @@ void Merging::mergeMeasurements() {
   }
 }
 
-// A set of pairs: what one of the projects joined or parted since holds, and nothing else goes.
+// A set of pairs: what one of the projects joined or parted since holds; a pair that one parted and
+// the other joined stays.
 void Merging::mergeJoins() {
   std::set<std::pair<std::string, std::string>> mine(a_.joins.begin(), a_.joins.end()), theirs;
   for (const auto& [sherd, other] : b_.joins)
     theirs.emplace(canonicalId(sherd), canonicalId(other));
-  const auto partedIn = [&](const Touched& here, const Touched& there,
-                            const std::pair<std::string, std::string>& pair) {
-    const auto told = [&](const Touched& touched) {
-      return touches(touched, pair.first, {"joins"}) || touches(touched, pair.second, {"joins"});
-    };
-    return told(here) && !told(there);
+  const auto canonical = [&](const std::string& id) { return canonicalId(id); };
+  const Told in_a = toldJoins(a_, since_a_["sherd"], canonical),
+             in_b = toldJoins(b_, since_b_["sherd"], canonical);
+  const auto parted = [](const Told& here, const Told& there,
+                         const std::pair<std::string, std::string>& pair) {
+    return isGone(here, there, std::minmax(pair.first, pair.second));
   };
   for (const auto& pair : theirs) {
-    if (mine.contains(pair) || partedIn(touched_a_, touched_b_, pair)) continue;
+    if (mine.contains(pair) || parted(in_a, in_b, pair)) continue;
     if (!rows_.contains(pair.first) || !rows_.contains(pair.second) || pair.first == pair.second)
       continue;
     database_.sql("INSERT OR IGNORE INTO sherd_join VALUES (?, ?)")
@@ -221,7 +236,7 @@ void Merging::mergeJoins() {
         .run();
   }
   for (const auto& pair : mine)
-    if (!theirs.contains(pair) && partedIn(touched_b_, touched_a_, pair))
+    if (!theirs.contains(pair) && parted(in_b, in_a, pair))
       database_.sql("DELETE FROM sherd_join WHERE sherd = ? AND other = ?")
           .with(rows_.at(pair.first), rows_.at(pair.second))
           .run();

@@ -1,5 +1,6 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct Outcome {
   std::map<std::string, std::string> files_of;  ///< folder of B -> folder of A, all of its files
   std::map<std::string, FileCopy> copies;       ///< by where they go: what B's catalogue names
   std::map<std::string, std::string> batches;   ///< numbers of B that are others in A
-  std::map<std::string, std::string> joint_decisions;  ///< results of B -> of A: A gets both lists
+  /// Of batches that both have, by place in A: what it becomes; none: as A has it.
+  std::map<std::string, std::optional<std::string>> peoples_files;
   std::map<std::string, std::string> withdrawn;  ///< in decisions.json: what lost -> its withdrawal
   bool unsettled() const;
 };

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "files/json.h"
+#include "store/values.h"
 
 namespace ostraka::merge {
 
@@ -13,6 +14,17 @@ const char* nameOf(Take take) {
 
 bool Conflict::offers(Take take) const {
   return std::find(takes.begin(), takes.end(), take) != takes.end();
+}
+
+// As a number that is typed: places and persons may be called more, but need not.
+Result<std::string> newName(const std::string& conflict_id, const Choice& choice) {
+  Result<std::string> name = store::checkedText(choice.number);
+  if (name) name = store::checkedNumber(*name);
+  if (!name) return Error::unusable(name.error().what, conflict_id);
+  if (name->empty())
+    return Error::unusable(
+        message("A new number cannot be empty; nothing was merged. Enter a number."), conflict_id);
+  return name;
 }
 
 Result<Settled> readSettled(const std::filesystem::path& file) {

@@ -20,6 +20,9 @@ struct Choice {
 };
 using Settled = std::map<std::string, Choice>;  ///< by the conflict's id
 
+/// What the choice calls B's row, as it is stored. Error: UnusableInput names the conflict.
+Result<std::string> newName(const std::string& conflict_id, const Choice& choice);
+
 /// A JSON list of {"id": "...", "take": "a" | "b"} or {"id": "...", "number": "..."}. Errors:
 /// UnusableInput names the file and what is wrong in it.
 Result<Settled> readSettled(const std::filesystem::path& file);

@@ -184,6 +184,7 @@ Result<std::vector<FileCopy>> filesToCopy(const fs::path& b, const Outcome& outc
       const std::string below =
           entry.path.starts_with(from + "/") ? entry.path.substr(from.size() + 1) : entry.path;
       const std::string place = to + "/" + below;
+      if (outcome.peoples_files.contains(place)) continue;
       all.emplace(place, FileCopy{from + "/" + below, place, {}});
     }
   }

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "base/message.h"
+#include "batch/peoples_files.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "files/json_text.h"
@@ -30,12 +31,10 @@ bool holdsOnlyOurs(const fs::path& output) {
   std::error_code failed;
   const bool worked = fs::is_directory(output / "work", failed) &&
                       !fs::exists(output / "work" / kScansFile, failed);
-  const std::set<std::string> ours =
-      worked ? std::set<std::string>{"work",        "sherds",         "unpaired",
-                                     "log.txt",     "pairs.json",     "report.html",
-                                     "report.json", "decisions.json", "mask_strokes.json",
-                                     "plate.json"}
-             : std::set<std::string>{"decisions.json"};
+  std::set<std::string> ours(std::begin(batch::kPeoplesFiles), std::end(batch::kPeoplesFiles));
+  if (worked)
+    ours.insert({"work", "sherds", "unpaired", "log.txt", "pairs.json", "report.html",
+                 "report.json", "plate.json"});
   for (fs::directory_iterator at(output, failed), end; !failed && at != end; at.increment(failed))
     if (ours.count(at->path().filename().string()) == 0) return false;
   return !failed;

@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "decisions/decided_pairs.h"
@@ -23,9 +22,8 @@ void decisions(std::string_view bytes) {
     must(decisions::editedPieces({}, side, holding).scans.empty(), "of no scan no piece is made");
     (void)decisions::hasEdits(holding, side);
   }
-  const nlohmann::ordered_json written = {{"format", 1}, {"decisions", toJson(*read)}};
   const Result<decisions::Decisions> again =
-      decisions::parseDecisions(written.dump(), "again.json");
+      decisions::parseDecisions(decisions::textOf(*read), "again.json");
   must(again.has_value() && again->size() == read->size(), "what was read is written and read");
 }
 

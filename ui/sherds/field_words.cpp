@@ -95,6 +95,7 @@ const char* labelOf(const QString& field) {
       {"scan", QT_TRANSLATE_NOOP("Fields", "scan")},
       {"file", QT_TRANSLATE_NOOP("Fields", "file")},
       {"vocabulary", QT_TRANSLATE_NOOP("Fields", "term")},
+      {"mask_strokes", QT_TRANSLATE_NOOP("Fields", "mask strokes")},
       {"content", QT_TRANSLATE_NOOP("Fields", "content")}};
   return labels.value(field, nullptr);
 }

@@ -1,6 +1,8 @@
 // What both houses say differently: listed, and settled by a person.
 #include <gmock/gmock.h>
 
+#include "merge/merging.h"
+#include "store/database.h"
 #include "two_houses.h"
 
 namespace ostraka::merge {
@@ -33,6 +35,22 @@ class Conflicts : public TwoHouses {
     EXPECT_THAT(openIn(merged(b_, *project_)), IsEmpty());
     EXPECT_TRUE(project_->catalogue().checkIntegrity());
     EXPECT_TRUE(b_.catalogue().checkIntegrity());
+  }
+  /// A new sherd in each project, with these numbers.
+  std::pair<std::string, std::string> called(const std::string& in_a, const std::string& in_b) {
+    const auto id = [&](upkeep::Project& project, const std::string& number) {
+      const store::SherdRow sherd = newSherd(project, context13, false);
+      say(project, sherd, "number", number);
+      return sherds::Sherds(project.catalogue()).get(sherd)->id;
+    };
+    return {id(*project_, in_a), id(b_, in_b)};
+  }
+  std::string ownerOf(const std::string& number) {
+    return catalogue()
+        .database()
+        .sql("SELECT s.id FROM given_number g JOIN sherd s ON s.row = g.sherd WHERE g.number = ?",
+             number)
+        .one<std::string>();
   }
   upkeep::Project b_;
 };
@@ -132,6 +150,52 @@ TEST_F(Conflicts, ANumberGivenToTwoSherdsBecomesANewOne) {
   EXPECT_EQ(saidOf(*project_, theirs, "number"), "ARM1-T3-0013-0101");
 }
 
+TEST_F(Conflicts, ANumberInOtherLettersGoesToTheOther) {
+  const auto [own, theirs] = called("q-7", "Q-7");
+  settle({{"number/" + theirs, take(Take::B)}});
+  EXPECT_EQ(saidOf(*project_, theirs, "number"), "Q-7");
+  EXPECT_EQ(saidOf(*project_, own, "number"), "ARM1-T3-0013-0001");
+  EXPECT_EQ(ownerOf("Q-7"), theirs);
+}
+
+TEST_F(Conflicts, ANumberWithTheSameFileNameGoesToTheOther) {
+  const auto [own, theirs] = called("R/1", "R_1");
+  settle({{"number/" + theirs, take(Take::B)}});
+  EXPECT_EQ(saidOf(*project_, theirs, "number"), "R_1");
+  EXPECT_EQ(saidOf(*project_, own, "number"), "ARM1-T3-0013-0001");
+  EXPECT_EQ(ownerOf("R_1"), theirs);
+}
+
+TEST_F(Conflicts, ANumberThatASherdHadBeforeStaysItsOwn) {
+  say(*project_, rows[0], "number", "N-9");
+  const auto [own, theirs] = called("N-8", "N-9");
+  say(*project_, rows[0], "number", "N-10");
+  settle({{"number/" + theirs, take(Take::A)}});
+  EXPECT_EQ(ownerOf("N-9"), idOf(rows[0]));
+  EXPECT_EQ(saidOf(*project_, theirs, "number"), "ARM1-T3-0013-0001");
+}
+
+TEST_F(Conflicts, ANumberThatASherdHadBeforeGoesToAnotherAsAPersonSays) {
+  say(*project_, rows[0], "number", "N-9");
+  const auto [own, theirs] = called("N-8", "N-9");
+  say(*project_, rows[0], "number", "N-10");
+  settle({{"number/" + theirs, take(Take::B)}});
+  EXPECT_EQ(ownerOf("N-9"), theirs);
+  EXPECT_EQ(saidOf(*project_, theirs, "number"), "N-9");
+  EXPECT_EQ(valueOf(rows[0], "number"), "N-10");
+}
+
+TEST_F(Conflicts, ANewNumberIsCheckedAsATypedOne) {
+  const auto [own, theirs] = called("q-7", "q-7");
+  for (const std::string& number : {std::string("8\0x", 3), std::string("a\nb"), std::string("  "),
+                                    std::string("8\u202e"), std::string(121, 'x')}) {
+    const Result<MergeReport> refused =
+        tried(*project_, b_, {{"number/" + theirs, {Take::Number, number}}});
+    ASSERT_FALSE(refused) << number;
+    EXPECT_EQ(refused.error().where, "number/" + theirs);
+  }
+}
+
 class TwoPlaces : public Conflicts {
  protected:
   std::string made(upkeep::Project& project, const std::string& period) {
@@ -175,6 +239,89 @@ TEST_F(TwoPlaces, ThatSayOtherThingsAreTwoUnderAnotherNumber) {
   const std::size_t before = contexts();
   settle({{"context/" + theirs, {Take::Number, "0100"}}});
   EXPECT_EQ(contexts(), before + 1);
+}
+
+TEST_F(TwoPlaces, KeepANumberThatNoOtherPlaceHas) {
+  made(*project_, "Bronze Age");
+  const std::string conflict = "context/" + made(b_, "Iron Age");
+  const std::string before = contentIn(*project_);
+  for (const char* number : {"0099", "0012", " 0013 "}) {
+    const Result<MergeReport> taken = tried(*project_, b_, {{conflict, {Take::Number, number}}});
+    ASSERT_FALSE(taken) << number;
+    EXPECT_EQ(taken.error().code, ErrorCode::UnusableInput);
+    EXPECT_THAT(taken.error().what, testing::HasSubstr(conflict));
+  }
+  EXPECT_EQ(contentIn(*project_), before);
+}
+
+TEST_F(TwoPlaces, AreNumberedAsIfTyped) {
+  made(*project_, "Bronze Age");
+  const std::string conflict = "context/" + made(b_, "Iron Age");
+  for (const std::string& number : {std::string("8\0x", 3), std::string("a\nb"), std::string("  "),
+                                    std::string("8\u202e"), std::string(1'500'000, 'x')}) {
+    const Result<MergeReport> refused = tried(*project_, b_, {{conflict, {Take::Number, number}}});
+    ASSERT_FALSE(refused) << number.substr(0, 9);
+    EXPECT_EQ(refused.error().where, conflict);
+  }
+}
+
+TEST_F(TwoPlaces, StayOneWhenOneIsRenamed) {
+  made(*project_, "");
+  made(b_, "");
+  EXPECT_TRUE(merged(*project_, b_).entered);
+  const std::size_t before = contexts();
+  for (records::ContextRecord& c : valueIn(Places(catalogue()).contexts())) {
+    if (c.number != "0099") continue;
+    c.number = "0100";
+    ASSERT_TRUE(Places(catalogue()).save(c, anna));
+  }
+  EXPECT_TRUE(merged(*project_, b_).entered);
+  EXPECT_EQ(contexts(), before);
+}
+
+class Aliases : public TwoPlaces {
+ protected:
+  /// As merges note it.
+  static void callTheSame(upkeep::Project& in, const std::string& one, const std::string& other) {
+    in.catalogue().database().run("INSERT INTO setting VALUES (?, ?)", kSameRow + one, other);
+  }
+  std::string contextCalled(const std::string& number) {
+    const store::ContextRow row = *Places(catalogue()).contextByPlace("ARM1", "T3", number);
+    return Places(catalogue()).context(row)->id;
+  }
+};
+
+TEST_F(Aliases, OfRowsOfTwoTablesAreRefusedByName) {
+  const std::string theirs = made(b_, "Iron Age");
+  callTheSame(b_, theirs, idOf(rows[0]));
+  const std::string before = contentIn(*project_);
+  const Result<MergeReport> refused = tried(*project_, b_, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(refused.error().what, testing::HasSubstr(kSameRow + theirs));
+  EXPECT_EQ(contentIn(*project_), before);
+}
+
+TEST_F(Aliases, OfPlacesWithDifferentNumbersAreRefused) {
+  const std::string theirs = made(b_, "Iron Age");
+  records::ContextRecord c;
+  c.site = site;
+  c.trench = trench;
+  c.number = "0020";
+  ASSERT_TRUE(Places(catalogue()).save(c, anna));
+  callTheSame(b_, contextCalled("0020"), theirs);
+  const Result<MergeReport> refused = tried(*project_, b_, {});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().what, testing::HasSubstr("the same"));
+}
+
+TEST_F(Aliases, OfAThatDoNotFitMeanNothing) {
+  const std::string theirs = made(b_, "Iron Age");
+  const store::ContextRow row = *Places(b_.catalogue()).contextByPlace("ARM1", "T3", "0099");
+  const std::string sherd = sherds::Sherds(b_.catalogue()).get(newSherd(b_, row, false))->id;
+  callTheSame(*project_, theirs, idOf(rows[0]));
+  EXPECT_TRUE(merged(*project_, b_).entered);
+  EXPECT_EQ(saidOf(*project_, sherd, "context"), "0099");
 }
 
 class TwoDecisions : public Conflicts {

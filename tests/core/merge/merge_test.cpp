@@ -49,6 +49,69 @@ TEST_F(MergingProjects, TakesWhatOnlyOneOfThemChangedAndOnce) {
   EXPECT_EQ(contentIn(*project_), after) << "once more changes nothing";
 }
 
+// Pair by pair: what else was done to the same sherds says nothing of it.
+TEST_F(MergingProjects, SherdsThatOneProjectPartedStayParted) {
+  say(*project_, rows[1], "joins", "");
+  say(b_, rows[0], "joins", "ARM1-T3-0012-0002; ARM1-T3-0012-0003");
+  merged(b_, *project_);
+  merged(*project_, b_);
+  for (const upkeep::Project* project : {&*project_, &b_}) {
+    EXPECT_EQ(saidOf(*project, idOf(rows[0]), "joins"), "ARM1-T3-0012-0003");
+    EXPECT_EQ(saidOf(*project, idOf(rows[1]), "joins"), "");
+    EXPECT_EQ(saidOf(*project, idOf(rows[2]), "joins"), "ARM1-T3-0012-0001");
+  }
+}
+
+TEST_F(MergingProjects, SherdsThatOnePartedAndTheOtherJoinedAgainStayJoined) {
+  say(*project_, rows[1], "joins", "");
+  say(b_, rows[1], "joins", "");
+  say(b_, rows[0], "joins", "ARM1-T3-0012-0002");
+  merged(*project_, b_);
+  EXPECT_EQ(valueOf(rows[1], "joins"), "ARM1-T3-0012-0001");
+}
+
+class MergingTerms : public MergingProjects {
+ protected:
+  static std::vector<std::string> termsOf(const upkeep::Project& project) {
+    std::vector<std::string> names;
+    for (const records::Term& term : valueIn(Settings(project.catalogue()).vocabulary("condition")))
+      names.push_back(term.term);
+    return names;
+  }
+  void change(upkeep::Project& project, const std::string& without, const std::string& with) {
+    std::vector<records::Term> terms =
+        valueIn(Settings(project.catalogue()).vocabulary("condition"));
+    std::erase_if(terms, [&](const records::Term& term) { return term.term == without; });
+    if (!with.empty()) {
+      terms.emplace_back();
+      terms.back().term = with;
+    }
+    EXPECT_TRUE(Settings(project.catalogue()).setVocabulary("condition", terms, anna));
+  }
+};
+
+TEST_F(MergingTerms, ThatOneProjectTookAwayGoThoughTheOtherAddedOthers) {
+  const std::string gone = termsOf(b_).front();
+  change(*project_, gone, "");
+  change(b_, "", "smoked");
+  merged(b_, *project_);
+  merged(*project_, b_);
+  for (const upkeep::Project* project : {&*project_, &b_}) {
+    EXPECT_THAT(termsOf(*project), testing::Not(testing::Contains(gone)));
+    EXPECT_THAT(termsOf(*project), testing::Contains("smoked"));
+  }
+}
+
+TEST_F(MergingTerms, ThatASherdHasStay) {
+  const std::string used = termsOf(b_).front();
+  change(*project_, used, "");
+  say(b_, rows[0], "condition", used);
+  merged(b_, *project_);
+  merged(*project_, b_);
+  for (const upkeep::Project* project : {&*project_, &b_})
+    EXPECT_THAT(termsOf(*project), testing::Contains(used));
+}
+
 TEST_F(MergingProjects, WhatWasChangedBackHoldsAgainstWhatWasNeverChanged) {
   say(*project_, rows[0], "ware", "grey");
   merged(b_, *project_);
@@ -123,6 +186,33 @@ TEST_F(MergingProjects, RefusesAnotherVersionsSchema) {
     EXPECT_FALSE(tried(*project_, b_, {})) << version;
     EXPECT_EQ(contentIn(*project_), before);
   }
+}
+
+TEST_F(MergingProjects, TakesBackWhatWouldNotBeWhole) {
+  newSherd(b_, context12, false);
+  const std::string before = contentIn(*project_);
+  catalogue().database().script(
+      "CREATE TEMP TRIGGER loses AFTER INSERT ON main.sherd_measure BEGIN DELETE FROM "
+      "sherd_measure "
+      "WHERE sherd = NEW.sherd; END");
+  const Result<MergeReport> refused = tried(*project_, b_, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::Failed);
+  EXPECT_EQ(contentIn(*project_), before);
+  catalogue().database().script("DROP TRIGGER loses");
+  EXPECT_TRUE(merged(*project_, b_).entered);
+}
+
+TEST_F(MergingProjects, TakesBackWhatNoArchiveCouldRestore) {
+  context("0077");
+  catalogue().database().script(
+      "UPDATE context SET note = CAST(x'410042' AS TEXT) WHERE number = '0077'");
+  say(b_, rows[0], "note", "a handle");
+  const std::string before = contentIn(*project_);
+  const Result<MergeReport> refused = tried(*project_, b_, {});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().where, testing::HasSubstr("context.note"));
+  EXPECT_EQ(contentIn(*project_), before);
 }
 
 TEST_F(MergingProjects, WhatWasCancelledChangedNothing) {

@@ -19,6 +19,7 @@
 #include "upkeep/file_check.h"
 #include "upkeep/project.h"
 #include "upkeep/repair.h"
+#include "upkeep/value_check.h"
 
 namespace ostraka::app {
 namespace {
@@ -209,6 +210,8 @@ int runCheck(const Options& options, Session& session) {
     if (!saved) return fail(session, saved.error());
     backup = saved->string();
   }
+  if (const auto good = upkeep::checkValues(project->catalogue()); !good)
+    return fail(session, good.error());
   session.progress.begin("check", 1.0);
   const auto checked = upkeep::checkFiles(
       project->catalogue(), project->folder(),

@@ -60,6 +60,14 @@ Result<ProjectFiles> filesOf(const fs::path& project) {
   return files;
 }
 
+// What an archive must contain so that it can be restored, and a restored one so that it is a
+// project.
+Result<void> checkContent(const catalogue::Catalogue& catalogue) {
+  if (Result<void> whole = catalogue.checkIntegrity(); !whole) return whole;
+  if (Result<void> inside = upkeep::checkPaths(catalogue); !inside) return inside;
+  return upkeep::checkValues(catalogue);
+}
+
 // Copies the project's files into the bag and holds them against the catalogue.
 class Archiving {
  public:
@@ -114,11 +122,12 @@ class Archiving {
   // Of the copy: the project goes on changing while its files are copied.
   Result<void> readKnown(const fs::path& copy) {
     Result<std::unique_ptr<store::Database>> opened =
-        store::Database::open(copy, store::Database::Mode::ReadOnly);
+        store::Database::open(copy, store::Database::Mode::ReadWrite);
     if (!opened) return opened.error();
     const std::int64_t now = project_.catalogue().now();
-    auto known =
-        upkeep::knownFiles(catalogue::Catalogue(std::move(*opened), [now] { return now; }));
+    const catalogue::Catalogue copied(std::move(*opened), [now] { return now; });
+    if (Result<void> good = checkContent(copied); !good) return good;
+    auto known = upkeep::knownFiles(copied);
     if (!known) return known.error();
     known_ = std::move(*known);
     return {};
@@ -156,8 +165,7 @@ Result<void> checkRestored(const fs::path& folder) {
   if (Result<void> ours = store::checkSchema(folder / kCatalogue); !ours) return ours;
   const Result<upkeep::Project> opened = upkeep::Project::open(folder);
   if (!opened) return opened.error();
-  if (Result<void> whole = opened->catalogue().checkIntegrity(); !whole) return whole;
-  return upkeep::checkValues(opened->catalogue());
+  return checkContent(opened->catalogue());
 }
 
 }  // namespace

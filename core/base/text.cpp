@@ -8,6 +8,9 @@
 #include <cstdio>
 #include <ctime>
 
+#include "base/limits.h"
+#include "base/message.h"
+
 namespace ostraka {
 namespace {
 
@@ -16,6 +19,24 @@ std::string utcText(std::time_t seconds, const char* form) {
   ::gmtime_r(&seconds, &parts);
   char text[32];
   return {text, std::strftime(text, sizeof text, form, &parts)};
+}
+
+// Of the character at `at` of a text in UTF-8; 0 where there is none (RFC 3629).
+std::size_t bytesOfCharacter(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) -> unsigned {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
+  };
+  const unsigned first = byte(at), second = byte(at + 1);
+  if (first < 0x80) return 1;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
+  const bool half_of_pair = first == 0xED && second >= 0xA0;
+  const bool beyond_unicode = first == 0xF4 && second >= 0x90;
+  if (overlong || half_of_pair || beyond_unicode) return 0;
+  const std::size_t bytes = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  for (std::size_t i = 1; i < bytes; ++i)
+    if ((byte(at + i) & 0xC0) != 0x80) return 0;
+  return bytes;
 }
 
 }  // namespace
@@ -71,6 +92,27 @@ std::size_t forbiddenInXml(std::string_view text, std::size_t at) {
   const bool no_character = byte(at) == 0xEF && byte(at + 1) == 0xBF && byte(at + 2) >= 0xBE;
   const bool half_of_pair = byte(at) == 0xED && byte(at + 1) >= 0xA0;
   return no_character || half_of_pair ? std::min<std::size_t>(3, text.size() - at) : 0;
+}
+
+bool isUtf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t bytes = bytesOfCharacter(text, i);
+    if (bytes == 0 || text[i] == '\0') return false;
+    i += bytes;
+  }
+  return true;
+}
+
+Result<void> checkText(std::string_view text) {
+  if (text.size() > limits::kValueBytes.most)
+    return Error::unusable(message("The text is longer than 1 MB."));
+  if (!isUtf8(text))
+    return Error::unusable(message("The text is not valid UTF-8 or contains a zero byte."));
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (forbiddenInXml(text, i) > 0)
+      return Error::unusable(message(
+          "The text contains control characters, which documents cannot contain; type it again."));
+  return {};
 }
 
 std::string joined(std::span<const std::string> words, const char* between) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/result.h"
+
 namespace ostraka {
 
 /// A number with this many digits after the decimal point, independent of the locale.
@@ -25,6 +27,12 @@ std::string hexadecimal(std::span<const unsigned char> bytes);
 /// The bytes of the character at `at` of a text in UTF-8 if XML 1.0 forbids it, else 0: control
 /// characters other than tab and line ends, U+FFFE, U+FFFF and halves of surrogate pairs.
 std::size_t forbiddenInXml(std::string_view text, std::size_t at);
+
+bool isUtf8(std::string_view text);  ///< well formed, and without NUL
+
+/// Whether a text can be stored and written into any document: UTF-8, without what XML forbids, of
+/// at most limits::kValueBytes. Errors: UnusableInput, with a sentence for whoever wrote it.
+Result<void> checkText(std::string_view text);
 
 std::string joined(std::span<const std::string> words, const char* between);
 

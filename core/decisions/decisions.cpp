@@ -166,6 +166,10 @@ Result<void> checked(const PairDecision& d) {
   if (d.replaces.size() > limits::kDecisionReplaces.most)
     return Error::unusable(
         message("It replaces more than %1 decisions.", limits::kDecisionReplaces.most));
+  for (const std::string* text : {&d.by, &d.at, &d.note})
+    if (Result<void> good = checkText(*text); !good) return good;
+  for (const ScanRef& scan : d.scans)
+    if (Result<void> good = checkText(scan.id); !good) return good;
   const std::size_t n = d.scans.size();
   const auto side = [&](std::size_t i) { return d.scans[i].side; };
   switch (d.kind) {

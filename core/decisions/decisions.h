@@ -72,8 +72,8 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
 /// replaces: the standing ones about the same scans (Pair, Aside, Reshoot), or those named already
 /// (Withdraw). What takes one side of a sherd out that was taken out with its other side is about
 /// both. Returns it as written. Errors: those of readDecisions, CannotWrite; UnusableInput
-/// without a person's name, with the wrong number of scans, or for a withdrawal of what does not
-/// stand.
+/// without a person's name, with text that checkText refuses, with the wrong number of scans, or
+/// for a withdrawal of what does not stand.
 Result<PairDecision> appendDecision(const std::filesystem::path& output, PairDecision decision);
 
 nlohmann::ordered_json toJson(const Decisions& decisions);

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/message.h"
+#include "base/text.h"
 #include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
@@ -16,7 +17,6 @@
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
 #include "store/database.h"
-#include "store/names.h"
 #include "store/values.h"
 #include "tables/column_meanings.h"
 #include "tables/csv.h"
@@ -74,7 +74,7 @@ class TableWriter {
 void writeRow(TableWriter& table, const std::vector<tables::OdsSheet::Column>& columns,
               const std::vector<std::string>& values, const std::string& of) {
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (!store::isUtf8(values[i]))
+    if (!isUtf8(values[i]))
       refuseCell(Error::unusable(message("The text is not valid UTF-8 or contains a zero byte.")),
                  of, columns[i].name);
   table.row(values);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/message.h"
+#include "base/text.h"
 #include "cloud/ply.h"
 #include "files/checksum.h"
 #include "files/json.h"
@@ -79,6 +80,9 @@ class Reading {
         if (stage.at("stage") == "cameras") camerasOf(stage.at("figures"));
       results_.scale_doubts = store::valueOrThrow(messagesFromJson(
           report.value("scale_doubts", json::array()), (out_ / "report.json").string()));
+      checkTextOf("report.json", textOf(results_.scale_doubts));
+      for (const Message& doubt : results_.scale_doubts)
+        checkTextOf("report.json", doubt.english());
       if (report.value("draft", false))
         results_.scale_doubts.push_back(
             message("This is a draft from reduced photographs; reprocess the batch for final "
@@ -93,6 +97,11 @@ class Reading {
   }
 
  private:
+  void checkTextOf(const char* file, const std::string& text) const {
+    if (const Result<void> good = checkText(text); !good)
+      store::refuse(good.error().what, (out_ / file).string());
+  }
+
   // Of the lengths that took no part in the fit the one that is off most stands for the scale.
   void camerasOf(const json& figures) {
     results_.reprojection_px = numberIn(figures, "reprojection_rms_px");
@@ -119,6 +128,7 @@ class Reading {
       d.fracture_overlap = numberIn(p, "fracture_overlap");
       d.ambiguous = p.at("ambiguous").get<bool>();
       d.note = p.value("reason", "");
+      checkTextOf("pairs.json", d.note);
       results_.pairs.push_back(std::move(d));
       results_.pair_names.emplace_back(p.at("front").get<std::string>(),
                                        p.at("back").get<std::string>());

@@ -1,10 +1,8 @@
 #include "metadata/json_fields.h"
 
-#include <cmath>
-
 #include "base/message.h"
+#include "base/text.h"
 #include "files/json.h"
-#include "store/names.h"
 #include "store/values.h"
 
 namespace ostraka::metadata {
@@ -12,12 +10,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
-using TextCheck = Result<std::string> (*)(std::string_view);
+using TextCheck = Result<void> (*)(std::string_view);
 
-Result<std::string> writtenText(std::string_view text) {
+Result<void> checkWritten(std::string_view text) {
   std::string held(text);
   std::erase(held, '\0');  // which JSON can write
-  if (store::isUtf8(held)) return held;
+  if (isUtf8(held)) return {};
   return Error::unusable(message("The text is not valid UTF-8 or contains a zero byte."));
 }
 
@@ -27,10 +25,9 @@ Result<void> checkHeld(const Json& value, const std::string& at, TextCheck check
   if (value.is_string())
     if (const auto good = check(value.template get_ref<const std::string&>()); !good)
       return Error::unusable(good.error().what, at);
-  if (value.is_number_float() && !std::isfinite(value.template get<double>()))
-    return Error::unusable(message("'%1' is not a number; write 12.5 or 12,5, without a unit.",
-                                   store::numberText(value.template get<double>())),
-                           at);
+  if (value.is_number_float())
+    if (const auto good = store::checkFinite(value.template get<double>()); !good)
+      return Error::unusable(good.error().what, at);
   if (!value.is_structured()) return {};
   for (const auto& [key, inner] : value.items()) {
     const std::string inside = at + "/" + key;
@@ -43,15 +40,14 @@ Result<void> checkHeld(const Json& value, const std::string& at, TextCheck check
 }  // namespace
 
 Result<std::string> jsonText(const ordered_json& value, const std::string& where, int indent) {
-  if (const Result<void> held = checkHeld(value, where, writtenText); !held) return held.error();
+  if (const Result<void> held = checkHeld(value, where, checkWritten); !held) return held.error();
   return value.dump(indent);
 }
 
 Result<nlohmann::json> parseFields(std::string_view text, const std::string& where) {
   Result<nlohmann::json> value = parseJson(text, where);
   if (!value) return value;
-  if (const Result<void> held = checkHeld(*value, where, store::checkedText); !held)
-    return held.error();
+  if (const Result<void> held = checkHeld(*value, where, checkText); !held) return held.error();
   return value;
 }
 

@@ -27,7 +27,7 @@ Result<std::string> jsonText(const nlohmann::ordered_json& value, const std::str
                              int indent = 1);
 
 /// What a file of an export says. Each of its texts must be one that this program could have
-/// written (store::checkedText): some enter the catalogue as they are. Error: UnusableInput, which
+/// written (checkText): some enter the catalogue as they are. Error: UnusableInput, which
 /// says which value, as that of jsonText.
 Result<nlohmann::json> parseFields(std::string_view text, const std::string& where);
 

@@ -2,6 +2,7 @@
 #include "sherds/filter.h"
 
 #include "base/message.h"
+#include "base/text.h"
 #include "catalogue/label_codes.h"
 #include "sherds/sherd_columns.h"
 #include "store/names.h"
@@ -134,7 +135,7 @@ std::string Filter::text() const {
 }
 
 Result<Filter> parseFilter(std::string_view line) {
-  if (line.size() > 10'000 || !store::isUtf8(line))
+  if (line.size() > 10'000 || !isUtf8(line))
     return Error::unusable(message("The filter is not valid text."));
   if (catalogue::beginsAsSherdLabel(store::trimmed(line)) &&
       catalogue::readLabelCode(line)) {  // its number may hold blanks

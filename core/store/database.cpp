@@ -6,10 +6,12 @@
 
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <list>
 #include <thread>
 
 #include "base/message.h"
+#include "base/text.h"
 #include "files/files.h"
 #include "store/file_header.h"
 #include "store/page_checksums.h"
@@ -28,6 +30,7 @@ struct Database::Prepared {
   struct One {
     sqlite3_stmt* handle = nullptr;
     bool busy = false;
+    std::string stores_in = {};
   };
   std::list<One> all;
   ~Prepared() {
@@ -38,6 +41,7 @@ struct Database::Prepared {
 Statement::Statement(Statement&& other) noexcept
     : handle_(std::exchange(other.handle_, nullptr)),
       busy_(other.busy_),
+      stores_in_(other.stores_in_),
       bound_(other.bound_),
       column_(other.column_) {}
 
@@ -108,6 +112,9 @@ void Statement::readText(std::string& value) {
 }
 
 void Statement::bind(int index, std::string_view value) {
+  if (!stores_in_.empty())
+    if (const Result<void> good = checkText(value); !good)
+      refuse(good.error().what, std::string(stores_in_));
   check(sqlite3_bind_text64(handle_, index, value.data() ? value.data() : "", value.size(),
                             SQLITE_TRANSIENT, SQLITE_UTF8));
 }
@@ -115,6 +122,9 @@ void Statement::bind(int index, std::int64_t value) {
   check(sqlite3_bind_int64(handle_, index, value));
 }
 void Statement::bind(int index, double value) {
+  if (!stores_in_.empty() && !std::isnan(value))  // which SQLite stores as NULL
+    if (const Result<void> good = checkFinite(value); !good)
+      refuse(good.error().what, std::string(stores_in_));
   check(sqlite3_bind_double(handle_, index, value));
 }
 void Statement::bind(int index, std::nullptr_t) {
@@ -158,11 +168,22 @@ static std::string immutableUriOf(const fs::path& file) {
   return uri + "?immutable=1";
 }
 
+// SQLite asks, while it prepares a statement, whether it may insert into a table or change it; it
+// may, and here it is learnt which one, its triggers and temporary tables apart.
+static int noteTable(void* stored_in, int action, const char* table, const char* /*column*/,
+                     const char* schema, const char* trigger) {
+  const bool stores = action == SQLITE_INSERT || action == SQLITE_UPDATE;
+  if (stores && trigger == nullptr && schema != nullptr && std::string_view(schema) == "main")
+    *static_cast<std::string*>(stored_in) = table;
+  return SQLITE_OK;
+}
+
 Result<void> Database::connect(const std::string& name, int flags) {
   sqlite3_close(std::exchange(handle_, nullptr));
   if (sqlite3_open_v2(name.c_str(), &handle_, flags | SQLITE_OPEN_EXRESCODE, checkedPagesVfs()) ==
       SQLITE_OK) {
     sqlite3_busy_handler(handle_, lookAgain, &waiting_);
+    sqlite3_set_authorizer(handle_, noteTable, &stored_in_);
     return {};
   }
   return Error::unusable(
@@ -263,13 +284,16 @@ Statement Database::prepared(std::string_view text) {
   std::unique_ptr<Prepared>& kept = prepared_[std::string(text)];
   if (!kept) kept = std::make_unique<Prepared>();
   for (Prepared::One& one : kept->all)
-    if (!one.busy) return {one.handle, &one.busy};
+    if (!one.busy) return {one.handle, &one.busy, one.stores_in};
   Prepared::One one;
+  stored_in_.clear();
   if (sqlite3_prepare_v3(handle_, text.data(), static_cast<int>(text.size()),
                          SQLITE_PREPARE_PERSISTENT, &one.handle, nullptr) != SQLITE_OK)
     throw SqlFailure(sqlite3_extended_errcode(handle_), sqlite3_errmsg(handle_));
-  kept->all.push_back(one);
-  return {kept->all.back().handle, &kept->all.back().busy};
+  if (!sqlite3_stmt_readonly(one.handle) && !holdsSystemNames(stored_in_))
+    one.stores_in = stored_in_;
+  Prepared::One& added = kept->all.emplace_back(std::move(one));
+  return {added.handle, &added.busy, added.stores_in};
 }
 
 std::int64_t Database::lastRow() const {

@@ -132,6 +132,7 @@ class Database {
   Waiting waiting_;
   std::optional<ScratchFolder> scratch_;  ///< of a copy that this connection alone reads
   std::unordered_map<std::string, std::unique_ptr<Prepared>> prepared_;
+  std::string stored_in_;  ///< by the statement that was prepared last
   int depth_ = 0;
 };
 

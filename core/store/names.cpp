@@ -34,16 +34,6 @@ bool isAscii(std::string_view text) {
 
 }  // namespace
 
-bool isUtf8(std::string_view text) {
-  const auto size = static_cast<int32_t>(text.size());
-  for (int32_t i = 0; i < size;) {
-    UChar32 letter = 0;
-    U8_NEXT(text.data(), i, size, letter);
-    if (letter <= 0) return false;
-  }
-  return true;
-}
-
 std::string fromUtf16(std::u16string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size();) {

@@ -5,7 +5,6 @@
 
 namespace ostraka::store {
 
-bool isUtf8(std::string_view text);  ///< well formed, and without NUL
 /// A lone half of a surrogate pair becomes bytes that isUtf8() refuses.
 std::string fromUtf16(std::u16string_view text);
 /// Composed (Unicode NFC), so that the same letters are the same bytes.

@@ -27,10 +27,16 @@ struct Refused : std::runtime_error {
 };
 [[noreturn]] void refuse(Message what, std::string where = {});
 
-/// A prepared statement in use. Values go in by call, columns come out with >>, left to right.
+/// A prepared statement in use. Values go in by call, columns come out with >>, left to right. What
+/// is to be stored in a table must be as checkText and checkFinite want it, so that whatever the
+/// program writes it can also export, archive and restore; else it is Refused, with the table.
 class Statement {
  public:
-  Statement(sqlite3_stmt* handle, bool* busy) : handle_(handle), busy_(busy) { *busy_ = true; }
+  /// stores_in: the table whose values are checked; empty for none, as of what only reads.
+  Statement(sqlite3_stmt* handle, bool* busy, std::string_view stores_in)
+      : handle_(handle), busy_(busy), stores_in_(stores_in) {
+    *busy_ = true;
+  }
   Statement(Statement&& other) noexcept;
   ~Statement();
 
@@ -40,7 +46,7 @@ class Statement {
     (bind(++bound_, values), ...);
     return *this;
   }
-  /// Binds what the other's row holds, column by column.
+  /// Binds what the other's row holds, column by column, unchecked: a repair copies all it finds.
   Statement& withRow(const Statement& row);
   bool next();  ///< to the next row; false when there is none
   /// The next row's columns into these; false, and they stay as they are, when there is none.
@@ -120,6 +126,7 @@ class Statement {
 
   sqlite3_stmt* handle_;
   bool* busy_;
+  std::string_view stores_in_;
   int bound_ = 0, column_ = 0;
 };
 

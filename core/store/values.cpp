@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <unordered_set>
 
-#include "base/limits.h"
 #include "base/message.h"
 #include "base/text.h"
 #include "files/contained_path.h"
@@ -16,8 +15,6 @@
 
 namespace ostraka::store {
 namespace {
-
-constexpr std::size_t kMostBytes = limits::kValueBytes.most;
 
 bool digits(std::string_view text, std::size_t from, std::size_t count) {
   if (from + count > text.size()) return false;
@@ -77,14 +74,12 @@ bool isEdtfDate(std::string_view text) {
 }  // namespace
 
 Result<std::string> checkedText(std::string_view text) {
-  if (text.size() > kMostBytes) return Error::unusable(message("The text is longer than 1 MB."));
-  if (!isUtf8(text))
-    return Error::unusable(message("The text is not valid UTF-8 or contains a zero byte."));
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (forbiddenInXml(text, i) > 0)
-      return Error::unusable(message(
-          "The text contains control characters, which documents cannot contain; type it again."));
+  if (const Result<void> good = checkText(text); !good) return good.error();
   return composed(trimmed(text));
+}
+
+bool holdsSystemNames(std::string_view table) {
+  return table == "history" || table == "setting";
 }
 
 Result<std::string> checkedDay(std::string_view typed) {
@@ -188,6 +183,12 @@ std::string numberText(double value) {
   char buffer[40];
   const auto end = std::to_chars(std::begin(buffer), std::end(buffer), value).ptr;
   return {std::begin(buffer), end};
+}
+
+Result<void> checkFinite(double value) {
+  if (std::isfinite(value)) return {};
+  return Error::unusable(
+      message("'%1' is not a number; write 12.5 or 12,5, without a unit.", numberText(value)));
 }
 
 std::vector<std::string> splitTerms(std::string_view text) {

@@ -10,8 +10,10 @@ namespace ostraka::store {
 // Each takes a text as typed or imported and gives its canonical form, or an error whose sentence
 // says what is expected. An empty text stays empty.
 
-/// Composed, trimmed; refuses bad UTF-8, what XML forbids (forbiddenInXml), more than 1 MB.
+/// Composed, trimmed; refuses what checkText refuses, as every statement that writes does.
 Result<std::string> checkedText(std::string_view text);
+/// The settings and the history contain file names as the system gave them: any bytes.
+bool holdsSystemNames(std::string_view table);
 /// 2026-07-14, a day that exists.
 Result<std::string> checkedDay(std::string_view text);
 /// Extended Date/Time Format, level 1: years to days, ? ~ %, intervals with / and .., XX.
@@ -22,6 +24,8 @@ Result<std::string> checkedMunsell(std::string_view text);
 Result<double> parsedNumber(std::string_view text);
 /// Shortest text that reads back as the same number, with a point.
 std::string numberText(double value);
+/// Refuses the infinite and what is not a number.
+Result<void> checkFinite(double value);
 /// rim; neck -> {rim, neck}, without doubles.
 std::vector<std::string> splitTerms(std::string_view text);
 std::string joinTerms(const std::vector<std::string>& terms);

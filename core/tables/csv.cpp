@@ -4,6 +4,7 @@
 
 #include "base/limits.h"
 #include "base/message.h"
+#include "base/text.h"
 #include "store/names.h"
 
 namespace ostraka::tables {
@@ -44,12 +45,12 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
   if (text.find('\0') != std::string::npos)
     return Error::unusable(
         message("Not a text file: it contains binary data, which a table never does."), where);
-  if (!store::isUtf8(text)) {
+  if (!isUtf8(text)) {
     std::size_t good = 0;
     int line = 1;
     for (; good < text.size(); ++line) {
       const std::size_t end = std::min(text.find('\n', good), text.size());
-      if (!store::isUtf8(std::string_view(text).substr(good, end - good))) break;
+      if (!isUtf8(std::string_view(text).substr(good, end - good))) break;
       good = end + 1;
     }
     return Error::unusable(

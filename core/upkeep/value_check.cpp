@@ -1,10 +1,9 @@
 #include "upkeep/value_check.h"
 
-#include <cmath>
 #include <string>
 #include <vector>
 
-#include "base/message.h"
+#include "base/text.h"
 #include "store/database.h"
 #include "store/values.h"
 
@@ -21,9 +20,10 @@ std::vector<CheckedColumns> checkedColumns(store::Database& database) {
   std::vector<CheckedColumns> all;
   store::Statement tables = database.sql(
       "SELECT name, wr = 0 FROM pragma_table_list WHERE schema = 'main' AND type = 'table' AND "
-      "name NOT LIKE 'sqlite_%' AND name NOT IN ('history', 'setting') ORDER BY name");
+      "name NOT LIKE 'sqlite_%' ORDER BY name");
   std::string table_name;
   for (bool has_rows = false; tables.read(table_name, has_rows);) {
+    if (store::holdsSystemNames(table_name)) continue;
     CheckedColumns table{table_name, has_rows, {}, {}};
     store::Statement columns =
         database.sql("SELECT name, type FROM pragma_table_info(?)", table.table);
@@ -48,16 +48,14 @@ void checkTable(store::Database& database, const CheckedColumns& table) {
     for (const std::string& column : table.texts) {
       std::string text;
       rows >> text;
-      if (const Result<std::string> good = store::checkedText(text); !good)
+      if (const Result<void> good = checkText(text); !good)
         store::refuse(good.error().what, where(column));
     }
     for (const std::string& column : table.numbers) {
       std::optional<double> number;
       rows >> number;
-      if (number && !std::isfinite(*number))
-        store::refuse(message("'%1' is not a number; write 12.5 or 12,5, without a unit.",
-                              store::numberText(*number)),
-                      where(column));
+      if (const Result<void> good = store::checkFinite(number.value_or(0)); !good)
+        store::refuse(good.error().what, where(column));
     }
   }
 }

@@ -18,6 +18,7 @@
 #include "catalogue/settings.h"
 #include "files/files.h"
 #include "records/sherd.h"
+#include "store/database.h"
 #include "tests/core/catalogue/result_folder.h"
 #include "upkeep/project.h"
 
@@ -151,6 +152,18 @@ TEST_F(CatalogueCommand, ChecksWhatIsInTheFiles) {
   fs::remove(photograph);
   EXPECT_EQ(run("check " + at("p") + " --quick"), 1);
   EXPECT_EQ(said_["damaged"][0]["damage"], "missing");
+}
+
+TEST_F(CatalogueCommand, CallsNoCatalogueWholeThatItCouldNotRestore) {
+  {
+    auto opened = upkeep::Project::open(folder_ / "p");
+    ASSERT_TRUE(opened);
+    opened->catalogue().database().script("UPDATE project SET title = CAST(x'ff' AS TEXT)");
+  }
+  EXPECT_EQ(run("check " + at("p")), 2);
+  EXPECT_NE(words("check " + at("p")).find("project.title"), std::string::npos);
+  EXPECT_EQ(run("archive " + at("p") + " -o " + at("archive")), 2);
+  EXPECT_FALSE(fs::exists(folder_ / "archive"));
 }
 
 TEST_F(CatalogueCommand, ArchivesDamageOnlyWhenToldTo) {

@@ -1,12 +1,12 @@
 #include <optional>
 #include <sstream>
 
+#include "base/text.h"
 #include "capture/label_code.h"
 #include "catalogue/label_codes.h"
 #include "cloud/glb.h"
 #include "exchange/model_files.h"
 #include "must.h"
-#include "store/names.h"
 #include "tables/ods.h"
 #include "targets.h"
 
@@ -48,7 +48,7 @@ void spreadsheet(std::string_view bytes) {
     for (std::string& value : values) std::getline(fields, value, '\t');
     // The writer takes UTF-8, which every reader of a table has checked.
     for (std::string& value : values)
-      if (!store::isUtf8(value)) value.clear();
+      if (!isUtf8(value)) value.clear();
     sheet.row(values);
   }
   const Result<std::string> written = tables::formatOds({sheet});
@@ -69,7 +69,7 @@ void spreadsheet(std::string_view bytes) {
 void labelCode(std::string_view bytes) {
   if (const auto code = catalogue::readLabelCode(bytes)) {
     must(!code->number.empty(), "a code has a number");
-    must(store::isUtf8(code->number) || !store::isUtf8(bytes), "a number is a text");
+    must(isUtf8(code->number) || !isUtf8(bytes), "a number is a text");
   }
   mustNameItself(capture::codesIn(bytes));
 }

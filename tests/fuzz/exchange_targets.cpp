@@ -1,8 +1,8 @@
 
+#include "base/text.h"
 #include "metadata/sherd_json.h"
 #include "must.h"
 #include "sherds/filter.h"
-#include "store/names.h"
 #include "tables/csv.h"
 #include "targets.h"
 
@@ -16,7 +16,7 @@ void table(std::string_view bytes) {
   std::string written = tables::csvLine(read->columns);
   for (const tables::CsvRow& row : read->rows) {
     for (const std::string& value : row.values) {
-      must(store::isUtf8(value), "values are UTF-8");
+      must(isUtf8(value), "values are UTF-8");
       must(tables::unguarded(tables::guarded(value)) == value, "the guard can be taken off");
       if (const Result<sherds::Filter> filter = sherds::parseFilter(value))
         must(sherds::parseFilter(filter->text()).has_value(), "a filter's text is a filter");

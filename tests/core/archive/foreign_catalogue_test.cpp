@@ -75,6 +75,16 @@ TEST_F(ForeignCatalogue, IsRefusedWithValuesThatNoExportCanHold) {
   }
 }
 
+// As an older Ostraka may have stored it.
+TEST_F(ForeignCatalogue, IsNoneThatWeSealWithValuesThatWeWouldNotRestore) {
+  catalogue().database().script("UPDATE site SET name = CAST(x'ff00fe' AS TEXT)");
+  const Result<Archived> refused = archive(quiet);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().where, "site.name, row 1");
+  EXPECT_FALSE(fs::exists(at("archive")));
+  EXPECT_FALSE(fs::exists(at("archive.partial")));
+}
+
 // A photograph is taken anew and entered while the archive is made.
 class TakingAnew final : public Progress {
  public:

@@ -7,6 +7,8 @@
 #include <regex>
 #include <vector>
 
+#include "base/limits.h"
+
 namespace ostraka {
 namespace {
 
@@ -44,6 +46,34 @@ TEST(Text, KnowsWhatXmlForbids) {
   for (const char* text :
        {"\t", "\n", "\r", " ", "a", "\x7F", "\uFFFD", "\uD7FF", "\uE000", "\U0001F3FA", "\xEF"})
     EXPECT_EQ(forbiddenInXml(text, 0), 0u) << text;
+}
+
+TEST(Text, BadUtf8IsSeen) {
+  for (const char* text : {"", "Tell Brak, Գառնի, \U0001F3FA", "\xC2\x80", "\xE0\xA0\x80",
+                           "\xED\x9F\xBF", "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF"})
+    EXPECT_TRUE(isUtf8(text)) << text;
+  EXPECT_FALSE(isUtf8(std::string_view("a\0b", 3)));
+  EXPECT_FALSE(isUtf8("\xC3"));              // broken off
+  EXPECT_FALSE(isUtf8("\xF0\x9F\x8F"));      // broken off
+  EXPECT_FALSE(isUtf8("\xE2\x82x"));         // another character within
+  EXPECT_FALSE(isUtf8("\x80"));              // begins in the middle
+  EXPECT_FALSE(isUtf8("\xC0\x80"));          // zero, overlong
+  EXPECT_FALSE(isUtf8("\xE0\x80\x80"));      // overlong
+  EXPECT_FALSE(isUtf8("\xF0\x8F\xBF\xBF"));  // overlong
+  EXPECT_FALSE(isUtf8("\xED\xA0\x80"));      // half a surrogate pair
+  EXPECT_FALSE(isUtf8("\xF4\x90\x80\x80"));  // beyond Unicode
+  EXPECT_FALSE(isUtf8("\xFF"));
+}
+
+TEST(Text, ThatNoDocumentCanHoldIsRefused) {
+  const std::string longest(limits::kValueBytes.most, 'x');
+  for (const std::string& text : {std::string("two\nlines\tand \u202Emore"), longest})
+    EXPECT_TRUE(checkText(text)) << text.substr(0, 40);
+  EXPECT_EQ(checkText(longest + "x").error().what, "The text is longer than 1 MB.");
+  EXPECT_EQ(checkText(std::string("a\0b", 3)).error().what,
+            "The text is not valid UTF-8 or contains a zero byte.");
+  EXPECT_EQ(checkText("\x1B[2J").error().what,
+            "The text contains control characters, which documents cannot contain; type it again.");
 }
 
 TEST(Text, WordsAreJoinedWithSomethingBetweenThem) {

@@ -163,6 +163,9 @@ TEST_F(DecisionsOf, NobodyAreRefused) {
   d = pair(1, 1);
   std::swap(d.scans[0], d.scans[1]);
   EXPECT_FALSE(appendDecision(out_, d).has_value()) << "a pair is a front, then a back";
+  d = pair(1, 1);
+  d.note = "\x1B[2J";
+  EXPECT_FALSE(appendDecision(out_, d).has_value()) << "no document can hold its note";
 }
 
 TEST_F(DecisionsOf, ADamagedFileIsNamedAndLeftAsItIs) {
@@ -186,6 +189,8 @@ TEST_F(DecisionsOf, ThatNobodyCouldTakeAreNamed) {
        {R"("kind":"join","scans":[])",
         R"("kind":"split","scans":[{"side":"front","id":"f001","place_mm":[1,2]}])",
         R"("kind":"pair","scans":[{"side":"back","id":"b001","place_mm":[1,2]}])",
+        R"("kind":"aside","note":"\u0000","scans":[{"side":"front","id":"f001","place_mm":[1,2]}])",
+        R"("kind":"aside","scans":[{"side":"front","id":"\u001b[2J","place_mm":[1,2]}])",
         R"("kind":"aside","scans":[])", R"("kind":"withdraw","scans":[])"}) {
     const std::string text =
         R"({"format":1,"decisions":[{"id":"0190a0b0-0000-7000-8000-000000000007","replaces":[],)"

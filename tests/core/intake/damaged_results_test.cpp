@@ -73,5 +73,42 @@ TEST_F(DamagedResults, AreNotEnteredWhereAScanOrAReportHasAnotherBit) {
   EXPECT_EQ(enter().models, 3);
 }
 
+TEST_F(DamagedResults, AreNotEnteredWithTextsThatTheCatalogueCannotStore) {
+  using nlohmann::ordered_json;
+  const fs::path results = project_->resultsFolder("B0001");
+  const auto refusedFile = [&] {
+    const auto entered =
+        enterResults(catalogue(), project_->folder(), batch, results, {}, quiet, {});
+    out.write();
+    return entered ? std::string() : fs::path(entered.error().where).filename().string();
+  };
+  for (const std::string& text :
+       {std::string("a\0b", 3), std::string("\x1B[2J"), std::string(2'000'000, 'x')}) {
+    ordered_json pairs = *readJson(results / "pairs.json");
+    pairs["pairs"][1]["reason"] = text;
+    ASSERT_TRUE(writeJson(results / "pairs.json", pairs));
+    EXPECT_EQ(refusedFile(), "pairs.json") << text.size();
+    ordered_json report = *readJson(results / "report.json");
+    report["scale_doubts"] = ordered_json::array({text});
+    ASSERT_TRUE(writeJson(results / "report.json", report));
+    EXPECT_EQ(refusedFile(), "report.json") << text.size();
+    const ordered_json scan = {{"side", "front"}, {"id", "f001"}, {"place_mm", {40, 0}}};
+    const ordered_json decision = {{"id", "0190a0b0-0000-7000-8000-000000000007"},
+                                   {"replaces", ordered_json::array()},
+                                   {"kind", "aside"},
+                                   {"at", ""},
+                                   {"by", "AP"},
+                                   {"note", text},
+                                   {"scans", ordered_json::array({scan})}};
+    ASSERT_TRUE(
+        writeJson(results / "decisions.json",
+                  {{"format", 1}, {"unit", "mm"}, {"decisions", ordered_json::array({decision})}}));
+    EXPECT_EQ(refusedFile(), "decisions.json") << text.size();
+    fs::remove(results / "decisions.json");
+  }
+  EXPECT_TRUE(sherds().empty());
+  EXPECT_EQ(enter().models, 3);
+}
+
 }  // namespace
 }  // namespace ostraka::intake

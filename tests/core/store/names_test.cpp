@@ -9,17 +9,6 @@
 namespace ostraka::store {
 namespace {
 
-TEST(Names, BadUtf8IsSeen) {
-  EXPECT_TRUE(isUtf8("Tell Brak, Գառնի, \xF0\x9F\x8F\xBA"));
-  EXPECT_FALSE(isUtf8(std::string_view("a\0b", 3)));
-  EXPECT_FALSE(isUtf8("\xC3"));              // broken off
-  EXPECT_FALSE(isUtf8("\xC0\x80"));          // zero, overlong
-  EXPECT_FALSE(isUtf8("\xE0\x80\x80"));      // overlong
-  EXPECT_FALSE(isUtf8("\xED\xA0\x80"));      // half a surrogate pair
-  EXPECT_FALSE(isUtf8("\xF4\x90\x80\x80"));  // beyond Unicode
-  EXPECT_FALSE(isUtf8("\xFF"));
-}
-
 TEST(Names, AFoldersNameLeadsNowhereElse) {
   for (const char* name : {"B0001", "B-1.2", "Գառնի", "CON"})
     EXPECT_TRUE(isFolderName(name)) << name;

@@ -1,5 +1,9 @@
 #include <gmock/gmock.h>
 
+#include <limits>
+
+#include "base/limits.h"
+#include "store/database.h"
 #include "tests/core/catalogue/small_project.h"
 
 namespace ostraka::store {
@@ -31,6 +35,38 @@ TEST(Statement, GivesItsRowsColumnByColumnAndAsLists) {
   EXPECT_EQ(database.sql("SELECT row FROM thing WHERE name = ?", "base").one<SherdRow>(),
             SherdRow{2});
   EXPECT_EQ(database.sql("SELECT weight FROM thing WHERE name = 'lid'").one<double>(), 0);
+}
+
+TEST(Statement, StoresOnlyWhatCanBeExportedAndRestored) {
+  const catalogue::TemporaryFolder folder;
+  const auto made = Database::open(folder.path() / "c.sqlite", Database::Mode::Create);
+  ASSERT_TRUE(made);
+  Database& database = **made;
+  database.script(
+      "CREATE TABLE thing (name TEXT, weight REAL) STRICT; CREATE TABLE history (why TEXT) STRICT;"
+      "CREATE TEMP TABLE typed (name TEXT) STRICT;");
+  const auto refusedIn = [&](const char* sql, const auto& value) {
+    const Result<void> done = database.asResult([&] { database.run(sql, value); });
+    return done ? std::string() : done.error().where;
+  };
+  for (const std::string& text :
+       {std::string("a\0b", 3), std::string("\x1B[2J"), std::string("\xFF"),
+        std::string(limits::kValueBytes.most + 1, 'x')}) {
+    for (const char* stores :
+         {"INSERT INTO thing (name) VALUES (?)", "INSERT OR REPLACE INTO thing (name) SELECT ?",
+          "UPDATE thing SET name = ?"})
+      EXPECT_EQ(refusedIn(stores, text), "thing") << stores;
+    for (const char* other :
+         {"SELECT name FROM thing WHERE name = ?", "DELETE FROM thing WHERE name = ?",
+          "INSERT INTO temp.typed VALUES (?)", "INSERT INTO history VALUES (?)"})
+      EXPECT_EQ(refusedIn(other, text), "") << other;
+  }
+  EXPECT_EQ(refusedIn("INSERT INTO thing (name) VALUES (?)", std::string("two\nlines\tand more")),
+            "");
+  constexpr const char* kWeight = "INSERT INTO thing (weight) VALUES (?)";
+  EXPECT_EQ(refusedIn(kWeight, std::numeric_limits<double>::infinity()), "thing");
+  EXPECT_EQ(refusedIn(kWeight, std::numeric_limits<double>::quiet_NaN()), "") << "as NULL";
+  EXPECT_EQ(database.sql("SELECT count(*) FROM thing").one<int>(), 2);
 }
 
 }  // namespace

@@ -118,11 +118,13 @@ int runEnter(const Options& options, Session& session) {
   if (!entered) return fail(session, entered.error());
   session.finishProgress();
   std::vector<Message> warnings;
+  if (entered->other_photographs) warnings.push_back(*entered->other_photographs);
   if (const auto saved = project->backUp(); !saved)
     warnings.push_back(inOne("The results are entered, but the backup afterwards failed.",
                              saved.error().sentence()));
   for (const Message& warning : warnings) show(stderr, "ostraka: %s\n", warning.english().c_str());
-  const int status = entered->open > 0 ? PersonMustDecide : warnings.empty() ? Whole : NotWhole;
+  const bool must_decide = entered->open > 0 || entered->other_photographs;
+  const int status = must_decide ? PersonMustDecide : warnings.empty() ? Whole : NotWhole;
   return finish(session, status,
                 {{"batch", options.batch},
                  {"new_sherds", entered->new_sherds},

@@ -22,6 +22,7 @@ using upkeep::Project;
 struct ClusterOptions {
   fs::path project;
   double memory_gb = 0;
+  std::string host;
   cluster::SubmitOptions submit;
 };
 
@@ -89,10 +90,18 @@ int count(const std::vector<TaskStatus>& all, TaskState state) {
   return found;
 }
 
+cluster::Access accessOf(const ClusterOptions& options, Session& session) {
+  return {options.host, [&session](const std::string& host) {
+            session.finishProgress();
+            show(stderr, "Contacting %s.\n", host.c_str());
+          }};
+}
+
 int runSubmit(const ClusterOptions& options, Session& session) {
   Result<Project> project = Project::open(options.project, {}, {session.stop, &session.progress});
   if (!project) return fail(session, project.error());
   cluster::SubmitOptions how = options.submit;
+  how.access = accessOf(options, session);
   how.ask.memory_mb = static_cast<int>(options.memory_gb * 1000);
   session.progress.begin("submit", 1.0);
   const auto done = cluster::submit(*project, how, session.progress, session.stop);
@@ -116,7 +125,7 @@ int runSubmit(const ClusterOptions& options, Session& session) {
 }
 
 int runStatus(const ClusterOptions& options, Session& session) {
-  const auto all = cluster::status(options.project, session.stop);
+  const auto all = cluster::status(options.project, accessOf(options, session), session.stop);
   if (!all) return fail(session, all.error());
   const int failed = count(*all, TaskState::Failed);
   return finish(session, failed == 0 ? Whole : NotWhole,
@@ -138,7 +147,8 @@ int runCollect(const ClusterOptions& options, Session& session) {
   Result<Project> project = Project::open(options.project, {}, {session.stop, &session.progress});
   if (!project) return fail(session, project.error());
   session.progress.begin("collect", 1.0);
-  const auto done = cluster::collect(*project, session.progress, session.stop);
+  const auto done =
+      cluster::collect(*project, accessOf(options, session), session.progress, session.stop);
   if (!done) return fail(session, done.error(), WhenStopped::GoesOn);
   session.finishProgress();
   printWarnings(done->warnings);
@@ -177,14 +187,13 @@ void addCluster(CLI::App& root, Command& chosen) {
     one->add_option("PROJECT", options->project, "Folder of the project")
         ->required()
         ->check(CLI::ExistingDirectory);
+    one->add_option("--host", options->host,
+                    "USER@LOGIN:/FOLDER to which rsync copies the batches, remembered for this "
+                    "project on this computer; else the cluster must see the project's folder");
     workOf(*one, chosen, options, run);
     return one;
   };
   CLI::App* submit = add("submit", "Submit the waiting batches", runSubmit);
-  submit->add_option(
-      "--host", options->submit.host,
-      "USER@LOGIN:/FOLDER to which rsync copies the batches; else the cluster must see the "
-      "project's folder");
   submit->add_option("--cores", options->submit.ask.cores, "Processor cores for each batch")
       ->capture_default_str()
       ->check(CLI::Range(1, 1024));

@@ -9794,6 +9794,46 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der zusammengeführte Katalog wäre in sich widersprüchlich, deshalb wurde nichts zusammengeführt; dies mit einer Kopie beider Projekte melden.</translation>
     </message>
+    <message>
+      <source>These results were made from earlier photographs of the front of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ergebnisse entstanden aus früheren Fotos der Vorderseite von %1; den Durchgang noch einmal verarbeiten.</translation>
+    </message>
+    <message>
+      <source>These results were made from earlier photographs of the back of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ergebnisse entstanden aus früheren Fotos der Rückseite von %1; den Durchgang noch einmal verarbeiten.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that are missing or are others than these results were made from: %2 of %3. The results are entered; reprocess the batch if it was photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos von %1, die fehlen oder andere sind als die, aus denen diese Ergebnisse entstanden: %2 von %3. Die Ergebnisse sind eingetragen; den Durchgang neu verarbeiten, falls er neu aufgenommen wurde.</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; the cluster&apos;s results are not entered. Submit it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Durchgang wurde nach dem Einreichen neu aufgenommen; die Ergebnisse des Clusters werden nicht eingetragen. Reichen Sie ihn noch einmal ein.</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; its job %1 is of no use any more. Cancel it with &apos;scancel&apos;, or wait until it has ended, then submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Durchgang wurde nach dem Einreichen neu aufgenommen; sein Auftrag %1 nützt nichts mehr. Brechen Sie ihn mit &apos;scancel&apos; ab, oder warten Sie sein Ende ab, und reichen Sie den Durchgang dann noch einmal ein.</translation>
+    </message>
+    <message>
+      <source>Batches of this project were submitted to this host, which was not named on this computer; nothing was sent to it. If you trust it, name it once with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Durchgänge dieses Projekts wurden bei diesem Rechner eingereicht, der auf diesem Computer nicht genannt wurde; ihm wurde nichts gesendet. Wenn Sie ihm vertrauen, nennen Sie ihn einmal mit --host.</translation>
+    </message>
+    <message>
+      <source>Not a file in which Ostraka remembers the host of a cluster; delete it, then name the host with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Datei, in der sich Ostraka den Rechner eines Clusters merkt; löschen Sie sie, und nennen Sie den Rechner mit --host.</translation>
+    </message>
+    <message>
+      <source>A job can request at most %1 MB of memory and %2 minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Auftrag kann höchstens %1 MB Speicher und %2 Minuten anfordern.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

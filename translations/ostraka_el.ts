@@ -9789,6 +9789,46 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο συγχωνευμένος κατάλογος θα ήταν ασυνεπής, γι’ αυτό δεν συγχωνεύτηκε τίποτα· αναφέρετέ το μαζί με αντίγραφο των δύο έργων.</translation>
     </message>
+    <message>
+      <source>These results were made from earlier photographs of the front of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτά τα αποτελέσματα έγιναν από παλαιότερες φωτογραφίες της μπροστινής όψης της %1· επεξεργαστείτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>These results were made from earlier photographs of the back of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτά τα αποτελέσματα έγιναν από παλαιότερες φωτογραφίες της πίσω όψης της %1· επεξεργαστείτε την ξανά.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that are missing or are others than these results were made from: %2 of %3. The results are entered; reprocess the batch if it was photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φωτογραφίες της %1 που λείπουν ή είναι άλλες από εκείνες από τις οποίες έγιναν τα αποτελέσματα: %2 από %3. Τα αποτελέσματα καταχωρίστηκαν· επεξεργαστείτε ξανά την παρτίδα, αν φωτογραφήθηκε ξανά.</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; the cluster&apos;s results are not entered. Submit it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η παρτίδα φωτογραφήθηκε ξανά μετά την υποβολή της· τα αποτελέσματα της συστοιχίας δεν καταχωρίζονται. Υποβάλετέ την ξανά.</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; its job %1 is of no use any more. Cancel it with &apos;scancel&apos;, or wait until it has ended, then submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η παρτίδα φωτογραφήθηκε ξανά μετά την υποβολή της· η εργασία της %1 δεν χρησιμεύει πια. Ακυρώστε την με &apos;scancel&apos; ή περιμένετε να τελειώσει και υποβάλετε ξανά την παρτίδα.</translation>
+    </message>
+    <message>
+      <source>Batches of this project were submitted to this host, which was not named on this computer; nothing was sent to it. If you trust it, name it once with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Παρτίδες του έργου υποβλήθηκαν σε αυτόν τον διακομιστή, που δεν έχει δηλωθεί σε αυτόν τον υπολογιστή· δεν του στάλθηκε τίποτα. Αν τον εμπιστεύεστε, δηλώστε τον μία φορά με --host.</translation>
+    </message>
+    <message>
+      <source>Not a file in which Ostraka remembers the host of a cluster; delete it, then name the host with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι αρχείο όπου το Ostraka θυμάται τον διακομιστή μιας συστοιχίας· διαγράψτε το και δηλώστε τον διακομιστή με --host.</translation>
+    </message>
+    <message>
+      <source>A job can request at most %1 MB of memory and %2 minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια εργασία μπορεί να ζητήσει το πολύ %1 MB μνήμης και %2 λεπτά.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

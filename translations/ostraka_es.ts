@@ -9789,6 +9789,46 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El catálogo unido sería incoherente, por lo que no se unió nada; comuníquelo con una copia de ambos proyectos.</translation>
     </message>
+    <message>
+      <source>These results were made from earlier photographs of the front of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estos resultados proceden de fotos anteriores del anverso de %1; procésela otra vez.</translation>
+    </message>
+    <message>
+      <source>These results were made from earlier photographs of the back of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estos resultados proceden de fotos anteriores del reverso de %1; procésela otra vez.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that are missing or are others than these results were made from: %2 of %3. The results are entered; reprocess the batch if it was photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotos de %1 que faltan o son distintas de las que dieron estos resultados: %2 de %3. Los resultados están registrados; reprocese la tanda si se volvió a fotografiar.</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; the cluster&apos;s results are not entered. Submit it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta tanda se volvió a fotografiar después de enviarla; los resultados del clúster no se registran. Envíela otra vez.</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; its job %1 is of no use any more. Cancel it with &apos;scancel&apos;, or wait until it has ended, then submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta tanda se volvió a fotografiar después de enviarla; su trabajo %1 ya no sirve. Cancélelo con &apos;scancel&apos; o espere a que termine, y envíe la tanda otra vez.</translation>
+    </message>
+    <message>
+      <source>Batches of this project were submitted to this host, which was not named on this computer; nothing was sent to it. If you trust it, name it once with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay tandas de este proyecto enviadas a este equipo, que no se ha indicado en este ordenador; no se le ha enviado nada. Si confía en él, indíquelo una vez con --host.</translation>
+    </message>
+    <message>
+      <source>Not a file in which Ostraka remembers the host of a cluster; delete it, then name the host with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un archivo en el que Ostraka recuerda el equipo de un clúster; bórrelo e indique el equipo con --host.</translation>
+    </message>
+    <message>
+      <source>A job can request at most %1 MB of memory and %2 minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un trabajo puede pedir como máximo %1 MB de memoria y %2 minutos.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

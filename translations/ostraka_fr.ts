@@ -9789,6 +9789,46 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le catalogue fusionné serait incohérent, rien n’a donc été fusionné ; signalez-le avec une copie des deux projets.</translation>
     </message>
+    <message>
+      <source>These results were made from earlier photographs of the front of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces résultats proviennent de photos antérieures de la face avant de %1 ; traitez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>These results were made from earlier photographs of the back of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces résultats proviennent de photos antérieures de la face arrière de %1 ; traitez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that are missing or are others than these results were made from: %2 of %3. The results are entered; reprocess the batch if it was photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Photos de %1 manquantes ou différentes de celles dont proviennent ces résultats : %2 sur %3. Les résultats sont enregistrés ; retraitez le lot s&apos;il a été rephotographié.</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; the cluster&apos;s results are not entered. Submit it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce lot a été rephotographié après avoir été soumis ; les résultats du cluster ne sont pas enregistrés. Soumettez-le à nouveau.</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; its job %1 is of no use any more. Cancel it with &apos;scancel&apos;, or wait until it has ended, then submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce lot a été rephotographié après avoir été soumis ; sa tâche %1 ne sert plus à rien. Annulez-la avec « scancel », ou attendez sa fin, puis soumettez le lot à nouveau.</translation>
+    </message>
+    <message>
+      <source>Batches of this project were submitted to this host, which was not named on this computer; nothing was sent to it. If you trust it, name it once with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Des lots de ce projet ont été soumis à cet hôte, qui n&apos;a pas été indiqué sur cet ordinateur ; rien ne lui a été envoyé. Si vous lui faites confiance, indiquez-le une fois avec --host.</translation>
+    </message>
+    <message>
+      <source>Not a file in which Ostraka remembers the host of a cluster; delete it, then name the host with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n&apos;est pas un fichier où Ostraka retient l&apos;hôte d&apos;un cluster ; supprimez-le, puis indiquez l&apos;hôte avec --host.</translation>
+    </message>
+    <message>
+      <source>A job can request at most %1 MB of memory and %2 minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une tâche peut demander au plus %1 Mo de mémoire et %2 minutes.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

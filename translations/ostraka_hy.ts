@@ -9789,6 +9789,46 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միավորված կատալոգն անհետևողական կլիներ, ուստի ոչինչ չի միավորվել. հայտնեք այս մասին երկու նախագծերի պատճեններով։</translation>
     </message>
+    <message>
+      <source>These results were made from earlier photographs of the front of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս արդյունքները ստացվել են %1-ի առջևի երեսի ավելի վաղ լուսանկարներից. կրկին մշակեք այն։</translation>
+    </message>
+    <message>
+      <source>These results were made from earlier photographs of the back of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս արդյունքները ստացվել են %1-ի հետևի երեսի ավելի վաղ լուսանկարներից. կրկին մշակեք այն։</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that are missing or are others than these results were made from: %2 of %3. The results are entered; reprocess the batch if it was photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի լուսանկարներ, որոնք բացակայում են կամ այլ են, քան նրանք, որոնցից ստացվել են այս արդյունքները՝ %2՝ %3-ից։ Արդյունքները մուտքագրված են. կրկին մշակեք խմբաքանակը, եթե այն նորից է լուսանկարվել։</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; the cluster&apos;s results are not entered. Submit it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակը ուղարկելուց հետո նորից է լուսանկարվել. կլաստերի արդյունքները չեն մուտքագրվում։ Նորից ուղարկեք այն։</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; its job %1 is of no use any more. Cancel it with &apos;scancel&apos;, or wait until it has ended, then submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակը ուղարկելուց հետո նորից է լուսանկարվել. նրա %1 առաջադրանքն այլևս պետք չէ։ Չեղարկեք այն &apos;scancel&apos;-ով կամ սպասեք մինչև ավարտվի, ապա նորից ուղարկեք խմբաքանակը։</translation>
+    </message>
+    <message>
+      <source>Batches of this project were submitted to this host, which was not named on this computer; nothing was sent to it. If you trust it, name it once with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագծի խմբաքանակներն ուղարկվել են այս հանգույցին, որը այս համակարգչում չի նշվել. նրան ոչինչ չի ուղարկվել։ Եթե վստահում եք նրան, մեկ անգամ նշեք այն --host-ով։</translation>
+    </message>
+    <message>
+      <source>Not a file in which Ostraka remembers the host of a cluster; delete it, then name the host with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա այն ֆայլը չէ, որում Ostraka-ն հիշում է կլաստերի հանգույցը. ջնջեք այն, ապա նշեք հանգույցը --host-ով։</translation>
+    </message>
+    <message>
+      <source>A job can request at most %1 MB of memory and %2 minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առաջադրանքը կարող է պահանջել առավելագույնը %1 ՄԲ հիշողություն և %2 րոպե։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

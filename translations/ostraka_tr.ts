@@ -9742,6 +9742,46 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Birleştirilen katalog tutarsız olurdu, bu yüzden hiçbir şey birleştirilmedi; bunu iki projenin kopyasıyla bildirin.</translation>
     </message>
+    <message>
+      <source>These results were made from earlier photographs of the front of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu sonuçlar %1 için ön yüzün önceki fotoğraflarından elde edildi; yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>These results were made from earlier photographs of the back of %1; process it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu sonuçlar %1 için arka yüzün önceki fotoğraflarından elde edildi; yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>Photographs of %1 that are missing or are others than these results were made from: %2 of %3. The results are entered; reprocess the batch if it was photographed again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 için eksik olan veya bu sonuçların elde edildiği fotoğraflardan farklı olan fotoğraflar: %2 / %3. Sonuçlar girildi; parti yeniden fotoğraflandıysa yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; the cluster&apos;s results are not entered. Submit it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu parti gönderildikten sonra yeniden fotoğraflandı; kümenin sonuçları girilmedi. Yeniden gönderin.</translation>
+    </message>
+    <message>
+      <source>This batch was photographed again after it was submitted; its job %1 is of no use any more. Cancel it with &apos;scancel&apos;, or wait until it has ended, then submit the batch again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu parti gönderildikten sonra yeniden fotoğraflandı; %1 işi artık işe yaramaz. &apos;scancel&apos; ile iptal edin veya bitmesini bekleyin, sonra partiyi yeniden gönderin.</translation>
+    </message>
+    <message>
+      <source>Batches of this project were submitted to this host, which was not named on this computer; nothing was sent to it. If you trust it, name it once with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu projenin partileri, bu bilgisayarda belirtilmemiş olan bu sunucuya gönderilmiş; sunucuya hiçbir şey gönderilmedi. Ona güveniyorsanız --host ile bir kez belirtin.</translation>
+    </message>
+    <message>
+      <source>Not a file in which Ostraka remembers the host of a cluster; delete it, then name the host with --host.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka&apos;nın bir kümenin sunucusunu hatırladığı bir dosya değil; silin, sonra sunucuyu --host ile belirtin.</translation>
+    </message>
+    <message>
+      <source>A job can request at most %1 MB of memory and %2 minutes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir iş en çok %1 MB bellek ve %2 dakika isteyebilir.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

@@ -22,14 +22,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* kCatalogue = "catalogue.sqlite";
 constexpr const char* kChecks = "file-checks.txt";
+constexpr const char* kCluster = "cluster";
 
 // What belongs to the programs that have the project open, not to the project: the catalogue's
 // journals, whose copy SQLite makes, the locks of the window and of imports, what is half written,
-// and what was checked.
+// what was checked, and what is on a cluster, which whoever has the archive cannot reach.
 bool isOfAProgram(const fs::path& name) {
   const std::string text = name.string();
   return text.starts_with(kCatalogue) || text == ".ostraka.lock" || text == "lock" ||
-         text == kChecks;
+         text == kChecks || text == kCluster;
 }
 
 struct ProjectFiles {
@@ -42,8 +43,10 @@ Result<ProjectFiles> filesOf(const fs::path& project) {
   for (auto it = fs::recursive_directory_iterator(project, code);
        it != fs::recursive_directory_iterator(); it.increment(code)) {
     const fs::path name = it->path().filename();
-    if (name.extension() == ".partial") it.disable_recursion_pending();
-    if ((it.depth() == 0 && isOfAProgram(name)) || name.extension() == ".partial") continue;
+    if ((it.depth() == 0 && isOfAProgram(name)) || name.extension() == ".partial") {
+      it.disable_recursion_pending();
+      continue;
+    }
     std::error_code gone;
     const fs::file_type type = it->symlink_status(gone).type();
     if (type == fs::file_type::regular) files.regular.push_back(it->path());

@@ -14,6 +14,7 @@
 #include "files/folder_lock.h"
 #include "files/open_folder.h"
 #include "intake/compute_batch.h"
+#include "intake/side_photographs.h"
 #include "review/review.h"
 
 namespace ostraka::cluster {
@@ -65,10 +66,12 @@ Result<void> undoHalf(const upkeep::Project& project, const std::string& batch) 
 struct Entry {
   bool entered = false;  ///< else the batch was not to be
   intake::BatchFigures figures;
+  Message why_not;  ///< if a person must act
 };
 
-Result<Entry> enter(upkeep::Project& project, const Place& place, const std::string& batch,
+Result<Entry> enter(upkeep::Project& project, const Place& place, const Task& task,
                     Progress& progress, const std::stop_token& stop) {
+  const std::string& batch = task.batch;
   const Result<records::BatchRecord> record =
       catalogue::Batches(project.catalogue()).byNumber(batch);
   if (!record) return record.error();
@@ -79,6 +82,14 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const std::str
                              "cluster's results are not entered.")));
     return Entry{};
   }
+  const Result<std::string> taking = intake::takingNow(project.batchFolder(batch), stop);
+  if (!taking) return taking.error();
+  if (*taking != task.photographs)
+    return Entry{
+        false,
+        {},
+        about(batch, message("This batch was photographed again after it was submitted; the "
+                             "cluster's results are not entered. Submit it again."))};
   if (place.isRemote()) {
     if (const Result<void> whole = undoHalf(project, batch); !whole) return whole.error();
     // Of what people say the cluster has copies as old as the job.
@@ -94,7 +105,7 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const std::str
   }
   Result<intake::BatchFigures> figures = intake::enterComputed(project, *record, progress, stop);
   if (!figures) return figures.error();
-  return Entry{true, std::move(*figures)};
+  return Entry{true, std::move(*figures), {}};
 }
 
 }  // namespace
@@ -126,7 +137,8 @@ Result<void> takePlace(const upkeep::Project& project, const std::string& batch,
   return {};
 }
 
-Result<Collected> collect(upkeep::Project& project, Progress& progress, std::stop_token stop) {
+Result<Collected> collect(upkeep::Project& project, const Access& access, Progress& progress,
+                          std::stop_token stop) {
   const fs::path folder = clusterFolder(project.folder());
   Collected collected;
   std::error_code ignored;
@@ -136,7 +148,7 @@ Result<Collected> collect(upkeep::Project& project, Progress& progress, std::sto
   Result<Tasks> tasks = readTasks(project.folder());
   if (!tasks) return tasks.error();
   if (!tasks->anyUncollected()) return collected;
-  const Result<Place> place = Place::of(project.folder(), tasks->host);
+  const Result<Place> place = reach(project.catalogue(), project.folder(), access, *tasks);
   if (!place) return place.error();
   const Result<std::vector<TaskStatus>> all = statusOf(project.folder(), *place, *tasks, stop);
   if (!all) return all.error();
@@ -148,7 +160,7 @@ Result<Collected> collect(upkeep::Project& project, Progress& progress, std::sto
       collected.left.push_back(one);
       continue;
     }
-    const Result<Entry> entry = enter(project, *place, one.task.batch, progress, stop);
+    const Result<Entry> entry = enter(project, *place, one.task, progress, stop);
     if (!entry) {
       if (stop.stop_requested() || entry.error().code == ErrorCode::CannotWrite)
         return entry.error();
@@ -166,6 +178,7 @@ Result<Collected> collect(upkeep::Project& project, Progress& progress, std::sto
       collected.sherds += entry->figures.sherds;
       collected.ask += entry->figures.ask;
     }
+    if (!entry->why_not.empty()) collected.warnings.push_back(entry->why_not);
     tasks->of(one.task.batch)->collected = true;
     if (const Result<void> written = writeTasks(project.folder(), *tasks); !written)
       return written.error();

@@ -5,6 +5,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "cluster/access.h"
 #include "cluster/task_status.h"
 #include "upkeep/project.h"
 
@@ -22,9 +23,11 @@ struct Collected {
 /// that people made in the meantime are kept. Results from another computer are copied with
 /// checksums beside the old ones and replace them once complete. If interrupted at any moment, the
 /// same call resumes. A batch that cannot be entered does not hold up the others; if its results
-/// cannot be used, the next submission includes it again. Errors: those of statusOf, Cancelled,
+/// cannot be used, or it was photographed again since it was submitted, it is not entered, and the
+/// next submission includes it again. Errors: those of reach and statusOf, Cancelled,
 /// CannotWrite (a full disk here, or another run at work in the batch's results).
-Result<Collected> collect(upkeep::Project& project, Progress& progress, std::stop_token stop);
+Result<Collected> collect(upkeep::Project& project, const Access& access, Progress& progress,
+                          std::stop_token stop);
 
 /// Results in `folder`, which came from elsewhere, replace those of the batch: only regular files
 /// with plain names, and a report. The batch keeps its decisions.json and mask_strokes.json.

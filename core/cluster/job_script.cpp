@@ -75,6 +75,9 @@ Result<void> Ask::check() const {
   if (cores < 1 || memory_mb < 0 || minutes < 0)
     return Error::unusable(
         message("A job needs at least one core, and its memory and time must not be negative."));
+  if (memory_mb > kMostMemory_mb || minutes > kMostMinutes)
+    return Error::unusable(message("A job can request at most %1 MB of memory and %2 minutes.",
+                                   kMostMemory_mb, kMostMinutes));
   return {};
 }
 

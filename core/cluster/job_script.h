@@ -20,6 +20,8 @@ struct Ask {
 
 /// Slurm accepts arrays of up to 1000 tasks unless its administrator changed that.
 constexpr int kMostTasks = 1000;
+/// More than any node has, or any partition allows.
+constexpr int kMostMemory_mb = 10'000'000, kMostMinutes = 100'000;
 
 /// A script for sbatch, to be submitted in a folder that is laid out as a project: the n-th task
 /// runs `process` on the n-th batch, from batches/ to results/, and says in cluster/state/BATCH

@@ -17,7 +17,9 @@
 #include "files/folder_lock.h"
 #include "intake/compute_batch.h"
 #include "intake/computed_again.h"
+#include "intake/side_photographs.h"
 #include "pipeline/preflight.h"
+#include "upkeep/project.h"
 
 namespace ostraka::cluster {
 namespace {
@@ -31,9 +33,15 @@ constexpr double kMemoryMargin = 1.3, kTimeMargin = 4;
 constexpr int kLeastMemory_mb = 2000, kLeastMinutes = 30;
 
 struct Wanted {
-  std::string number;
+  std::string number, photographs;
   pipeline::Needs needs;
   const TaskStatus* before = nullptr;
+
+  // The stages of a run that failed lie there, and are those of the same photographs.
+  bool goesOn() const {
+    return before != nullptr && before->state == TaskState::Failed &&
+           before->task.photographs == photographs;
+  }
 };
 
 const TaskStatus* statusOfBatch(const std::vector<TaskStatus>& all, const std::string& batch) {
@@ -42,9 +50,24 @@ const TaskStatus* statusOfBatch(const std::vector<TaskStatus>& all, const std::s
   return found == all.end() ? nullptr : &*found;
 }
 
-bool isTakenUp(const TaskStatus* before) {
-  return before != nullptr && before->state != TaskState::Failed &&
-         before->state != TaskState::Collected;
+// Where earlier photographs are being processed another job would write into the same results; once
+// that has ended the batch is submitted anew.
+Result<bool> isTakenUp(const upkeep::Project& project, const TaskStatus* before,
+                       std::vector<Message>& warnings, const std::stop_token& stop) {
+  if (before == nullptr || before->state == TaskState::Failed ||
+      before->state == TaskState::Collected)
+    return false;
+  const std::string& batch = before->task.batch;
+  const Result<std::string> taking = intake::takingNow(project.batchFolder(batch), stop);
+  if (!taking) return taking.error();
+  if (*taking == before->task.photographs) return true;
+  if (before->state == TaskState::Done) return false;
+  warnings.push_back(about(
+      batch, message("This batch was photographed again after it was submitted; its job %1 is of "
+                     "no use any more. Cancel it with 'scancel', or wait until it has ended, then "
+                     "submit the batch again.",
+                     before->task.job)));
+  return true;
 }
 
 // Oldest first.
@@ -62,7 +85,9 @@ Result<std::vector<Wanted>> wantedOf(const upkeep::Project& project,
     if (stop.stop_requested()) return Error::cancelled();
     if (batch.state != BatchState::Queued && batch.state != BatchState::Computed) continue;
     const TaskStatus* before = statusOfBatch(known, batch.number);
-    if (isTakenUp(before)) {
+    const Result<bool> taken_up = isTakenUp(project, before, submitted.warnings, stop);
+    if (!taken_up) return taken_up.error();
+    if (*taken_up) {
       ++submitted.already;
       continue;
     }
@@ -80,7 +105,9 @@ Result<std::vector<Wanted>> wantedOf(const upkeep::Project& project,
       submitted.warnings.push_back(read.error().sentence());
       continue;
     }
-    wanted.push_back({batch.number, pipeline::needsOf(*read, run, 0), before});
+    const Result<std::string> photographs = intake::takingNow(folder, stop);
+    if (!photographs) return photographs.error();
+    wanted.push_back({batch.number, *photographs, pipeline::needsOf(*read, run, 0), before});
   }
   return wanted;
 }
@@ -116,18 +143,29 @@ Result<std::string> submitArray(const upkeep::Project& project, const Place& pla
   std::vector<std::string> sent{scriptOf(job)};
   for (const Wanted& one : wanted) {
     sent.push_back("batches/" + one.number);
-    // The stages of a run that failed lie there; newer than these are only people's decisions.
     const std::string results = "results/" + one.number;
-    if (one.before == nullptr || one.before->state != TaskState::Failed)
-      sent.push_back(results);
-    else
+    if (one.goesOn()) {  // newer than what lies there is only what people made
       for (const std::string name : batch::kPeoplesFiles) sent.push_back(results + "/" + name);
+      continue;
+    }
+    sent.push_back(results);
+    // Of earlier photographs, and nothing that is sent takes their place.
+    std::error_code failed;
+    if (place.isRemote() && one.before != nullptr &&
+        !fs::exists(project.folder() / results, failed))
+      if (const auto gone = place.run({"rm", "-r", "-f", results}, stop); !gone)
+        return gone.error();
   }
   if (const Result<void> there = place.send(sent, stop); !there) return there.error();
 
   const Tasks before = tasks;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const Task task{numbers[i], job, static_cast<int>(i) + 1, ask.memory_mb, ask.minutes, false};
+    const Task task{.batch = numbers[i],
+                    .job = job,
+                    .number = static_cast<int>(i) + 1,
+                    .memory_mb = ask.memory_mb,
+                    .minutes = ask.minutes,
+                    .photographs = wanted[i].photographs};
     if (Task* known = tasks.of(numbers[i]))
       *known = task;
     else
@@ -151,16 +189,6 @@ Result<std::string> submitArray(const upkeep::Project& project, const Place& pla
   return told.error();
 }
 
-Result<Place> placeOf(const fs::path& project, const std::string& host, Tasks& tasks) {
-  if (!host.empty() && host != tasks.host && tasks.anyUncollected())
-    return Error::unusable(
-        message("Batches of this project are on another cluster or in another folder; collect them "
-                "before you submit to this one."),
-        host);
-  if (!host.empty()) tasks.host = host;
-  return Place::of(project, tasks.host);
-}
-
 }  // namespace
 
 void raiseTo(Ask& ask, const pipeline::Needs& needs, const TaskStatus* before) {
@@ -172,8 +200,8 @@ void raiseTo(Ask& ask, const pipeline::Needs& needs, const TaskStatus* before) {
     memory_mb = std::max(memory_mb, 2 * before->task.memory_mb);
   if (before != nullptr && before->cause == Cause::Time)
     minutes = std::max(minutes, 2 * before->task.minutes);
-  ask.memory_mb = std::max(ask.memory_mb, memory_mb);
-  ask.minutes = std::max(ask.minutes, minutes);
+  ask.memory_mb = std::min(std::max(ask.memory_mb, memory_mb), kMostMemory_mb);
+  ask.minutes = std::min(std::max(ask.minutes, minutes), kMostMinutes);
 }
 
 Result<Submitted> submit(upkeep::Project& project, const SubmitOptions& options, Progress& progress,
@@ -185,7 +213,7 @@ Result<Submitted> submit(upkeep::Project& project, const SubmitOptions& options,
   if (!held) return held.error();
   Result<Tasks> tasks = readTasks(project.folder());
   if (!tasks) return tasks.error();
-  const Result<Place> place = placeOf(project.folder(), options.host, *tasks);
+  const Result<Place> place = reach(project.catalogue(), project.folder(), options.access, *tasks);
   if (!place) return place.error();
   const Result<std::vector<TaskStatus>> known = statusOf(project.folder(), *place, *tasks, stop);
   if (!known) return known.error();
@@ -221,8 +249,9 @@ Result<Submitted> submit(upkeep::Project& project, const SubmitOptions& options,
   return submitted;
 }
 
-Result<std::vector<TaskStatus>> status(const fs::path& project, std::stop_token stop) {
-  const Result<Tasks> tasks = readTasks(project);
+Result<std::vector<TaskStatus>> status(const fs::path& project, const Access& access,
+                                       std::stop_token stop) {
+  Result<Tasks> tasks = readTasks(project);
   if (!tasks) return tasks.error();
   // Where all is entered nobody need be asked.
   if (!tasks->anyUncollected()) {
@@ -230,7 +259,9 @@ Result<std::vector<TaskStatus>> status(const fs::path& project, std::stop_token 
     for (const Task& task : tasks->tasks) all.push_back(judge(task, nullptr, nullptr, {}));
     return all;
   }
-  const Result<Place> place = Place::of(project, tasks->host);
+  const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(project);
+  if (!catalogue) return catalogue.error();
+  const Result<Place> place = reach(*catalogue, project, access, *tasks);
   if (!place) return place.error();
   return statusOf(project, *place, *tasks, stop);
 }

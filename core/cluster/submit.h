@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "cluster/access.h"
 #include "cluster/job_script.h"
 #include "cluster/task_status.h"
 #include "pipeline/preflight.h"
@@ -15,9 +16,9 @@
 namespace ostraka::cluster {
 
 struct SubmitOptions {
-  std::string host;  ///< as Place::of; empty: as before, or the project's own folder
-  Ask ask;           ///< memory_mb, minutes: 0: from the needs that `process` states
-  int most = 0;      ///< batches, oldest first; 0: all that wait
+  Access access;
+  Ask ask;       ///< memory_mb, minutes: 0: from the needs that `process` states
+  int most = 0;  ///< batches, oldest first; 0: all that wait
 };
 
 struct Submitted {
@@ -29,14 +30,16 @@ struct Submitted {
 
 /// Submits every waiting batch of the project to the cluster, unless it is there already: job
 /// arrays with one batch per task. A failed batch is submitted again, with twice the memory or time
-/// if that was too little. Errors: those of Place; CannotWrite if the cluster's disk has no space
+/// if that was too little; one that was photographed again since is submitted anew once its job has
+/// ended. Errors: those of reach and of Place; CannotWrite if the cluster's disk has no space
 /// for the results or another such command is running; Failed with sbatch's output: nothing of that
 /// array is then submitted.
 Result<Submitted> submit(upkeep::Project& project, const SubmitOptions& options, Progress& progress,
                          std::stop_token stop);
 
-/// What became of the batches that were submitted, oldest first.
-Result<std::vector<TaskStatus>> status(const std::filesystem::path& project, std::stop_token stop);
+/// What became of the batches that were submitted, oldest first. Errors: those of reach, statusOf.
+Result<std::vector<TaskStatus>> status(const std::filesystem::path& project, const Access& access,
+                                       std::stop_token stop);
 
 /// What a batch requests: the needs that `process` states, with a margin for other processors and
 /// busy disks, and its earlier outcome; `before` may be nullptr.

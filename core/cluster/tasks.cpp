@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cluster/job_script.h"
 #include "cluster/queue_text.h"
 #include "files/contained_path.h"
 #include "files/json.h"
+#include "files/json_numbers.h"
 
 namespace ostraka::cluster {
 namespace {
@@ -20,7 +22,7 @@ fs::path tasksFile(const fs::path& project) {
 
 bool isUsable(const Task& task) {
   const Result<ContainedPath> batch = ContainedPath::parse(task.batch);
-  return batch && batch->parts().size() == 1 && isJobName(task.job) && task.number >= 1;
+  return batch && batch->parts().size() == 1 && isJobName(task.job);
 }
 
 }  // namespace
@@ -59,8 +61,13 @@ Result<Tasks> readTasks(const fs::path& project) {
     if (value->at("format") != kTasksFormat) return bad;
     tasks.host = value->at("host");
     for (const nlohmann::json& one : value->at("tasks")) {
-      const Task task{one.at("batch"),     one.at("job"),     one.at("task"),
-                      one.at("memory_mb"), one.at("minutes"), one.at("collected")};
+      const Task task{.batch = one.at("batch"),
+                      .job = one.at("job"),
+                      .number = wholeAt(one, "task", 1, kMostTasks),
+                      .memory_mb = wholeAt(one, "memory_mb", 1, kMostMemory_mb),
+                      .minutes = wholeAt(one, "minutes", 1, kMostMinutes),
+                      .photographs = one.at("photographs"),
+                      .collected = one.at("collected")};
       if (!isUsable(task)) return bad;
       tasks.tasks.push_back(task);
     }
@@ -78,6 +85,7 @@ Result<void> writeTasks(const fs::path& project, const Tasks& tasks) {
                     {"task", task.number},
                     {"memory_mb", task.memory_mb},
                     {"minutes", task.minutes},
+                    {"photographs", task.photographs},
                     {"collected", task.collected}});
   return writeJson(tasksFile(project),
                    {{"format", kTasksFormat}, {"host", tasks.host}, {"tasks", list}});

@@ -13,6 +13,7 @@ struct Task {
   std::string job;    ///< the array's name
   int number = 1;
   int memory_mb = 0, minutes = 0;  ///< requested
+  std::string photographs;         ///< intake::takingNow of those that were submitted
   bool collected = false;          ///< its results were entered or are no longer wanted
   bool operator==(const Task&) const = default;
 };
@@ -20,7 +21,9 @@ struct Task {
 /// PROJECT/cluster/tasks.json: the newest task of each batch. It is written before a job is
 /// submitted, so that every job on the cluster is known.
 struct Tasks {
-  std::string host;  ///< user@login:/folder; empty: the cluster sees the project's folder
+  std::string host;  ///< user@login:/folder; empty: the cluster sees the project's folder. A file
+                     ///< of a project says it, which may be a stranger's: never contacted unless
+                     ///< the person named the same (reach)
   std::vector<Task> tasks;
 
   Task* of(const std::string& batch);

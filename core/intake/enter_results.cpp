@@ -5,7 +5,9 @@
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "base/message.h"
 #include "batch/batch.h"
@@ -58,7 +60,9 @@ class Entering {
            const records::Provenance& provenance)
       : catalogue_(catalogue), batch_(batch), provenance_{{}, "process", provenance.why} {}
 
-  EnteredResults enter(const ReadResults& read, const fs::path& out, BatchItself then) {
+  EnteredResults enter(const ReadResults& read, const fs::path& out,
+                       std::optional<Message> other_photographs, BatchItself then) {
+    entered_.other_photographs = std::move(other_photographs);
     const int before = sherdRows();
     scans(read.scans, read.edits);
     valueOrThrow(followDecisions(
@@ -92,7 +96,7 @@ class Entering {
 
   void settle(const ReadResults& read) {
     records::BatchRecord batch = valueOrThrow(catalogue::Batches(catalogue_).get(batch_));
-    const bool open = entered_.open > 0 || entered_.decided_meanwhile;
+    const bool open = entered_.open > 0 || entered_.decided_meanwhile || entered_.other_photographs;
     batch.state = open || !read.scale_doubts.empty() ? records::BatchState::Review
                                                      : records::BatchState::Done;
     batch.reprojection_px = read.reprojection_px;
@@ -232,7 +236,8 @@ Result<EnteredResults> entered(catalogue::Catalogue& catalogue, const fs::path& 
   const std::scoped_lock alone(one_by_one);
   return catalogue.database().asResult([&] {
     const auto record = valueOrThrow(catalogue::Batches(catalogue).get(batch));
-    valueOrThrow(checkResultsAreOf(catalogue, project, record, out, stop));
+    const std::optional<Message> other_photographs =
+        valueOrThrow(checkResultsAreOf(catalogue, project, record, out, stop));
     const FolderLock models =
         valueOrThrow(sherds::holdModels(project, record.number, progress, stop));
     const ReadResults read = readResults(project, record, out, progress, stop);
@@ -241,8 +246,9 @@ Result<EnteredResults> entered(catalogue::Catalogue& catalogue, const fs::path& 
     for (const ReadSherd& sherd : read.sherds)
       if (!sherd.folder.empty()) kept.insert(sherd.folder.substr(0, sherd.folder.size() - 1));
     valueOrThrow(sherds::dropUnusedModels(catalogue, project, record.number, kept));
-    return valueOrThrow(catalogue.database().inTransaction(
-        [&] { return Entering(catalogue, batch, provenance).enter(read, out, then); }));
+    return valueOrThrow(catalogue.database().inTransaction([&] {
+      return Entering(catalogue, batch, provenance).enter(read, out, other_photographs, then);
+    }));
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -16,14 +17,15 @@ struct EnteredResults {
   int kept_decisions = 0;          ///< pairs where the person's word stayed above the program's
   int open = 0;                    ///< pairs and scans that want a person
   bool decided_meanwhile = false;  ///< what the computation did not know is to be computed
-  std::vector<std::string> numbers_left;  ///< typed on the plate, but no sherd lies there
+  std::vector<std::string> numbers_left;     ///< typed on the plate, but no sherd lies there
+  std::optional<Message> other_photographs;  ///< single ones differ; the batch is to be reviewed
 };
 
 /// Reads OUT of `ostraka process` (pairs.json, report.json, the models) into the catalogue: scans,
 /// the program's pair decisions, draft sherds, measurements, files with their hashes. Doing it
 /// twice changes nothing; what a person decided is kept. `out` lies in the project's folder.
 /// The batch's state becomes Review when something wants a person, else Done. Errors: also
-/// UnusableInput for results of another batch's photographs (checkResultsAreOf).
+/// UnusableInput for results of another batch's or earlier photographs (checkResultsAreOf).
 Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue,
                                     const std::filesystem::path& project, store::BatchRow batch,
                                     const std::filesystem::path& out,

@@ -1,6 +1,7 @@
 #include "intake/results_owner.h"
 
-#include <map>
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -9,8 +10,8 @@
 #include "base/message.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
-#include "files/files.h"
 #include "files/json.h"
+#include "intake/side_photographs.h"
 #include "store/database.h"
 #include "store/values.h"
 
@@ -18,109 +19,132 @@ namespace ostraka::intake {
 namespace {
 
 namespace fs = std::filesystem;
+using batch::Side;
 using store::valueOrThrow;
 
-using Hashes = std::map<std::string, std::string>;  // SHA-256 by name, relative to the batch
+using SideHashes = std::array<std::set<std::string>, 2>;  // SHA-256 of photographs, by side
 
-// What lies in a side's folder; the board, empty plates and masks may be those of many batches.
-bool isOfASide(const std::string& name) {
-  for (const char* side : {"front/", "back/", "top_images/", "bottom_images/"})
-    if (name.starts_with(side)) return store::checkedPath(name).has_value();
-  return false;
+std::size_t indexOf(Side side) {
+  return side == Side::Front ? 0 : 1;
 }
 
-Result<Hashes> readFrom(const fs::path& out) {
-  const fs::path file = out / "work" / "batch.json";
-  Hashes hashes;
-  std::error_code failed;
-  if (!fs::exists(file, failed)) return hashes;  // made by an earlier version
-  const Result<nlohmann::json> all = readJson(file);
-  if (!all) return all.error();
-  if (!all->is_object()) return hashes;
-  for (const auto& [name, hash] : all->items())
-    if (hash.is_string() && isOfASide(name)) hashes[name] = hash.get<std::string>();
+SideHashes bySide(const PhotographHashes& photographs) {
+  SideHashes hashes;
+  for (const auto& [name, hash] : photographs)
+    if (const std::optional<Side> side = sideOf(name)) hashes[indexOf(*side)].insert(hash);
   return hashes;
 }
 
-bool isAThird(std::size_t same, const Hashes& all) {
-  return 3 * same >= all.size();
+SideHashes readFrom(const fs::path& out) {
+  const fs::path file = out / "work" / "batch.json";
+  std::error_code failed;
+  if (!fs::exists(file, failed)) return {};  // made by an earlier version
+  const nlohmann::json all = valueOrThrow(readJson(file));
+  PhotographHashes photographs;
+  if (all.is_object())
+    for (const auto& [name, hash] : all.items())
+      if (hash.is_string()) photographs[name] = hash.get<std::string>();
+  return bySide(photographs);
 }
+
+struct Comparison {
+  std::array<std::size_t, 2> made_from{}, same{};
+  std::array<bool, 2> known{};  // whether the batch has photographs of that side
+
+  bool isForeign(Side side) const {
+    const std::size_t i = indexOf(side);
+    return known[i] && 2 * same[i] < made_from[i];
+  }
+  bool isOfTheBatch() const {
+    return same[0] + same[1] > 0 && !isForeign(Side::Front) && !isForeign(Side::Back);
+  }
+  std::size_t all() const { return made_from[0] + made_from[1]; }
+  std::size_t others() const { return all() - same[0] - same[1]; }
+};
 
 class Owners {
  public:
-  Owners(const fs::path& project, const Hashes& made_from, const std::stop_token& stop)
-      : project_(project), made_from_(made_from), stop_(stop) {}
+  Owners(const catalogue::Catalogue& catalogue, const fs::path& project,
+         const SideHashes& made_from, const std::stop_token& stop)
+      : catalogue_(catalogue), project_(project), made_from_(made_from), stop_(stop) {}
 
-  // By the catalogue's word on the batch's photographs.
-  bool own(const std::set<std::string>& recorded) const {
-    std::size_t same = 0;
-    for (const auto& [name, hash] : made_from_) same += recorded.contains(hash) ? 1 : 0;
-    return same > 0 && isAThird(same, made_from_);
-  }
-
-  // By the files in the batch's folder.
-  Result<bool> own(const std::string& number) const {
-    std::size_t same = 0;
-    for (const auto& [name, hash] : made_from_) {
-      if (stop_.stop_requested()) return Error::cancelled();
-      const fs::path file = project_ / "batches" / number / name;
-      std::error_code failed;
-      if (!fs::is_regular_file(file, failed)) continue;
-      const Result<std::string> bytes = readFile(file);
-      same += bytes && sha256(*bytes) == hash ? 1 : 0;
+  Comparison with(const records::BatchRecord& batch) const {
+    const SideHashes there =
+        bySide(valueOrThrow(photographsNow(project_ / "batches" / batch.number, stop_)));
+    const SideHashes recorded = recordedOf(batch);
+    Comparison compared;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::set<std::string>& now = there[side].empty() ? recorded[side] : there[side];
+      compared.known[side] = !now.empty();
+      compared.made_from[side] = made_from_[side].size();
+      compared.same[side] = static_cast<std::size_t>(
+          std::count_if(made_from_[side].begin(), made_from_[side].end(),
+                        [&](const std::string& hash) { return now.contains(hash); }));
     }
-    return same > 0 && isAThird(same, made_from_);
+    return compared;
   }
 
  private:
+  SideHashes recordedOf(const records::BatchRecord& batch) const {
+    PhotographHashes photographs;
+    for (const records::FileRecord& file : valueOrThrow(catalogue::Files(catalogue_).of(batch.row)))
+      if (file.role == "photo")
+        photographs[fs::path(file.path)
+                        .lexically_relative(fs::path("batches") / batch.number)
+                        .generic_string()] = file.sha256;
+    return bySide(photographs);
+  }
+
+  const catalogue::Catalogue& catalogue_;
   const fs::path& project_;
-  const Hashes& made_from_;
+  const SideHashes& made_from_;
   const std::stop_token& stop_;
 };
 
-std::map<store::BatchRow, std::set<std::string>> photographsAmong(
-    const std::vector<records::FileRecord>& files) {
-  std::map<store::BatchRow, std::set<std::string>> hashes;
-  for (const records::FileRecord& file : files)
-    if (file.role == "photo" && file.batch) hashes[file.batch].insert(file.sha256);
-  return hashes;
-}
-
-bool hasFiles(const fs::path& folder) {
-  for (const char* side : {"front", "back", "top_images", "bottom_images"}) {
-    std::error_code failed;
-    if (fs::directory_iterator(folder / side, failed) != fs::directory_iterator()) return true;
-  }
-  return false;
+[[noreturn]] void refuseForeign(const Comparison& own, const std::string& number,
+                                const fs::path& out) {
+  if (own.same[1] > 0 && !own.isForeign(Side::Back))
+    store::refuse(message("These results were made from earlier photographs of the front of %1; "
+                          "process it again.",
+                          number),
+                  out);
+  if (own.same[0] > 0 && !own.isForeign(Side::Front))
+    store::refuse(message("These results were made from earlier photographs of the back of %1; "
+                          "process it again.",
+                          number),
+                  out);
+  store::refuse(
+      message("These results were not made from the photographs of %1; process it again.", number),
+      out);
 }
 
 }  // namespace
 
-Result<void> checkResultsAreOf(const catalogue::Catalogue& catalogue, const fs::path& project,
-                               const records::BatchRecord& batch, const fs::path& out,
-                               const std::stop_token& stop) {
-  return catalogue.database().asResult([&] {
-    const Hashes made_from = valueOrThrow(readFrom(out));
-    if (made_from.empty()) return;
-    const catalogue::Files files(catalogue);
-    const Owners owners(project, made_from, stop);
-    auto recorded = photographsAmong(valueOrThrow(files.of(batch.row)));
-    if (owners.own(recorded[batch.row]) || valueOrThrow(owners.own(batch.number))) return;
-    recorded = photographsAmong(valueOrThrow(files.all()));
-    for (const records::BatchRecord& other : valueOrThrow(catalogue::Batches(catalogue).all())) {
-      if (other.row == batch.row) continue;
-      if (owners.own(recorded[other.row]) || valueOrThrow(owners.own(other.number)))
+Result<std::optional<Message>> checkResultsAreOf(const catalogue::Catalogue& catalogue,
+                                                 const fs::path& project,
+                                                 const records::BatchRecord& batch,
+                                                 const fs::path& out, const std::stop_token& stop) {
+  return catalogue.database().asResult([&]() -> std::optional<Message> {
+    const SideHashes made_from = readFrom(out);
+    if (made_from[0].empty() && made_from[1].empty()) return std::nullopt;
+    const Owners owners(catalogue, project, made_from, stop);
+    const Comparison own = owners.with(batch);
+    if (own.isOfTheBatch()) {
+      if (own.others() == 0) return std::nullopt;
+      return message(
+          "Photographs of %1 that are missing or are others than these results were made from: "
+          "%2 of %3. The results are entered; reprocess the batch if it was photographed again.",
+          batch.number, own.others(), own.all());
+    }
+    for (const records::BatchRecord& other : valueOrThrow(catalogue::Batches(catalogue).all()))
+      if (other.row != batch.row && owners.with(other).isOfTheBatch())
         store::refuse(
             message("These results were made from the photographs of %1, not of %2; process %3 "
                     "itself.",
                     other.number, batch.number, batch.number),
             out);
-    }
-    if (!recorded[batch.row].empty() || hasFiles(project / "batches" / batch.number))
-      store::refuse(
-          message("These results were not made from the photographs of %1; process it again.",
-                  batch.number),
-          out);
+    if (own.known[0] || own.known[1]) refuseForeign(own, batch.number, out);
+    return std::nullopt;
   });
 }
 

@@ -75,6 +75,9 @@ TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
   put(project_->folder() / ".ostraka.lock", "4711");
   put(project_->folder() / "lock", "");
   put(project_->folder() / "notes.txt", "mine");
+  fs::create_directories(project_->folder() / "cluster/log");
+  put(project_->folder() / "cluster/tasks.json", "{}");
+  put(project_->folder() / "cluster/log/job.1.txt", "");
   ASSERT_TRUE(
       upkeep::checkFiles(catalogue(), project_->folder(), upkeep::CheckDepth::Hashes, quiet, {}));
   ASSERT_TRUE(archive());
@@ -83,6 +86,7 @@ TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
   EXPECT_FALSE(fs::exists(at("laptop/.ostraka.lock")));
   EXPECT_FALSE(fs::exists(at("laptop/lock")));
   EXPECT_FALSE(fs::exists(at("laptop/file-checks.txt")));
+  EXPECT_FALSE(fs::exists(at("laptop/cluster")));
 }
 
 TEST_F(Archive, WithDamageIsNotSealedAndLeavesNothing) {

@@ -141,7 +141,7 @@ TEST(ReadBatch, NeedsThreeUsableViewsPerSide) {
   const auto batch = read(folder, listener);
   ASSERT_FALSE(batch.has_value());
   EXPECT_EQ(batch.error().code, ErrorCode::NotEnough);
-  EXPECT_THAT(batch.error().sentence(), HasSubstr("back side has 2 usable"));
+  EXPECT_THAT(batch.error().sentence(), HasSubstr("Usable photographs of the back side: 2;"));
 }
 
 TEST(ReadBatch, WarnsOfNamesItDoesNotUnderstandAndOfDoubles) {

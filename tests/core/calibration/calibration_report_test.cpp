@@ -71,7 +71,7 @@ TEST(CalibrationAdvice, AsksForTiltsStopsAndMarkers) {
   poses.markers_per_image[2] = 3;
   const auto report = judged(camera, poses, {{0, 12, 290, 290}});
   EXPECT_THAT(report.missing, Contains(HasSubstr("only 1 picture shows the board tilted")));
-  EXPECT_THAT(report.missing, Contains(HasSubstr("Only 3 positions")));
+  EXPECT_THAT(report.missing, Contains(HasSubstr("Positions photographed: 3;")));
   EXPECT_THAT(report.missing,
               Contains(HasSubstr(
                   "Camera B sees fewer than six of the plate's markers at position front 3")));
@@ -102,7 +102,7 @@ TEST(CalibrationAdvice, NamesACameraThatWasTouched) {
   const auto report = judged(camera, fourStops(), {{0, 12, 290, 290}});
   EXPECT_EQ(report.verdict, Verdict::NotUsable);
   EXPECT_THAT(report.verdict_in_words,
-              HasSubstr("Camera B misses the plate's markers by a median of 1.30 px"));
+              HasSubstr("camera B misses the plate's markers by a median of 1.30 px"));
 }
 
 TEST(HeldOut, DistancesComeFromTheRaysAlone) {

@@ -25,6 +25,8 @@ namespace fs = std::filesystem;
 class ClusterProject : public catalogue::SmallProject {
  protected:
   ClusterProject() {
+    // Not that of whoever runs the tests.
+    ::setenv("XDG_CONFIG_HOME", (folder_.path() / "config").c_str(), 1);
     fs::create_directories(fault());
     fs::create_directories(bin());
     program("ostraka-here", "out=$4\nb=${2#batches/}\nf='" + fault().string() +
@@ -53,17 +55,18 @@ class ClusterProject : public catalogue::SmallProject {
     const store::BatchRow row = newBatch({bag4});
     const std::string number = catalogue::Batches(catalogue()).get(row)->number;
     const int shade = static_cast<int>(row.value % 200);
-    for (const char* side : {"front", "back"}) {
-      fs::create_directories(project_->batchFolder(number) / side);
-      for (int stop = 0; stop < 4; ++stop)
-        cv::imwrite(
-            (project_->batchFolder(number) / side / ("cam0_pos0" + std::to_string(stop) + ".png"))
-                .string(),
-            cv::Mat(12, 16, CV_8UC3, cv::Scalar(shade, 40 * stop, side[0])));
-    }
+    for (const char* side : {"front", "back"}) photograph(number, side, shade);
     const catalogue::ResultFolder results(folder_.path() / "prepared" / number, 3);
     EXPECT_TRUE(catalogue::Batches(catalogue()).setState(row, records::BatchState::Queued, anna));
     return row;
+  }
+  /// Anew with another shade.
+  void photograph(const std::string& number, const std::string& side, int shade) const {
+    const fs::path folder = project_->batchFolder(number) / side;
+    fs::create_directories(folder);
+    for (int stop = 0; stop < 4; ++stop)
+      cv::imwrite((folder / ("cam0_pos0" + std::to_string(stop) + ".png")).string(),
+                  cv::Mat(12, 16, CV_8UC3, cv::Scalar(shade, 40 * stop, side[0])));
   }
   records::BatchState stateOf(store::BatchRow row) {
     return catalogue::Batches(catalogue()).get(row)->state;
@@ -73,7 +76,9 @@ class ClusterProject : public catalogue::SmallProject {
   }
 
   Result<Submitted> submitAll() { return submit(*project_, submitting, quiet, {}); }
-  std::vector<TaskStatus> states() { return catalogue::valueIn(status(project_->folder(), {})); }
+  std::vector<TaskStatus> states() {
+    return catalogue::valueIn(status(project_->folder(), submitting.access, {}));
+  }
   TaskStatus stateOfBatch(const std::string& batch) {
     for (const TaskStatus& one : states())
       if (one.task.batch == batch) return one;

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 class Collect : public FakeCluster {
  protected:
-  Collected collectAll() { return catalogue::valueIn(collect(*project_, quiet, {})); }
+  Collected collectAll() { return catalogue::valueIn(collect(*project_, {}, quiet, {})); }
 };
 
 TEST_F(Collect, WholeResultsAreEnteredOnceHoweverOftenItIsAsked) {
@@ -78,6 +78,24 @@ TEST_F(Collect, ResultsOfABatchThatIsPhotographedAgainAreNotEntered) {
   EXPECT_EQ(stateOf(one), records::BatchState::Front);
 }
 
+// It waits again by then, so its state tells nothing.
+TEST_F(Collect, ResultsOfEarlierPhotographsAreNotEnteredThoughTheBatchWaitsAgain) {
+  const store::BatchRow one = queuedBatch();
+  ASSERT_TRUE(submitAll());
+  runTasks();
+  photograph("B0001", "front", 250);
+  const Collected collected = collectAll();
+  EXPECT_TRUE(collected.batches.empty());
+  ASSERT_EQ(collected.warnings.size(), 1u);
+  EXPECT_THAT(collected.warnings[0].english(), HasSubstr("photographed again"));
+  EXPECT_EQ(sherdsOf(one), 0u);
+  EXPECT_EQ(stateOf(one), records::BatchState::Queued);
+  EXPECT_THAT(submitAll()->batches, ElementsAre("B0001"));
+  runTasks();
+  EXPECT_THAT(collectAll().batches, ElementsAre("B0001"));
+  EXPECT_EQ(sherdsOf(one), 3u);
+}
+
 TEST_F(Collect, ResultsThatCannotBeUsedAreNamedAndComputedAgain) {
   const store::BatchRow one = queuedBatch(), two = queuedBatch();
   ASSERT_TRUE(submitAll());
@@ -98,7 +116,7 @@ TEST_F(Collect, ResultsThatCannotBeUsedAreNamedAndComputedAgain) {
 // What lies on the other side of the line is a folder of this computer, reached by a false ssh.
 class CollectFromAfar : public Collect {
  protected:
-  CollectFromAfar() { submitting.host = "anna@login:" + there().string(); }
+  CollectFromAfar() { submitting.access.host = "anna@login:" + there().string(); }
   bool hasRsync() const { return std::system("command -v rsync > /dev/null") == 0; }
   fs::path there() const { return folder_.path() / "there"; }
 };
@@ -117,12 +135,25 @@ TEST_F(CollectFromAfar, BatchesGoAndResultsComeWithChecksums) {
   EXPECT_THAT(textOf(fault() / "logins"), HasSubstr("anna@login\n"));
   runTasks(there());
   EXPECT_FALSE(fs::exists(project_->resultsFolder("B0001")));
-  submitting.host.clear();  // it is known from then on
+  submitting.access.host.clear();  // it is known from then on
   EXPECT_TRUE(submitAll()->batches.empty());
   EXPECT_THAT(collectAll().batches, ElementsAre("B0001"));
   EXPECT_EQ(sherdsOf(one), 3u);
   EXPECT_TRUE(fs::exists(project_->resultsFolder("B0001") / "report.json"));
   EXPECT_FALSE(fs::exists(clusterFolder(project_->folder()) / "incoming/B0001"));
+}
+
+TEST_F(CollectFromAfar, NothingOfEarlierPhotographsIsLeftThere) {
+  if (!hasRsync()) GTEST_SKIP() << "rsync is not installed";
+  queuedBatch();
+  ASSERT_TRUE(submitAll());
+  runTasks(there());
+  put(there() / "results/B0001/of_earlier_photographs", "");
+  for (const char* side : {"front", "back"}) photograph("B0001", side, 250);
+  EXPECT_THAT(submitAll()->batches, ElementsAre("B0001"));
+  EXPECT_FALSE(fs::exists(there() / "results/B0001/of_earlier_photographs"));
+  runTasks(there());
+  EXPECT_THAT(collectAll().batches, ElementsAre("B0001"));
 }
 
 TEST_F(CollectFromAfar, ALineThatBreaksLosesNothing) {
@@ -131,7 +162,7 @@ TEST_F(CollectFromAfar, ALineThatBreaksLosesNothing) {
   ASSERT_TRUE(submitAll());
   runTasks(there());
   put(fault() / "down", "");
-  EXPECT_FALSE(collect(*project_, quiet, {}));
+  EXPECT_FALSE(collect(*project_, {}, quiet, {}));
   fs::remove(fault() / "down");
   // Half of the results had come.
   fs::create_directories(clusterFolder(project_->folder()) / "incoming/B0001/work");
@@ -153,7 +184,7 @@ TEST_F(CollectFromAfar, NothingIsDeletedThroughALink) {
     const fs::path folder = clusterFolder(project_->folder()) / name;
     fs::remove_all(folder);
     fs::create_directory_symlink(elsewhere, folder);
-    EXPECT_FALSE(collect(*project_, quiet, {})) << name;
+    EXPECT_FALSE(collect(*project_, {}, quiet, {})) << name;
     EXPECT_EQ(textOf(elsewhere / "mine.txt"), "mine") << name;
     fs::remove(folder);
   }

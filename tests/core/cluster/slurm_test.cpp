@@ -109,7 +109,7 @@ TEST_F(OnSlurm, EachSherdArrivesOnceThoughTasksAreKilledANodeLeavesAndADiskIsFul
   EXPECT_EQ(stateOfBatch("B0002").cause, Cause::Memory) << stateOfBatch("B0002").words;
   EXPECT_EQ(stateOfBatch("B0003").cause, Cause::Node) << stateOfBatch("B0003").words;
   EXPECT_EQ(stateOfBatch("B0004").cause, Cause::Disk) << stateOfBatch("B0004").words;
-  const Result<Collected> before = collect(*project_, quiet, {});
+  const Result<Collected> before = collect(*project_, {}, quiet, {});
   ASSERT_TRUE(before) << before.error().sentence();
   EXPECT_EQ(before->batches.size(), static_cast<std::size_t>(batches - 4));
 
@@ -117,11 +117,11 @@ TEST_F(OnSlurm, EachSherdArrivesOnceThoughTasksAreKilledANodeLeavesAndADiskIsFul
   submitting.ask.memory_mb = 0;
   EXPECT_EQ(submitAll()->batches.size(), 4u);
   ASSERT_TRUE(waitUntil([&] { return nothingRuns(); }));
-  const Result<Collected> after = collect(*project_, quiet, {});
+  const Result<Collected> after = collect(*project_, {}, quiet, {});
   ASSERT_TRUE(after) << after.error().sentence();
   EXPECT_EQ(after->batches.size(), 4u);
   EXPECT_TRUE(after->left.empty());
-  EXPECT_TRUE(collect(*project_, quiet, {})->batches.empty());
+  EXPECT_TRUE(collect(*project_, {}, quiet, {})->batches.empty());
   for (const store::BatchRow row : rows) {
     EXPECT_EQ(sherdsOf(row), 3u);
     EXPECT_EQ(stateOf(row), records::BatchState::Done);
@@ -140,7 +140,7 @@ TEST_F(OnSlurm, ARequeuedTaskGoesOnWithoutBeingSubmittedAgain) {
   EXPECT_EQ(call("scontrol requeue " + submitted->arrays[0] + "_1"), 0);
   EXPECT_TRUE(submitAll()->batches.empty());
   ASSERT_TRUE(waitUntil([&] { return nothingRuns(); }, 180s));
-  EXPECT_EQ(catalogue::valueIn(collect(*project_, quiet, {})).batches.size(), 1u);
+  EXPECT_EQ(catalogue::valueIn(collect(*project_, {}, quiet, {})).batches.size(), 1u);
   EXPECT_EQ(sherdsOf(row), 3u);
   EXPECT_EQ(textOf(fault() / "runs"), "B0001\nB0001\n");
 }

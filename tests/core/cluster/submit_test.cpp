@@ -2,8 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "cluster/place.h"
 #include "cluster_project.h"
+#include "files/json.h"
 
 namespace ostraka::cluster {
 namespace {
@@ -76,11 +79,11 @@ TEST_F(Submit, NothingIsConcludedWhileSlurmDoesNotAnswer) {
   queuedBatch();
   ASSERT_TRUE(submitAll());
   put(fault() / "down", "");
-  const auto unknown = status(project_->folder(), {});
+  const auto unknown = status(project_->folder(), {}, {});
   ASSERT_FALSE(unknown);
   EXPECT_THAT(unknown.error().sentence(), HasSubstr("cannot contact slurmctld"));
   EXPECT_FALSE(submitAll());
-  EXPECT_FALSE(collect(*project_, quiet, {}));
+  EXPECT_FALSE(collect(*project_, {}, quiet, {}));
   fs::remove(fault() / "down");
   EXPECT_EQ(stateOfBatch("B0001").state, TaskState::Waiting);
 }
@@ -124,6 +127,87 @@ TEST_F(Submit, AHostIsReadAsAHostAndNothingElse) {
   const Result<Place> place = Place::of(project_->folder(), "anna@login.uni-x.de:/scratch/anna");
   ASSERT_TRUE(place) << place.error().sentence();
   EXPECT_EQ(place->name(), "anna@login.uni-x.de:/scratch/anna");
+}
+
+// Two jobs of one batch would write into the same folder.
+TEST_F(Submit, ABatchThatIsPhotographedAgainIsSubmittedAnewOnceItsJobHasEnded) {
+  queuedBatch();
+  ASSERT_TRUE(submitAll());
+  const std::string job = readTasks(project_->folder())->of("B0001")->job;
+  photograph("B0001", "front", 250);
+  const Result<Submitted> waiting = submitAll();
+  ASSERT_TRUE(waiting) << waiting.error().sentence();
+  EXPECT_TRUE(waiting->batches.empty());
+  ASSERT_EQ(waiting->warnings.size(), 1u);
+  EXPECT_THAT(waiting->warnings[0].english(), HasSubstr(job));
+  runTasks();
+  EXPECT_THAT(submitAll()->batches, ElementsAre("B0001"));
+  EXPECT_NE(readTasks(project_->folder())->of("B0001")->job, job);
+  EXPECT_TRUE(submitAll()->warnings.empty()) << "these photographs are on the cluster now";
+  EXPECT_EQ(submissions(), 2);
+}
+
+TEST_F(Submit, NoHostThatAProjectBringsIsContacted) {
+  queuedBatch();
+  submitting.access.host = "anna@login:" + (folder_.path() / "there").string();
+  std::vector<std::string> contacted;
+  submitting.access.contacting = [&](const std::string& host) { contacted.push_back(host); };
+  put(fault() / "down", "");
+  EXPECT_FALSE(submitAll());
+  EXPECT_THAT(contacted, ElementsAre(submitting.access.host));
+
+  const std::string named = submitting.access.host, strange = "evil@attacker.example:/x";
+  submitting.access = {};
+  fs::remove(fault() / "down");
+  Tasks tasks;
+  tasks.host = strange;
+  tasks.tasks = {{"B0001", "ostraka-0123456789ab", 1, 2000, 30, {}, false}};
+  ASSERT_TRUE(writeTasks(project_->folder(), tasks));
+  for (const auto& refused : {submitAll().error(), status(project_->folder(), {}, {}).error(),
+                              collect(*project_, {}, quiet, {}).error()}) {
+    EXPECT_EQ(refused.code, ErrorCode::UnusableInput);
+    EXPECT_THAT(refused.sentence().english(), HasSubstr(strange));
+  }
+  EXPECT_FALSE(fs::exists(fault() / "logins"));
+  // Without tasks there it is of no account: the host is the one that was named here.
+  Tasks none;
+  none.host = strange;
+  const Result<Place> place = reach(catalogue(), project_->folder(), {}, none);
+  ASSERT_TRUE(place) << place.error().sentence();
+  EXPECT_EQ(place->name(), named);
+}
+
+TEST_F(Submit, AHostIsRememberedForItsProjectAlone) {
+  Tasks none;
+  const std::string host = "anna@login:/dig";
+  ASSERT_TRUE(reach(catalogue(), project_->folder(), {host, {}}, none));
+  records::ProjectRecord record;
+  record.code = "OTHER";
+  const auto other = upkeep::Project::create(folder_.path() / "other", record);
+  ASSERT_TRUE(other);
+  Tasks of_other;
+  const Result<Place> here = reach(other->catalogue(), other->folder(), {}, of_other);
+  ASSERT_TRUE(here) << here.error().sentence();
+  EXPECT_FALSE(here->isRemote());
+  EXPECT_THAT(of_other.host, testing::IsEmpty());
+}
+
+TEST_F(Submit, AListOfTasksWithNumbersThatNoJobHasIsRefused) {
+  queuedBatch();
+  ASSERT_TRUE(submitAll());
+  const fs::path file = clusterFolder(project_->folder()) / "tasks.json";
+  const Result<nlohmann::json> good = readJson(file);
+  ASSERT_TRUE(good);
+  for (const auto& [key, value] :
+       {std::pair("task", "4294967297"), std::pair("task", "1.5"), std::pair("task", "0"),
+        std::pair("memory_mb", "-5"), std::pair("memory_mb", "2000000000"),
+        std::pair("minutes", "1e99"), std::pair("minutes", "true"), std::pair("collected", "1"),
+        std::pair("photographs", "1")}) {
+    nlohmann::json changed = *good;
+    changed["tasks"][0][key] = nlohmann::json::parse(value);
+    put(file, changed.dump());
+    EXPECT_FALSE(readTasks(project_->folder())) << key << " " << value;
+  }
 }
 
 TEST_F(Submit, AListOfTasksThatAnybodyChangedIsRefused) {

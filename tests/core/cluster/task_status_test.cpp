@@ -7,7 +7,7 @@
 namespace ostraka::cluster {
 namespace {
 
-const Task kTask{"B0031", "ostraka-0123456789ab", 3, 4100, 60, false};
+const Task kTask{"B0031", "ostraka-0123456789ab", 3, 4100, 60, {}, false};
 
 TaskStatus judged(std::optional<QueueState> queue, const std::string& note,
                   const std::string& log = {}) {
@@ -66,8 +66,10 @@ TEST(TaskStatus, TheNextSubmissionAsksForTwiceOfWhatWasShort) {
   raiseTo(first, needs, nullptr);
   EXPECT_EQ(first.memory_mb, 5200) << "1.3 times";
   EXPECT_EQ(first.minutes, 30) << "4.6 minutes on 4 cores, 4 times, but not below 30";
-  TaskStatus before{
-      {"B0031", "ostraka-0123456789ab", 1, 5200, 30, false}, TaskState::Failed, Cause::Memory, {}};
+  TaskStatus before{{"B0031", "ostraka-0123456789ab", 1, 5200, 30, {}, false},
+                    TaskState::Failed,
+                    Cause::Memory,
+                    {}};
   Ask again{4, 0, 0, {}, {}, "ostraka"};
   raiseTo(again, needs, &before);
   EXPECT_EQ(again.memory_mb, 10400);
@@ -77,6 +79,18 @@ TEST(TaskStatus, TheNextSubmissionAsksForTwiceOfWhatWasShort) {
   raiseTo(longer, needs, &before);
   EXPECT_EQ(longer.memory_mb, 5200);
   EXPECT_EQ(longer.minutes, 60);
+}
+
+TEST(Raise, StopsWhereAListOfTasksMayEnd) {
+  TaskStatus before{kTask, TaskState::Failed, Cause::Memory, {}};
+  before.task.memory_mb = kMostMemory_mb;
+  before.task.minutes = kMostMinutes;
+  Ask ask;
+  raiseTo(ask, {}, &before);
+  EXPECT_EQ(ask.memory_mb, kMostMemory_mb);
+  before.cause = Cause::Time;
+  raiseTo(ask, {}, &before);
+  EXPECT_EQ(ask.minutes, kMostMinutes);
 }
 
 }  // namespace

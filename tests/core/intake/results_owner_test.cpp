@@ -39,6 +39,10 @@ class ResultsOfABatch : public Entering {
       ASSERT_TRUE(
           writeFileAtomically(project_->batchFolder(number) / name, photograph(number, name)));
   }
+  void photographAgain(const std::vector<std::string>& again) {
+    for (const std::string& name : again)
+      ASSERT_TRUE(writeFileAtomically(project_->batchFolder("B0001") / name, "again " + name));
+  }
   void recordPhotographs(store::BatchRow of, const std::string& number) {
     for (const std::string& name : names()) {
       records::FileRecord file;
@@ -73,13 +77,58 @@ TEST_F(ResultsOfABatch, AreEnteredByItsRecordedPhotographsOrThoseInItsFolder) {
   EXPECT_TRUE(tryTo(row, "B0002"));
 }
 
-TEST_F(ResultsOfABatch, WhoseOneSideWasShotAgainAreItsResultsStill) {
+// The catalogue still has the earlier ones: what lies in the folder is what counts.
+TEST_F(ResultsOfABatch, WhoseOneSideWasPhotographedAgainAreThoseOfEarlierPhotographs) {
+  recordPhotographs(batch, "B0001");
+  for (const char* side : {"front", "back"}) {
+    writePhotographs("B0001");
+    photographAgain({std::string(side) + "/cam0_pos00.jpg", std::string(side) + "/cam0_pos01.jpg"});
+    const Result<EnteredResults> refused = tryTo(batch, "B0001");
+    ASSERT_FALSE(refused) << side;
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+    EXPECT_THAT(refused.error().what,
+                HasSubstr("earlier photographs of the " + std::string(side) + " of B0001"));
+    EXPECT_TRUE(sherds().empty());
+  }
+}
+
+TEST_F(ResultsOfABatch, AreEnteredForReviewWhereSinglePhotographsDifferOrAreMissing) {
   writePhotographs("B0001");
-  for (const std::string& name : names())
-    if (name.starts_with("back")) {
-      ASSERT_TRUE(writeFileAtomically(project_->batchFolder("B0001") / name, "shot again"));
-    }
+  const Result<EnteredResults> same = tryTo(batch, "B0001");
+  ASSERT_TRUE(same) << same.error().sentence();
+  EXPECT_FALSE(same->other_photographs);
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Done);
+
+  photographAgain({"front/cam0_pos00.jpg"});
+  ASSERT_TRUE(fs::remove(project_->batchFolder("B0001") / "back/cam0_pos02.jpg"));
+  const Result<EnteredResults> entered = tryTo(batch, "B0001");
+  ASSERT_TRUE(entered) << entered.error().sentence();
+  ASSERT_TRUE(entered->other_photographs);
+  EXPECT_THAT(entered->other_photographs->english(), HasSubstr("2 of 6"));
+  EXPECT_EQ(catalogue::Batches(catalogue()).get(batch)->state, records::BatchState::Review);
+}
+
+TEST_F(ResultsOfABatch, OfImportedScansAreToldFromThoseOfOtherScans) {
+  const fs::path results = project_->resultsFolder("B0001");
+  const auto name = [](const char* side) { return std::string(side) + "/a.ply"; };
+  nlohmann::ordered_json inputs;
+  for (const char* side : {"front", "back"}) {
+    inputs[name(side)] = sha256(side);
+    ASSERT_TRUE(writeFileAtomically(project_->batchFolder("B0001") / name(side), side));
+  }
+  ASSERT_TRUE(writeJson(results / "work/batch.json", inputs));
   EXPECT_TRUE(tryTo(batch, "B0001"));
+  ASSERT_TRUE(writeFileAtomically(project_->batchFolder("B0001") / name("front"), "others"));
+  EXPECT_FALSE(tryTo(batch, "B0001"));
+}
+
+TEST_F(ResultsOfABatch, AreNotThoseOfABatchWhoseSidesWereExchanged) {
+  writePhotographs("B0001");
+  const fs::path folder = project_->batchFolder("B0001");
+  fs::rename(folder / "front", folder / "aside");
+  fs::rename(folder / "back", folder / "front");
+  fs::rename(folder / "aside", folder / "back");
+  EXPECT_FALSE(tryTo(batch, "B0001"));
 }
 
 TEST_F(ResultsOfABatch, AreNotEnteredAsThoseOfAnotherWithOtherPhotographs) {

@@ -31,6 +31,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Import abbrechen</translation>
     </message>
+    <message>
+      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zum Importieren den Regler dorthin ziehen, wo die Scherben umgedreht wurden, oder „Nur eine Seite“ wählen.</translation>
+    </message>
 </context>
 <context>
     <name>Fields</name>
@@ -9834,6 +9839,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Auftrag kann höchstens %1 MB Speicher und %2 Minuten anfordern.</translation>
     </message>
+    <message>
+      <source>This photograph is identical to %1 of the front side; it is left out of both sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Foto ist mit %1 der Vorderseite identisch; es wird auf beiden Seiten ausgelassen.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the front side are identical to photographs of the back side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 der %2 Fotos der Vorderseite sind mit Fotos der Rückseite identisch (etwa %3), daher ist der Durchgang nicht verwendbar; jeder Seite ihre eigenen Fotos geben.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 der %2 Fotos der Rückseite sind mit Fotos der Vorderseite identisch (etwa %3), daher ist der Durchgang nicht verwendbar; jeder Seite ihre eigenen Fotos geben.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9968,6 +9988,11 @@
       <source>There are no photographs in this folder; choose one that holds them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In diesem Ordner sind keine Fotos; einen wählen, der sie enthält.</translation>
+    </message>
+    <message>
+      <source>This folder contains several folders with photographs (%1); drop the two of one batch, front and back, onto this page.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ordner enthält mehrere Ordner mit Fotos (%1); die zwei eines Durchgangs, Vorder- und Rückseite, hier ablegen.</translation>
     </message>
 </context>
 <context>

@@ -31,6 +31,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χωρίς εισαγωγή</translation>
     </message>
+    <message>
+      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Για εισαγωγή, μετακινήστε τον δείκτη εκεί όπου γύρισαν τα όστρακα ή επιλέξτε μία μόνο όψη.</translation>
+    </message>
 </context>
 <context>
     <name>Fields</name>
@@ -9829,6 +9834,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια εργασία μπορεί να ζητήσει το πολύ %1 MB μνήμης και %2 λεπτά.</translation>
     </message>
+    <message>
+      <source>This photograph is identical to %1 of the front side; it is left out of both sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η φωτογραφία είναι ίδια με την %1 της μπροστινής όψης· παραλείπεται και στις δύο όψεις.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the front side are identical to photographs of the back side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 από τις %2 φωτογραφίες της μπροστινής όψης είναι ίδιες με φωτογραφίες της πίσω (π.χ. %3), οπότε η παρτίδα δεν μπορεί να χρησιμοποιηθεί· δώστε σε κάθε όψη τις δικές της φωτογραφίες.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 από τις %2 φωτογραφίες της πίσω όψης είναι ίδιες με φωτογραφίες της μπροστινής (π.χ. %3), οπότε η παρτίδα δεν μπορεί να χρησιμοποιηθεί· δώστε σε κάθε όψη τις δικές της φωτογραφίες.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9963,6 +9983,11 @@
       <source>There are no photographs in this folder; choose one that holds them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σε αυτόν τον φάκελο δεν υπάρχουν φωτογραφίες· επιλέξτε έναν που τις περιέχει.</translation>
+    </message>
+    <message>
+      <source>This folder contains several folders with photographs (%1); drop the two of one batch, front and back, onto this page.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο φάκελος περιέχει πολλούς φακέλους με φωτογραφίες (%1)· αφήστε σε αυτή τη σελίδα τους δύο μιας παρτίδας, μπροστινή και πίσω όψη.</translation>
     </message>
 </context>
 <context>

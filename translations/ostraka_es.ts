@@ -31,6 +31,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cancelar importación</translation>
     </message>
+    <message>
+      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Para importar, mueva el control hasta donde se dio la vuelta a los fragmentos o elija un solo lado.</translation>
+    </message>
 </context>
 <context>
     <name>Fields</name>
@@ -9829,6 +9834,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un trabajo puede pedir como máximo %1 MB de memoria y %2 minutos.</translation>
     </message>
+    <message>
+      <source>This photograph is identical to %1 of the front side; it is left out of both sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta foto es idéntica a %1 del anverso; se omite en ambos lados.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the front side are identical to photographs of the back side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 de las %2 fotos del anverso son idénticas a fotos del reverso (por ejemplo, %3), por lo que la tanda no se puede usar; dé a cada lado sus propias fotos.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 de las %2 fotos del reverso son idénticas a fotos del anverso (por ejemplo, %3), por lo que la tanda no se puede usar; dé a cada lado sus propias fotos.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9963,6 +9983,11 @@
       <source>There are no photographs in this folder; choose one that holds them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En esta carpeta no hay fotos; elija una que las contenga.</translation>
+    </message>
+    <message>
+      <source>This folder contains several folders with photographs (%1); drop the two of one batch, front and back, onto this page.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta carpeta contiene varias carpetas con fotos (%1); suelte en esta página las dos de una tanda, anverso y reverso.</translation>
     </message>
 </context>
 <context>

@@ -31,6 +31,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Annuler l&apos;importation</translation>
     </message>
+    <message>
+      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pour importer, placez le curseur là où les tessons ont été retournés, ou choisissez une seule face.</translation>
+    </message>
 </context>
 <context>
     <name>Fields</name>
@@ -9829,6 +9834,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une tâche peut demander au plus %1 Mo de mémoire et %2 minutes.</translation>
     </message>
+    <message>
+      <source>This photograph is identical to %1 of the front side; it is left out of both sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cette photo est identique à %1 de la face avant ; elle est laissée de côté pour les deux faces.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the front side are identical to photographs of the back side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 des %2 photos de la face avant sont identiques à des photos de la face arrière (par exemple %3), le lot est donc inutilisable ; donnez à chaque face ses propres photos.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 des %2 photos de la face arrière sont identiques à des photos de la face avant (par exemple %3), le lot est donc inutilisable ; donnez à chaque face ses propres photos.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9963,6 +9983,11 @@
       <source>There are no photographs in this folder; choose one that holds them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il n’y a pas de photos dans ce dossier ; choisissez-en un qui en contient.</translation>
+    </message>
+    <message>
+      <source>This folder contains several folders with photographs (%1); drop the two of one batch, front and back, onto this page.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier contient plusieurs dossiers avec des photos (%1) ; déposez sur cette page les deux d’un même lot, face avant et face arrière.</translation>
     </message>
 </context>
 <context>

@@ -31,6 +31,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչինչ չներմուծել</translation>
     </message>
+    <message>
+      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծելու համար տեղափոխեք սահիչն այնտեղ, որտեղ բեկորները շրջվել են, կամ ընտրեք միայն մեկ երես։</translation>
+    </message>
 </context>
 <context>
     <name>Fields</name>
@@ -9829,6 +9834,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Առաջադրանքը կարող է պահանջել առավելագույնը %1 ՄԲ հիշողություն և %2 րոպե։</translation>
     </message>
+    <message>
+      <source>This photograph is identical to %1 of the front side; it is left out of both sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս լուսանկարը նույնն է, ինչ առջևի երեսի %1-ը. այն բաց է թողնվում երկու երեսներում էլ։</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the front side are identical to photographs of the back side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առջևի երեսի %2 լուսանկարներից %1-ը նույնն են, ինչ հետևի երեսի լուսանկարները (օրինակ՝ %3), ուստի խմբաքանակը չի կարող օգտագործվել. յուրաքանչյուր երեսին տվեք իր լուսանկարները։</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետևի երեսի %2 լուսանկարներից %1-ը նույնն են, ինչ առջևի երեսի լուսանկարները (օրինակ՝ %3), ուստի խմբաքանակը չի կարող օգտագործվել. յուրաքանչյուր երեսին տվեք իր լուսանկարները։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9963,6 +9983,11 @@
       <source>There are no photographs in this folder; choose one that holds them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակում լուսանկարներ չկան. ընտրեք մեկը, որտեղ դրանք կան։</translation>
+    </message>
+    <message>
+      <source>This folder contains several folders with photographs (%1); drop the two of one batch, front and back, onto this page.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակում լուսանկարներով մի քանի պանակ կա (%1). գցեք մեկ խմբաքանակի երկուսը՝ առջևի և հետևի երեսները, այս էջի վրա։</translation>
     </message>
 </context>
 <context>

@@ -31,6 +31,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İçe aktarma</translation>
     </message>
+    <message>
+      <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İçe aktarmak için kaydırıcıyı parçaların çevrildiği yere getirin veya yalnızca tek yüzü seçin.</translation>
+    </message>
 </context>
 <context>
     <name>Fields</name>
@@ -9782,6 +9787,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir iş en çok %1 MB bellek ve %2 dakika isteyebilir.</translation>
     </message>
+    <message>
+      <source>This photograph is identical to %1 of the front side; it is left out of both sides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu fotoğraf ön yüzün %1 fotoğrafıyla aynı; her iki yüzde de atlanıyor.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the front side are identical to photographs of the back side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ön yüzün %2 fotoğrafından %1 tanesi arka yüzün fotoğraflarıyla aynı (örneğin %3), bu yüzden parti kullanılamaz; her yüze kendi fotoğraflarını verin.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüzün %2 fotoğrafından %1 tanesi ön yüzün fotoğraflarıyla aynı (örneğin %3), bu yüzden parti kullanılamaz; her yüze kendi fotoğraflarını verin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -9915,6 +9935,11 @@
       <source>There are no photographs in this folder; choose one that holds them.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasörde fotoğraf yok; içinde fotoğraf olan birini seçin.</translation>
+    </message>
+    <message>
+      <source>This folder contains several folders with photographs (%1); drop the two of one batch, front and back, onto this page.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasörde fotoğraf içeren birkaç klasör var (%1); bir partinin iki klasörünü, ön ve arka yüz, bu sayfaya bırakın.</translation>
     </message>
 </context>
 <context>

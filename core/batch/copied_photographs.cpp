@@ -1,6 +1,7 @@
 #include "batch/copied_photographs.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <fstream>
 #include <map>
@@ -11,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
+#include "base/text.h"
 #include "batch/photographs.h"
 #include "files/files.h"
 
@@ -50,7 +53,7 @@ Alike copiesIn(const std::vector<Shot>& shots) {
   const Alike by_size = parted(all, [&](std::size_t i) {
     std::error_code failed;
     const std::uintmax_t bytes = fs::file_size(shots[i].file, failed);
-    return std::pair(shots[i].side, failed ? 0 : bytes);
+    return failed ? 0 : bytes;
   });
   const Alike by_beginning =
       parted(by_size, [&](std::size_t i) { return beginningOf(shots[i].file); });
@@ -60,51 +63,111 @@ Alike copiesIn(const std::vector<Shot>& shots) {
   });
 }
 
-Result<void> enoughOf(const Batch& batch, Side side, const ReadBatchOptions& options) {
-  const auto left = std::count_if(batch.shots.begin(), batch.shots.end(),
-                                  [side](const Shot& shot) { return shot.side == side; });
-  if (left >= options.min_views_per_side) return {};
-  return tooFewOf(side, left, options.min_views_per_side, batch.folder);
+using Shared = std::vector<std::array<std::size_t, 2>>;  // one photograph: of the front, the back
+
+std::size_t sideOf(const Shot& shot) {
+  return shot.side == Side::Front ? 0 : 1;
+}
+
+// All but one are left out; returns that one.
+std::size_t keepOne(const std::vector<Shot>& shots, const std::vector<std::size_t>& copies,
+                    std::set<std::size_t>& left_out, Progress& progress) {
+  const std::size_t kept =
+      *std::min_element(copies.begin(), copies.end(), [&](std::size_t a, std::size_t b) {
+        const auto rank = [&](std::size_t i) {
+          return std::tuple(shots[i].mask_file.empty(), shots[i].file.filename().string().size(),
+                            i);
+        };
+        return rank(a) < rank(b);
+      });
+  for (const std::size_t copy : copies)
+    if (copy != kept) {
+      left_out.insert(copy);
+      progress.note(
+          NoteLevel::Warning,
+          about(shots[copy].file, message("This photograph is identical to %1; it is left out.",
+                                          shots[kept].file.filename())));
+    }
+  return kept;
+}
+
+// On one of its sides such a photograph is wrong, and nothing says on which.
+Result<void> leaveOutShared(const std::vector<Shot>& shots, const Shared& shared,
+                            std::set<std::size_t>& left_out, Progress& progress) {
+  std::size_t photographs[2] = {0, 0};
+  for (std::size_t i = 0; i < shots.size(); ++i)
+    if (!left_out.contains(i)) ++photographs[sideOf(shots[i])];
+  const std::size_t side = photographs[0] < photographs[1] ? 0 : 1;
+  if (2 * shared.size() > photographs[side]) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < std::min<std::size_t>(shared.size(), 3); ++i)
+      names.push_back(shots[shared[i][side]].file.filename().string());
+    return Error::unusable(
+        message(side == 0 ? translatable<3>("%1 of the %2 photographs of the front side are "
+                                            "identical to photographs of the back side (such as "
+                                            "%3), so the batch cannot be used; give each side its "
+                                            "own photographs.")
+                          : translatable<3>("%1 of the %2 photographs of the back side are "
+                                            "identical to photographs of the front side (such as "
+                                            "%3), so the batch cannot be used; give each side its "
+                                            "own photographs."),
+                shared.size(), photographs[side], joined(names, ", ")),
+        shots[shared.front()[side]].file.parent_path());
+  }
+  for (const auto& [front, back] : shared) {
+    progress.note(NoteLevel::Warning,
+                  about(shots[back].file,
+                        message("This photograph is identical to %1 of the front side; it is left "
+                                "out of both sides.",
+                                shots[front].file)));
+    left_out.insert(front);
+    left_out.insert(back);
+  }
+  return {};
+}
+
+Result<void> areEnough(const std::vector<Shot>& shots, const std::set<std::size_t>& left_out,
+                       const ReadBatchOptions& options) {
+  for (const std::size_t out : left_out) {
+    std::ptrdiff_t left = 0;
+    for (std::size_t i = 0; i < shots.size(); ++i)
+      left += shots[i].side == shots[out].side && !left_out.contains(i) ? 1 : 0;
+    if (left < options.min_views_per_side)
+      return tooFewOf(shots[out].side, left, options.min_views_per_side,
+                      shots[out].file.parent_path());
+  }
+  return {};
 }
 
 void countAnew(std::vector<Shot>& shots) {
   int next[2] = {0, 0};
-  for (Shot& shot : shots) shot.camera = next[shot.side == Side::Front ? 0 : 1]++;
+  for (Shot& shot : shots) shot.camera = next[sideOf(shot)]++;
 }
 
 }  // namespace
 
 Result<void> leaveOutCopies(Batch& batch, const ReadBatchOptions& options, Progress& progress) {
   std::set<std::size_t> left_out;
-  std::set<Side> sides;
+  Shared shared;
   for (const std::vector<std::size_t>& copies : copiesIn(batch.shots)) {
-    const std::size_t kept =
-        *std::min_element(copies.begin(), copies.end(), [&](std::size_t a, std::size_t b) {
-          const auto rank = [&](std::size_t i) {
-            return std::tuple(batch.shots[i].mask_file.empty(),
-                              batch.shots[i].file.filename().string().size(), i);
-          };
-          return rank(a) < rank(b);
-        });
-    for (const std::size_t copy : copies) {
-      if (copy == kept) continue;
-      progress.note(
-          NoteLevel::Warning,
-          about(batch.shots[copy].file, message("This photograph is identical to %1; it is left "
-                                                "out.",
-                                                batch.shots[kept].file.filename())));
-      left_out.insert(copy);
-      sides.insert(batch.shots[copy].side);
-    }
+    std::vector<std::size_t> of[2];
+    for (const std::size_t shot : copies) of[sideOf(batch.shots[shot])].push_back(shot);
+    std::array<std::size_t, 2> kept{};
+    for (const std::size_t side : {0u, 1u})
+      if (!of[side].empty()) kept[side] = keepOne(batch.shots, of[side], left_out, progress);
+    if (!of[0].empty() && !of[1].empty()) shared.push_back(kept);
   }
-  if (left_out.empty()) return {};
+  // In the order of the photographs, not of their sizes.
+  std::sort(shared.begin(), shared.end());
+  if (!shared.empty())
+    if (Result<void> few = leaveOutShared(batch.shots, shared, left_out, progress); !few)
+      return few;
+  if (Result<void> enough = areEnough(batch.shots, left_out, options); !enough) return enough;
   std::vector<Shot> kept;
   for (std::size_t i = 0; i < batch.shots.size(); ++i)
     if (!left_out.contains(i)) kept.push_back(std::move(batch.shots[i]));
   batch.shots = std::move(kept);
   if (batch.way == Way::FreeCamera) countAnew(batch.shots);
-  for (const Side side : sides)
-    if (Result<void> enough = enoughOf(batch, side, options); !enough) return enough;
   return {};
 }
 

@@ -200,6 +200,22 @@ TEST_F(CommandLine, BadInputGetsOneSentenceWithTheFilesName) {
   EXPECT_TRUE(says(scans, "a.ply")) << scans.text;
 }
 
+// The heads of PNG images of 800 x 600 pixels: enough to be counted.
+TEST_F(CommandLine, ProcessRefusesTheSamePhotographsForBothSides) {
+  const std::string png(
+      "\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x03\x20\0\0\x02\x58\x08\x02\0\0\0"
+      "\0\0\0\0\0\0\0\0IEND\0\0\0\0",
+      45);
+  for (const char* side : {"up/", "down/"})
+    for (const char* name : {"IMG_1.png", "IMG_2.png", "IMG_3.png"})
+      write(std::string(side) + name, png + name);
+  const Outcome same = run("process " + path("up") + " " + path("down") + " -o " + path("out"));
+  EXPECT_EQ(same.status, 2) << same.text;
+  EXPECT_TRUE(says(same, path("down") + ": 3 of the 3 photographs of the back side are identical"))
+      << same.text;
+  EXPECT_FALSE(fs::exists(path("out/pairs.json")));
+}
+
 TEST_F(CommandLine, DenseSaysWhichPhotographIsMissing) {
   write("cameras.json",
         R"({"unit":"mm","images":[{"file":"gone.jpg","width":64,"height":48,

@@ -36,7 +36,6 @@ void CaptureScreen::buildTwice() {
                           .arg(files),
                 tr("OK"));
           });
-  connect(importer_, &BatchImporter::started, twice_, &QWidget::hide);
   for (QAction* import : {import_photographs_, import_scans_}) {  // one at a time
     connect(importer_, &BatchImporter::started, import, [import] { import->setEnabled(false); });
     connect(importer_, &BatchImporter::ended, import, [import] { import->setEnabled(true); });

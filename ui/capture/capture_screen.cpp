@@ -107,6 +107,13 @@ void CaptureScreen::buildImport(QVBoxLayout* all) {
   import_ask_ = new ImportAsk(this);
   chooser_ = new ImportChooser(this, import_ask_);
   connect(chooser_, &ImportChooser::failed, this, &CaptureScreen::showFailure);
+  // What was said of one import does not stand under the next.
+  connect(chooser_, &ImportChooser::failed, twice_, &QWidget::hide);
+  for (QWidget* said_before : {failure_, twice_}) {
+    connect(import_ask_, &ImportAsk::asked, said_before, &QWidget::hide);
+    connect(import_ask_, &ImportAsk::left, said_before, &QWidget::hide);
+    connect(importer_, &BatchImporter::started, said_before, &QWidget::hide);
+  }
   connect(import_photographs_, &QAction::triggered, this,
           [this] { chooser_->choose(ImportKind::Photographs); });
   connect(import_scans_, &QAction::triggered, this,

@@ -17,9 +17,13 @@ ImportAsk::ImportAsk(QWidget* parent)
     : QWidget(parent),
       words_(new QLabel(this)),
       sides_(new SidesView(this)),
-      place_(new PlaceEdit(this)) {
+      place_(new PlaceEdit(this)),
+      reason_(wrappedLabel(this, QStringLiteral("importReason"))) {
   setObjectName(QStringLiteral("importAsk"));
   words_->setWordWrap(true);
+  reason_->setText(
+      tr("To import, move the slider to where the sherds were turned over, or choose one side "
+         "only."));
   import_ = new BigButton(QStringLiteral("importStart"), tr("Import"), this);
   auto* leave = new QPushButton(tr("Cancel import"), this);
   leave->setObjectName(QStringLiteral("importLeave"));
@@ -33,12 +37,13 @@ ImportAsk::ImportAsk(QWidget* parent)
   column->addWidget(words_);
   column->addWidget(sides_);
   column->addLayout(row);
+  column->addWidget(reason_);
   column->addWidget(place_->note());
   connect(import_, &QPushButton::clicked, this, &ImportAsk::confirm);
   connect(leave, &QPushButton::clicked, this, &ImportAsk::leave);
   connect(place_, &PlaceEdit::entered, this, &ImportAsk::confirm);
-  connect(place_, &PlaceEdit::edited, this, [this] { import_->setEnabled(isReady()); });
-  connect(sides_, &SidesView::changed, this, [this] { import_->setEnabled(isReady()); });
+  connect(place_, &PlaceEdit::edited, this, &ImportAsk::follow);
+  connect(sides_, &SidesView::changed, this, &ImportAsk::follow);
   hide();
 }
 
@@ -54,7 +59,17 @@ void ImportAsk::askSides(const SidesPlan& plan) {
 }
 
 bool ImportAsk::isReady() const {
-  return place_->isUsable() && (sides_->isHidden() || sides_->plan().isDecided());
+  return place_->isUsable() && areSidesDecided();
+}
+
+bool ImportAsk::areSidesDecided() const {
+  return sides_->isHidden() || sides_->plan().isDecided();
+}
+
+// What is wrong with the bag is said in its own note.
+void ImportAsk::follow() {
+  import_->setEnabled(isReady());
+  reason_->setVisible(!areSidesDecided());
 }
 
 void ImportAsk::open(const QString& folder, ImportKind kind) {
@@ -62,7 +77,7 @@ void ImportAsk::open(const QString& folder, ImportKind kind) {
   kind_ = kind;
   words_->setText(tr("Which bag do the sherds of %1 come from?").arg(folder));
   place_->setText({});  // the bag on the turntable is another, mostly
-  import_->setEnabled(isReady());
+  follow();
   show();
   emit asked();
   place_->choose();

@@ -43,12 +43,15 @@ class ImportAsk final : public QWidget {
   void open(const QString& folder, ImportKind kind);
   void confirm();
   bool isReady() const;
+  bool areSidesDecided() const;
+  void follow();
 
   QString folder_;
   ImportKind kind_ = ImportKind::Photographs;
   QLabel* words_;
   SidesView* sides_;
   PlaceEdit* place_;
+  QLabel* reason_;  ///< why it cannot be imported yet
   BigButton* import_;
 };
 

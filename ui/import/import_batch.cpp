@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "batch/batch.h"
+#include "batch/copied_photographs.h"
 #include "batch/exif.h"
 #include "batch/mask_source.h"
 #include "batch/photographs.h"
@@ -53,11 +54,17 @@ Result<std::vector<Taken>> scansIn(const fs::path& folder) {
   return files;
 }
 
+// Better now than at the end of an hour in the queue.
+Result<void> isComputable(batch::Batch& batch, Progress& progress) {
+  if (const auto masks = batch::maskSource("auto", batch); !masks) return masks.error();
+  return batch::leaveOutCopies(batch, {}, progress);
+}
+
 Result<std::vector<Taken>> batchIn(const fs::path& folder, Progress& progress) {
-  const Result<batch::Batch> batch = batch::readBatch(folder, {}, progress);
+  Result<batch::Batch> batch = batch::readBatch(folder, {}, progress);
   if (!batch) return batch.error();
-  // Better now than at the end of an hour in the queue.
-  if (const auto masks = batch::maskSource("auto", *batch); !masks) return masks.error();
+  if (const Result<void> computable = isComputable(*batch, progress); !computable)
+    return computable.error();
   std::vector<Taken> files;
   std::error_code error;
   for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end;
@@ -87,9 +94,10 @@ Result<std::vector<Taken>> sidesOf(const ImportSides& sides, Progress& progress)
     const std::vector<fs::path>& files = side == batch::Side::Front ? sides.front : sides.back;
     if (!files.empty()) free.push_back({side, files, files.front().parent_path(), {}});
   }
-  const Result<batch::Batch> batch = batch::freeCameraBatch(free, {}, {}, options, progress);
+  Result<batch::Batch> batch = batch::freeCameraBatch(free, {}, {}, options, progress);
   if (!batch) return batch.error();
-  if (const auto masks = batch::maskSource("auto", *batch); !masks) return masks.error();
+  if (const Result<void> computable = isComputable(*batch, progress); !computable)
+    return computable.error();
   std::vector<Taken> files;
   for (const batch::Shot& shot : batch->shots)
     files.push_back({shot.file, batch::name(shot.side) / shot.file.filename()});

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <utility>
 
+#include "batch/batch.h"
 #include "batch/flip.h"
 #include "batch/photograph.h"
 #include "batch/photographs.h"
@@ -28,15 +29,45 @@ bool isFolder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
-// The two folders within that hold photographs; none where there are more or fewer.
-std::vector<fs::path> twoWithin(const fs::path& folder) {
+std::vector<fs::path> withPhotographsIn(const fs::path& folder) {
   std::vector<fs::path> within;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
     if (isFolder(at->path()) && !batch::photographsIn(at->path()).empty())
       within.push_back(at->path());
   std::sort(within.begin(), within.end());
-  return within.size() == 2 ? within : std::vector<fs::path>();
+  return within;
+}
+
+Error severalFolders(const fs::path& folder, const std::vector<fs::path>& within) {
+  constexpr std::size_t kNamed = 3;
+  QStringList names;
+  for (const fs::path& one : within)
+    if (static_cast<std::size_t>(names.size()) < kNamed)
+      names << QString::fromStdString(one.filename().string());
+  if (within.size() > kNamed) names << QStringLiteral("…");
+  return Error::unusable(
+      QCoreApplication::translate("ImportSides",
+                                  "This folder contains several folders with photographs (%1); "
+                                  "drop the two of one batch, front and back, onto this page.")
+          .arg(names.join(QStringLiteral(", ")))
+          .toStdString(),
+      folder.string());
+}
+
+// The folders of both sides of a batch by hand that is no more than its photographs and the sheet;
+// else none: masks and lengths come only with the whole folder.
+std::vector<fs::path> sidesOfBatch(const fs::path& folder) {
+  QuietProgress quiet;
+  const Result<batch::Batch> read = batch::readBatch(folder, {}, quiet);
+  if (!read || read->way != batch::Way::FreeCamera || read->board || !read->known_lengths.empty())
+    return {};
+  const std::vector<batch::Shot>& shots = read->shots;
+  if (shots.front().side == shots.back().side ||
+      std::any_of(shots.begin(), shots.end(),
+                  [](const batch::Shot& shot) { return !shot.mask_file.empty(); }))
+    return {};
+  return {shots.front().file.parent_path(), shots.back().file.parent_path()};
 }
 
 std::optional<fs::path> sheetBeside(const std::vector<fs::path>& folders) {
@@ -99,11 +130,17 @@ Result<std::optional<SidesPlan>> planSides(const QStringList& dropped, const fs:
   for (fs::path& path : paths)
     if (!path.has_filename()) path = path.parent_path();
   if (paths.empty()) return std::optional<SidesPlan>();
-  if (paths.size() == 1 && batch::isBatchFolder(paths.front())) return std::optional<SidesPlan>();
+  const bool is_batch = paths.size() == 1 && batch::isBatchFolder(paths.front());
   SidesPlan plan;
   plan.from = dropped.join(QStringLiteral(", "));
-  if (paths.size() == 1 && batch::photographsIn(paths.front()).empty())
-    if (const std::vector<fs::path> two = twoWithin(paths.front()); !two.empty()) paths = two;
+  if (is_batch) {
+    paths = sidesOfBatch(paths.front());
+    if (paths.empty()) return std::optional<SidesPlan>();
+  } else if (paths.size() == 1 && batch::photographsIn(paths.front()).empty()) {
+    const std::vector<fs::path> within = withPhotographsIn(paths.front());
+    if (within.size() > 2) return severalFolders(paths.front(), within);
+    if (within.size() == 2) paths = within;
+  }
   if (!std::all_of(paths.begin(), paths.end(), isFolder)) {
     if (std::any_of(paths.begin(), paths.end(), isFolder))
       return refused(
@@ -133,6 +170,7 @@ Result<std::optional<SidesPlan>> planSides(const QStringList& dropped, const fs:
       divide(plan, batch::photographsIn(paths.front()));
     else
       join(plan, paths[0], paths[1]);
+    if (is_batch) plan.backs_first = false;  // its folders say which side is which
   }
   std::error_code ignored;
   if (!plan.sheet && fs::is_regular_file(last_sheet, ignored)) plan.sheet = last_sheet;

@@ -38,7 +38,8 @@ struct SidesPlan {
 inline constexpr std::size_t kLeastOfASide = 3;
 
 /// Of one or two folders with photographs, of the folder that holds two such, or of photographs
-/// themselves; nothing when the one folder is a batch already. The sheet is plate.json beside the
+/// themselves; nothing when the one folder is a batch of a rig, or one by hand with more than its
+/// photographs and the sheet: that is imported whole. The sheet is plate.json beside the
 /// photographs or in the folder above, else the one that was used last. Reads what the cameras
 /// wrote about each photograph: for a job. Errors: UnusableInput.
 Result<std::optional<SidesPlan>> planSides(const QStringList& dropped,

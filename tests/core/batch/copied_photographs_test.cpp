@@ -65,12 +65,48 @@ TEST_F(CopiedPhotographs, OfARigKeepTheirPositions) {
   EXPECT_EQ(batch.shots[1].camera, 2);
 }
 
-TEST_F(CopiedPhotographs, OfTheOtherSideAreAnotherMatter) {
-  for (const Side side : {Side::Front, Side::Back})
-    for (const char* name : {"a.jpg", "b.jpg"}) take(side, name, name);
+TEST_F(CopiedPhotographs, OfTheOtherSideAreARefusalIfTheyAreMostOfASide) {
+  for (const char* name : {"a.jpg", "b.jpg", "c.jpg", "d.jpg"}) take(Side::Front, name, name);
+  for (const char* name : {"b.jpg", "c.jpg"}) take(Side::Back, name, name);
+  take(Side::Back, "c copy.jpg", "c.jpg");
+  take(Side::Back, "own.jpg", "own");
+  const Result<void> refused = leaveOut();
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(refused.error().what,
+            "2 of the 3 photographs of the back side are identical to photographs of the front "
+            "side (such as b.jpg, c.jpg), so the batch cannot be used; give each side its own "
+            "photographs.");
+  EXPECT_EQ(refused.error().where, (folder.path() / "back").string());
+  EXPECT_EQ(batch.shots.size(), 8u) << "the batch stays whole";
+}
+
+TEST_F(CopiedPhotographs, AreARefusalWhicheverSideIsTheOther) {
+  for (const char* name : {"a.jpg", "b.jpg"}) take(Side::Front, name, name);
+  for (const char* name : {"1.jpg", "2.jpg", "3.jpg"}) take(Side::Back, name, name);
+  for (const char* name : {"a.jpg", "b.jpg"}) take(Side::Back, name, name);
+  const Result<void> refused = leaveOut();
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_THAT(refused.error().what.english(),
+              HasSubstr("2 of the 2 photographs of the front side are identical to photographs of "
+                        "the back side"));
+}
+
+TEST_F(CopiedPhotographs, OfTheOtherSideAreLeftOutOfBothIfTheyAreFew) {
+  batch.way = Way::FreeCamera;
+  for (const char* name : {"a.jpg", "b.jpg", "c.jpg"}) take(Side::Front, name, name);
+  for (const char* name : {"c copy.jpg", "d.jpg", "e.jpg"})
+    take(Side::Back, name, name[0] == 'c' ? "c.jpg" : name);
   ASSERT_TRUE(leaveOut().has_value());
-  EXPECT_EQ(batch.shots.size(), 4u);
-  EXPECT_TRUE(heard.warnings.empty());
+  EXPECT_THAT(names(), ElementsAre("a.jpg", "b.jpg", "d.jpg", "e.jpg"));
+  EXPECT_THAT(heard.warnings, ElementsAre((folder.path() / "back" / "c copy.jpg").string() +
+                                          ": This photograph is identical to " +
+                                          (folder.path() / "front" / "c.jpg").string() +
+                                          " of the front side; it is left out of both sides."));
+  for (const int i : {0, 1}) {
+    EXPECT_EQ(batch.shots[static_cast<std::size_t>(i)].camera, i);
+    EXPECT_EQ(batch.shots[static_cast<std::size_t>(2 + i)].camera, i);
+  }
 }
 
 TEST_F(CopiedPhotographs, DoNotMakeASideEnough) {

@@ -67,6 +67,7 @@ class CaptureImportTest : public CaptureBench {
     auto* start = child<QPushButton>("importStart");
     auto* where = child<QSlider>("importDivide");
     QVERIFY(!start->isEnabled());
+    QVERIFY(child<QLabel>("importReason")->isVisible());
     QCOMPARE(screen_->primary(), start);
     QVERIFY2(!screen_->findChild<QAction*>("captureNext")->isEnabled(), "Space starts the rig");
     QVERIFY(child<QLabel>("importFlip")->text().contains("No pause"));
@@ -76,6 +77,7 @@ class CaptureImportTest : public CaptureBench {
     where->setFocus();
     QTest::keyClick(where, Qt::Key_Right);
     QVERIFY(start->isEnabled());
+    QVERIFY(!child<QLabel>("importReason")->isVisible());
     QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_4.jpg"));
     QVERIFY(child<QLabel>("importBack")->text().contains("IMG_5.jpg to IMG_7.jpg"));
     child<QCheckBox>("importOneSide")->click();
@@ -145,12 +147,27 @@ class CaptureImportTest : public CaptureBench {
     QVERIFY(!screen_->findChild<ImportAsk*>()->isVisible());
   }
 
+  void whatWasSaidOfOneImportGoesWithTheNext() {
+    QVERIFY(QDir(disk_->path()).mkdir("nothing"));
+    photographs("series", 8);
+    drop({disk_->filePath("nothing")});
+    QTRY_VERIFY(shownMessage() != nullptr);
+    drop({disk_->filePath("series")});
+    auto* ask = screen_->findChild<ImportAsk*>();
+    QTRY_VERIFY(ask->isVisible());
+    QVERIFY(shownMessage() == nullptr);
+    drop({disk_->filePath("nothing")});
+    QTRY_VERIFY(shownMessage() != nullptr);
+    ask->leave();
+    QVERIFY(shownMessage() == nullptr);
+  }
+
  private:
   void photographs(const QString& folder, int count) {
     QVERIFY(QDir(disk_->path()).mkdir(folder));
     QImage image(800, 600, QImage::Format_RGB32);
     for (int i = 0; i < count; ++i) {
-      image.fill(QColor::fromHsv(i * 40, 90 + static_cast<int>(folder.size()), 200));
+      image.fill(QColor::fromHsv(i * 40, 20 * static_cast<int>(folder.size()), 200));
       QVERIFY(image.save(disk_->filePath(QString("%1/IMG_%2.jpg").arg(folder).arg(i))));
     }
   }

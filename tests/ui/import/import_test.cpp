@@ -217,7 +217,7 @@ class ImportTest : public QObject {
       for (int stop = 0; stop < 4; ++stop)
         QVERIFY(
             writeFileAtomically(path("week") / side / ("cam0_pos0" + std::to_string(stop) + ".jpg"),
-                                photographOf(stop == 0 ? "00" : "12"))
+                                photographOf(stop == 0 ? "00" : "12") + side + char('0' + stop))
                 .has_value());
     QVERIFY(virtualrig::writePlateAndBoard(path("week")).has_value());
     QVERIFY(
@@ -349,6 +349,37 @@ class ImportTest : public QObject {
     QVERIFY(batch.has_value() && !batch->has_value());
   }
 
+  void severalFoldersWithPhotographsAreNamed() {
+    for (const char* file : {"all/a/1.jpg", "all/b/1.jpg", "all/c/1.jpg", "all/d/1.jpg"})
+      byHand(file, 1);
+    const auto plan = planSides({QString::fromStdString(path("all").string())}, {});
+    QVERIFY(!plan.has_value());
+    const std::string& why = plan.error().what.english();
+    QVERIFY2(why.find("several folders with photographs (a, b, c, …)") != std::string::npos,
+             why.c_str());
+  }
+
+  // A folder is not asked about less because its sides are called front and back.
+  void aBatchByHandIsShownByItsSidesUnlessItHasMoreThanPhotographs() {
+    for (int i = 0; i < 3; ++i) {
+      byHand(qPrintable(QString("table/front/%1.jpg").arg(i)), 40 + i);
+      byHand(qPrintable(QString("table/back/%1.jpg").arg(i)), i);
+    }
+    sheetAt("table");
+    std::filesystem::remove(path("table/board.json"));
+    const QStringList table{QString::fromStdString(path("table").string())};
+    const auto plan = planSides(table, {});
+    QVERIFY(plan.has_value() && plan->has_value());
+    const ImportSides sides = (*plan)->sides();
+    QCOMPARE(sides.front.front(), path("table/front/0.jpg"));
+    QCOMPARE(sides.back.front(), path("table/back/0.jpg"));
+    QCOMPARE(*sides.sheet, path("table/plate.json"));
+    std::filesystem::create_directories(path("table/front_masks"));
+    std::filesystem::copy_file(path("table/front/0.jpg"), path("table/front_masks/0.jpg"));
+    const auto whole = planSides(table, {});
+    QVERIFY(whole.has_value() && !whole->has_value());
+  }
+
   void photographsByHandBecomeABatchUnderTheirOwnNames() {
     ImportSides sides;
     for (int i = 0; i < 4; ++i) {
@@ -388,6 +419,27 @@ class ImportTest : public QObject {
     QCOMPARE(read->shots.size(), std::size_t{8});
     importer.start(from, ImportKind::Photographs, {}, sides);
     QTRY_COMPARE(there.count(), 1);
+  }
+
+  void theSamePhotographsForBothSidesAreRefused() {
+    ImportSides sides;
+    for (int i = 0; i < 4; ++i) {
+      const std::string name = "IMG_" + std::to_string(i) + ".jpg";
+      byHand(("up/" + name).c_str(), i);
+      byHand(("again/" + name).c_str(), i);
+      sides.front.push_back(path("up") / name);
+      sides.back.push_back(path("again") / name);
+    }
+    BatchImporter importer;
+    importer.setSession(session_.get());
+    Error why;
+    connect(&importer, &BatchImporter::failed, this, [&](const Error& error) { why = error; });
+    importer.start(QString::fromStdString(path("up").string()), ImportKind::Photographs, {}, sides);
+    QTRY_VERIFY(!why.what.empty());
+    QVERIFY2(why.what.english().starts_with("4 of the 4 photographs of the back side"),
+             why.what.english().c_str());
+    QCOMPARE(why.where, path("again").string());
+    QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());
   }
 
   void photographsThatAreNoBatchAreRefused() {

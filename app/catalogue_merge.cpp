@@ -75,9 +75,8 @@ std::string summaryOf(const merge::MergeReport& report) {
   const std::string counts =
       std::to_string(report.added) + " rows added, " + std::to_string(report.changed) + " changed";
   if (open > 0)
-    return "Nothing was merged: " + std::to_string(open) +
-           " conflicts are to be settled; write each of their ids and what to take into a file and "
-           "name it with --settle.";
+    return "Nothing was merged; conflicts to settle: " + std::to_string(open) +
+           ". Write each of their ids and what to take into a file and name it with --settle.";
   if (!report.entered) return counts + "; a preview: nothing was merged.";
   return counts + ", " + std::to_string(report.files) + " files copied.";
 }

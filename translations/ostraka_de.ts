@@ -1396,14 +1396,14 @@
       <translation>abgelehnt: %1</translation>
     </message>
     <message>
-      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ändern sich, %2 bleiben, wie sie sind, %3 werden abgelehnt.</translation>
-    </message>
-    <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Abbrechen und rückgängig machen</translation>
+    </message>
+    <message>
+      <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zu ändern: %1. Unverändert: %2. Abgelehnt: %3.</translation>
     </message>
 </context>
 <context>
@@ -3166,9 +3166,14 @@
         <translation>Noch kein Plan</translation>
     </message>
     <message>
-        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+      <source>The map is still loading.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Plan wird noch geladen.</translation>
+    </message>
+    <message>
+        <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Einen Durchgang aufnehmen oder importieren. Ist er verarbeitet, zeigt der Plan, welche Scherbe wo lag.</translation>
+        <translation>Der Plan eines Durchgangs erscheint hier, sobald er verarbeitet ist, und zeigt, welche Scherbe wo lag.</translation>
     </message>
 </context>
 <context>
@@ -3192,6 +3197,11 @@
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rückseite</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wird geladen …</translation>
     </message>
 </context>
 <context>
@@ -3368,6 +3378,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diese Rückseite hat keinen Partner.</translation>
     </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wird geladen …</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CardListModel</name>
@@ -3429,6 +3444,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gespeichert, mit Ihrem Namen; aber die Brüche von %1 und %2 berühren sich kaum: %3 davon.</translation>
     </message>
+    <message>
+      <source>A pair can be decided once it is shown.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Paar kann entschieden werden, sobald es zu sehen ist.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::PicturePair</name>
@@ -3476,6 +3496,11 @@
       <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pfeile verschieben die Linie, mit Umschalt drehen sie sie, Auf oder Ab nimmt die andere Seite, Enter schneidet. Oder mit der Maus eine Linie ziehen.</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wird geladen …</translation>
     </message>
 </context>
 <context>

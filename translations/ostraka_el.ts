@@ -1396,14 +1396,14 @@
       <translation>απορρίφθηκε: %1</translation>
     </message>
     <message>
-      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Αλλάζουν %1, μένουν ως έχουν %2, απορρίπτονται %3.</translation>
-    </message>
-    <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ακύρωση και αναίρεση</translation>
+    </message>
+    <message>
+      <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Προς αλλαγή: %1. Αμετάβλητα: %2. Απορρίπτονται: %3.</translation>
     </message>
 </context>
 <context>
@@ -3161,9 +3161,14 @@
         <translation>Δεν υπάρχει ακόμη χάρτης</translation>
     </message>
     <message>
-        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+      <source>The map is still loading.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο χάρτης φορτώνεται ακόμη.</translation>
+    </message>
+    <message>
+        <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Φωτογραφίστε ή εισαγάγετε μια παρτίδα. Μετά την επεξεργασία, ο χάρτης δείχνει πού ήταν κάθε όστρακο.</translation>
+        <translation>Ο χάρτης μιας παρτίδας εμφανίζεται εδώ μετά την επεξεργασία της και δείχνει πού ήταν κάθε όστρακο.</translation>
     </message>
 </context>
 <context>
@@ -3187,6 +3192,11 @@
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>πίσω όψη</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φόρτωση…</translation>
     </message>
 </context>
 <context>
@@ -3363,6 +3373,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτή η πίσω όψη είναι μόνη.</translation>
     </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φόρτωση…</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CardListModel</name>
@@ -3424,6 +3439,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε, με το όνομά σας· όμως οι θραύσεις του %1 και του %2 μόλις ακουμπούν: το %3.</translation>
     </message>
+    <message>
+      <source>A pair can be decided once it is shown.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Για ένα ζεύγος μπορείτε να αποφασίσετε μόλις εμφανιστεί.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::PicturePair</name>
@@ -3471,6 +3491,11 @@
       <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα βέλη μετακινούν τη γραμμή, με Shift τη στρέφουν, Πάνω ή Κάτω παίρνει την άλλη όψη, Enter κόβει. Ή σχεδιάστε γραμμή με το ποντίκι.</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φόρτωση…</translation>
     </message>
 </context>
 <context>

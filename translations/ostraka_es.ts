@@ -1396,14 +1396,14 @@
       <translation>rechazado: %1</translation>
     </message>
     <message>
-      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 cambian, %2 quedan como están, %3 se rechazan.</translation>
-    </message>
-    <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cancelar y deshacer</translation>
+    </message>
+    <message>
+      <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Por cambiar: %1. Sin cambios: %2. Rechazados: %3.</translation>
     </message>
 </context>
 <context>
@@ -3161,9 +3161,14 @@
         <translation>Aún no hay plano</translation>
     </message>
     <message>
-        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+      <source>The map is still loading.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El plano aún se está cargando.</translation>
+    </message>
+    <message>
+        <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Fotografíe o importe una tanda. Cuando se procese, su plano muestra dónde estaba cada fragmento.</translation>
+        <translation>El plano de una tanda aparece aquí cuando se ha procesado y muestra dónde estaba cada fragmento.</translation>
     </message>
 </context>
 <context>
@@ -3187,6 +3192,11 @@
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>reverso</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cargando…</translation>
     </message>
 </context>
 <context>
@@ -3363,6 +3373,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Este reverso no tiene pareja.</translation>
     </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cargando…</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CardListModel</name>
@@ -3424,6 +3439,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado, con su nombre; pero las fracturas de %1 y %2 apenas se tocan: el %3.</translation>
     </message>
+    <message>
+      <source>A pair can be decided once it is shown.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Se puede decidir sobre una pareja en cuanto se muestra.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::PicturePair</name>
@@ -3471,6 +3491,11 @@
       <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las flechas mueven la línea, con Mayús la giran, Arriba o Abajo toma el otro lado, Intro corta. O trace una línea con el ratón.</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cargando…</translation>
     </message>
 </context>
 <context>

@@ -1396,14 +1396,14 @@
       <translation>refusé : %1</translation>
     </message>
     <message>
-      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 changent, %2 restent tels quels, %3 sont refusés.</translation>
-    </message>
-    <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Annuler et défaire</translation>
+    </message>
+    <message>
+      <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>À modifier : %1. Inchangés : %2. Rejetés : %3.</translation>
     </message>
 </context>
 <context>
@@ -3161,9 +3161,14 @@
         <translation>Pas encore de plan</translation>
     </message>
     <message>
-        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+      <source>The map is still loading.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le plan est encore en cours de chargement.</translation>
+    </message>
+    <message>
+        <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Photographiez ou importez un lot. Une fois traité, son plan montre où était chaque tesson.</translation>
+        <translation>Le plan d’un lot apparaît ici une fois le lot traité et montre où était chaque tesson.</translation>
     </message>
 </context>
 <context>
@@ -3187,6 +3192,11 @@
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>face arrière</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Chargement…</translation>
     </message>
 </context>
 <context>
@@ -3363,6 +3373,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cette face arrière n’a pas de partenaire.</translation>
     </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Chargement…</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CardListModel</name>
@@ -3424,6 +3439,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré, avec votre nom ; mais les cassures de %1 et %2 se touchent à peine : %3 d’entre elles.</translation>
     </message>
+    <message>
+      <source>A pair can be decided once it is shown.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une paire peut être décidée dès qu’elle est affichée.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::PicturePair</name>
@@ -3471,6 +3491,11 @@
       <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les flèches déplacent la ligne, avec Maj elles la tournent, Haut ou Bas prend l'autre face, Entrée coupe. Ou tracez une ligne à la souris.</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Chargement…</translation>
     </message>
 </context>
 <context>

@@ -1396,14 +1396,14 @@
       <translation>մերժված է՝ %1</translation>
     </message>
     <message>
-      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ը փոխվում է, %2-ը մնում է, %3-ը մերժվում է։</translation>
-    </message>
-    <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցնել և հետ վերցնել</translation>
+    </message>
+    <message>
+      <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փոխվող՝ %1։ Անփոփոխ՝ %2։ Մերժված՝ %3։</translation>
     </message>
 </context>
 <context>
@@ -3161,9 +3161,14 @@
         <translation>Դեռ քարտեզ չկա</translation>
     </message>
     <message>
-        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+      <source>The map is still loading.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Քարտեզը դեռ բեռնվում է։</translation>
+    </message>
+    <message>
+        <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Լուսանկարեք կամ ներմուծեք խմբաքանակ։ Մշակումից հետո քարտեզը ցույց կտա, թե որ բեկորը որտեղ էր։</translation>
+        <translation>Խմբաքանակի քարտեզը երևում է այստեղ մշակումից հետո և ցույց է տալիս, թե որ բեկորը որտեղ էր։</translation>
     </message>
 </context>
 <context>
@@ -3187,6 +3192,11 @@
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>հետևի երես</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեռնվում է…</translation>
     </message>
 </context>
 <context>
@@ -3363,6 +3373,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս հետևի երեսը մենակ է։</translation>
     </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեռնվում է…</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CardListModel</name>
@@ -3424,6 +3439,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է ձեր անունով, բայց %1-ի և %2-ի կոտրվածքները հազիվ են հպվում՝ %3-ը։</translation>
     </message>
+    <message>
+      <source>A pair can be decided once it is shown.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զույգի մասին կարելի է որոշել, երբ այն ցուցադրված է։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::PicturePair</name>
@@ -3471,6 +3491,11 @@
       <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սլաքները տեղաշարժում են գիծը, Shift-ի հետ՝ թեքում, Վերև կամ Ներքև՝ մյուս երեսը, Enter՝ կտրում է։ Կամ մկնիկով գիծ քաշեք։</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բեռնվում է…</translation>
     </message>
 </context>
 <context>

@@ -1380,14 +1380,14 @@
       <translation>geri çevrildi: %1</translation>
     </message>
     <message>
-      <source>%1 change, %2 stay unchanged, %3 are rejected.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 değişiyor, %2 olduğu gibi kalıyor, %3 geri çevriliyor.</translation>
-    </message>
-    <message>
       <source>Cancel and undo</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İptal et ve geri al</translation>
+    </message>
+    <message>
+      <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Değişecek: %1. Değişmeyen: %2. Reddedilen: %3.</translation>
     </message>
 </context>
 <context>
@@ -3121,9 +3121,14 @@
         <translation>Henüz harita yok</translation>
     </message>
     <message>
-        <source>Photograph or import a batch. When it is processed, its map shows which sherd lay where.</source>
+      <source>The map is still loading.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Harita hâlâ yükleniyor.</translation>
+    </message>
+    <message>
+        <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Bir parti çekin ya da içe aktarın. İşlenince haritası hangi parçanın nerede durduğunu gösterir.</translation>
+        <translation>Bir partinin haritası işlendikten sonra burada görünür ve hangi parçanın nerede durduğunu gösterir.</translation>
     </message>
 </context>
 <context>
@@ -3147,6 +3152,11 @@
       <source>back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>arka yüz</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yükleniyor…</translation>
     </message>
 </context>
 <context>
@@ -3323,6 +3333,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu arka yüz tek başına.</translation>
     </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yükleniyor…</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CardListModel</name>
@@ -3384,6 +3399,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Adınızla kaydedildi; ama %1 ile %2 kırıkları pek değmiyor: değen pay %3.</translation>
     </message>
+    <message>
+      <source>A pair can be decided once it is shown.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir eş hakkında, gösterildiğinde karar verilebilir.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::PicturePair</name>
@@ -3431,6 +3451,11 @@
       <source>Arrows move the line, with Shift they turn it, Up or Down takes the other side, Enter cuts. Or draw a line with the mouse.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Oklar çizgiyi kaydırır, Shift ile döndürür, Yukarı veya Aşağı öbür yüzü alır, Enter keser. Ya da fareyle bir çizgi çizin.</translation>
+    </message>
+    <message>
+      <source>Loading…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yükleniyor…</translation>
     </message>
 </context>
 <context>

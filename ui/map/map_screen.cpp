@@ -85,7 +85,7 @@ MapScreen::MapScreen(QWidget* parent) : PlateScreen(tr("Map"), QStringLiteral("m
   foot->addWidget(bags_);
   foot->addWidget(print_);
   empty_ = new EmptyState(QStringLiteral("map"), tr("No map yet"),
-                          tr("Photograph or import a batch. When it is processed, its map shows "
+                          tr("The map of a batch appears here once it is processed, and shows "
                              "which sherd lay where."),
                           this);
   to_capture_ = offerCapture(*empty_, QStringLiteral("mapToCapture"));
@@ -171,12 +171,14 @@ void MapScreen::showItem(const QString& batch) {
 void MapScreen::openBatch(const QString& batch) {
   if (!session_ || batch.isEmpty()) return;
   const QString lit = batch == batch_ ? view_->highlighted() : QString();
+  if (batch != batch_) view_->setPicture({});
   batch_ = batch;
   emit whereChanged();
   stale_.clear();
   batches_->setCurrentText(batch);
   message_->clear();
-  print_->setEnabled(false);  // what is shown is about to be another
+  allowPrint(tr("The map is still loading."));  // what is shown is about to be another
+  view_->setLoading(true);
   if (opening_) opening_->drop();
   opening_ =
       session_->jobs().start(makeJob([output = outputOf(batch)](Progress&, std::stop_token stop) {
@@ -184,7 +186,8 @@ void MapScreen::openBatch(const QString& batch) {
                              }),
                              this);
   whenDone<MapPicture>(opening_, this, [this, lit](const auto& picture) {
-    print_->setEnabled(picture.has_value());
+    view_->setLoading(false);
+    allowPrint(picture ? QString() : sentenceOf(picture.error()));
     if (!picture) {
       view_->setPicture({});
       // Said on this page alone, as that of a batch that is not computed yet.
@@ -198,6 +201,11 @@ void MapScreen::openBatch(const QString& batch) {
     nameMarks();
     view_->highlight(lit);
   });
+}
+
+void MapScreen::allowPrint(const QString& why_not) {
+  print_->setEnabled(why_not.isEmpty());
+  print_->setToolTip(why_not);
 }
 
 bool MapScreen::isOfScans() const {

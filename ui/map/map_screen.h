@@ -47,6 +47,7 @@ class MapScreen final : public PlateScreen {
   void openBatch(const QString& batch);
   void nameMarks();
   QVector<PlateSherd> sherds() const;
+  void allowPrint(const QString& why_not);  ///< empty: it may be printed
   bool isOfScans() const;
   void askToPrint(const QString& sent, std::function<bool(QPrinter& printer, QString* why)> paint);
   QString unnumberedWords() const;

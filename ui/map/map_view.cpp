@@ -28,6 +28,12 @@ void MapView::setNumbers(const MapNumbers& numbers) {
   update();
 }
 
+void MapView::setLoading(bool loading) {
+  loading_ = loading;
+  setAccessibleDescription(loading ? tr("Loading…") : QString());
+  update();
+}
+
 void MapView::highlight(const QString& number) {
   if (number == highlighted_) return;
   highlighted_ = number;
@@ -45,6 +51,8 @@ QRectF MapView::half(bool front) const {
 void MapView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setPen(palette().color(QPalette::Text));
+  if (loading_ && picture_.map.front.width == 0)
+    return painter.drawText(rect(), Qt::AlignCenter, tr("Loading…"));
   for (const bool front : {true, false}) {
     const QRectF where = half(front);
     // The word stands right above its picture.

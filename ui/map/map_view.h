@@ -14,6 +14,7 @@ class MapView final : public QWidget {
   explicit MapView(QWidget* parent = nullptr);
   void setPicture(const MapPicture& picture);
   void setNumbers(const MapNumbers& numbers);
+  void setLoading(bool loading);  ///< said where no picture is there yet
   const MapPicture& picture() const { return picture_; }
   const QString& highlighted() const { return highlighted_; }
 
@@ -37,6 +38,7 @@ class MapView final : public QWidget {
 
   MapPicture picture_;
   QString highlighted_;
+  bool loading_ = false;
 };
 
 }  // namespace ostraka::ui

@@ -33,9 +33,9 @@ void CardInHand::hold(const Trial& trial) {
   updateCandidates();
   if (chosen() >= 0 && trial_.shift < 0)
     trial_.shift = candidates_[static_cast<std::size_t>(chosen())].shift;
+  fetchScene(Clouds::Fetch);  // before anybody asks whether the pair is there
   emit cardChanged();
   emit trialChanged();
-  fetchScene(Clouds::Fetch);
 }
 
 void CardInHand::clear() {
@@ -43,6 +43,7 @@ void CardInHand::clear() {
   busy_ = scene_wanted_ = clouds_wanted_ = false;
   candidates_.clear();
   trial_ = {};
+  scene_.reset();
   emit cardChanged();
   emit candidatesChanged();
 }
@@ -78,12 +79,15 @@ QString CardInHand::reason() const {
 }
 
 bool CardInHand::isMeasured() const {
-  return fit_.front_from_back.matrix() == trial_.front_from_back.matrix();
+  return isShown() && fit_.front_from_back.matrix() == trial_.front_from_back.matrix();
 }
 
 QString CardInHand::figuresText() const {
+  if (row() < 0) return {};
+  if (isLoading()) return tr("Loading…");
   if (trial_.back < 0) return tr("No back is chosen.");
   if (trial_.front < 0) return tr("This back has no partner.");
+  if (!isShown()) return {};  // it could not be loaded, and that was said
   if (!(fit_.fracture_rms_mm > 0)) return tr("The fractures do not touch here.");
   QString text = tr("Fractures %1 apart, %2 of them touch.")
                      .arg(mm(fit_.fracture_rms_mm), percent(fit_.fracture_overlap));
@@ -140,9 +144,9 @@ void CardInHand::showTrial(const Trial& trial) {
     updateCandidates();
   }
   trial_ = trial;
+  fetchScene(same_pair ? Clouds::Leave : Clouds::Fetch);
   if (!same_pair) emit cardChanged();
   emit trialChanged();
-  fetchScene(same_pair ? Clouds::Leave : Clouds::Fetch);
 }
 
 void CardInHand::stepStart(int by) {
@@ -273,7 +277,8 @@ void CardInHand::fetchScene(Clouds clouds) {
   whenDone<ScenePtr>(scene_job_, this, [this, trial](const auto& scene) {
     const bool current = isAbout(trial.front, trial.back);
     if (scene && current) {
-      fit_ = (*scene)->fit;
+      scene_ = *scene;
+      fit_ = scene_->fit;
       emit sceneChanged(*scene);
     } else if (!scene && current) {
       emit failed(sentenceOf(scene.error()));

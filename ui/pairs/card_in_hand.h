@@ -34,10 +34,11 @@ class CardInHand final : public QObject {
   const Trial& trial() const { return trial_; }
   const std::vector<review::ReviewCandidate>& candidates() const { return candidates_; }
   int chosen() const;  ///< index among the candidates; -1: none of them
-  const review::LiveFit& fit() const { return fit_; }
-  bool isMeasured() const;  ///< fit() is of the pose on trial
+  const review::LiveFit& fit() const { return fit_; }  ///< of what was shown last
+  bool isMeasured() const;                             ///< fit() is of the pose on trial
   bool isSettling() const { return busy_; }
-  bool isFetching() const { return scene_job_ != nullptr; }  ///< sceneFetched follows
+  /// The pair in hand is on its way and not seen yet: nobody can judge it. sceneFetched follows.
+  bool isLoading() const { return scene_job_ != nullptr && !isShown(); }
   const std::vector<double>& settlingRms() const { return settling_rms_; }  ///< so far, mm
   QString reason() const;       ///< why the card is doubtful, or what is tried on it
   QString figuresText() const;  ///< fracture RMS and overlap of the trial, in words
@@ -72,6 +73,7 @@ class CardInHand final : public QObject {
              const QString& text);
   void fetchScene(Clouds clouds);
   bool isAbout(int front, int back) const { return front == trial_.front && back == trial_.back; }
+  bool isShown() const { return scene_ && isAbout(scene_->front, scene_->back); }
 
   JobRunner& runner_;
   QUndoStack& undo_;
@@ -80,6 +82,7 @@ class CardInHand final : public QObject {
   std::vector<review::ReviewCandidate> candidates_;
   Trial trial_;
   review::LiveFit fit_;
+  std::shared_ptr<const PairScene> scene_;  ///< the last one that came
   std::vector<double> settling_rms_;
   QPointer<JobHandle> scene_job_, fit_job_, model_job_;
   bool scene_wanted_ = false, clouds_wanted_ = false, busy_ = false;

@@ -66,8 +66,8 @@ void PairReview::setPerson(const QString& initials) {
 
 QString PairReview::whyNotDecide() const {
   if (!read_only_.isEmpty()) return read_only_;
-  return person_.isEmpty() ? tr("Enter your initials first: each decision keeps its name.")
-                           : QString();
+  if (person_.isEmpty()) return tr("Enter your initials first: each decision keeps its name.");
+  return hand_.isLoading() ? tr("A pair can be decided once it is shown.") : QString();
 }
 
 QString PairReview::whyNotAccept() const {
@@ -118,11 +118,7 @@ PairDecision PairReview::about(DecisionKind kind) const {
 }
 
 void PairReview::accept() {
-  if (const QString why = whyNotAccept(); !why.isEmpty()) {
-    emit failed(why);
-    if (person_.isEmpty() && read_only_.isEmpty()) emit personWanted();
-    return;
-  }
+  if (!isAllowed(whyNotAccept())) return;
   PairDecision decision = about(DecisionKind::Pair);
   const Trial& trial = hand_.trial();
   decision.scans.push_back(batch_.back(trial.back));
@@ -154,16 +150,9 @@ void PairReview::reshoot() {
 }
 
 void PairReview::giveBack(int front, int back) {
-  if (!batch_.isOpen() || front < 0 || back < 0 || !mayDecide()) return;
-  const decisions::RegisteredCandidate* known = batch_.table().find(front, back);
-  if (known == nullptr) {  // how they fit is to be seen first
-    select(front);
-    return hand_.chooseBack(back);
-  }
-  PairDecision decision = about(DecisionKind::Pair);
-  decision.scans = {batch_.front(front), batch_.back(back)};
-  decision.front_from_back = known->registration.front_from_back;
-  decide(decision, tr("pair %1 – %2").arg(nameOf(batch_.front(front)), nameOf(batch_.back(back))));
+  if (!batch_.isOpen() || front < 0 || back < 0) return;
+  select(front);
+  hand_.chooseBack(back);
 }
 
 void PairReview::joinWith(Side side, int row) {
@@ -197,11 +186,10 @@ void PairReview::split(Side side, const Eigen::Vector2d& a_mm, const Eigen::Vect
   decide(decision, tr("splitting %1").arg(nameOf(decision.scans[0])));
 }
 
-bool PairReview::mayDecide() {
-  const QString why = whyNotDecide();
-  if (why.isEmpty()) return true;
-  emit failed(why);
-  if (read_only_.isEmpty()) emit personWanted();
+bool PairReview::isAllowed(const QString& why_not) {
+  if (why_not.isEmpty()) return true;
+  emit failed(why_not);
+  if (person_.isEmpty() && read_only_.isEmpty()) emit personWanted();
   return false;
 }
 

@@ -40,7 +40,7 @@ class PairReview final : public QObject {
   void accept();
   void setAside();
   void reshoot();
-  /// A back dragged onto a front: decides at once, or tries it where the program did not.
+  /// A back dragged onto a front: tries it there. How they fit is seen before it is decided.
   void giveBack(int front, int back);
   /// The pieces of the row in hand and of this one are one sherd's: its fronts or its backs (those
   /// where one of the two is a lone back). The pairs have to be computed again.
@@ -62,8 +62,10 @@ class PairReview final : public QObject {
   void show(const decisions::ScanRef& scan, const Trial& tried);  ///< as tried, if it is of its row
   void decide(decisions::PairDecision decision, const QString& text);
   decisions::PairDecision about(decisions::DecisionKind kind) const;  ///< the card in hand
+  /// Of all decisions alike: only what is shown is decided, and only with a name.
   QString whyNotDecide() const;
-  bool mayDecide();  ///< or says why not
+  bool mayDecide() { return isAllowed(whyNotDecide()); }
+  bool isAllowed(const QString& why_not);  ///< or says why not
   void fetchPictures();
   void fetchMore();
 

@@ -29,8 +29,17 @@ void PicturePair::setPictures(const QImage& front, const QImage& back,
   front_ = front;
   back_ = back;
   frame_ = frame;
-  drawing_ = false;
+  drawing_ = loading_ = false;
   update();
+}
+
+void PicturePair::setLoading(bool loading) {
+  loading_ = loading;
+  update();
+}
+
+QString PicturePair::missingWords() const {
+  return loading_ ? tr("Loading…") : tr("The photograph is not there.");
 }
 
 void PicturePair::setNames(const QString& front, const QString& back) {
@@ -188,8 +197,7 @@ void PicturePair::paintEvent(QPaintEvent*) {
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(QRect(where.left(), 0, where.width(), line), Qt::AlignCenter, words);
     if (image.isNull())
-      painter.drawText(where, Qt::AlignCenter | Qt::TextWordWrap,
-                       tr("The photograph is not there."));
+      painter.drawText(where, Qt::AlignCenter | Qt::TextWordWrap, missingWords());
     else
       painter.drawImage(place(front), image);
   };

@@ -19,8 +19,11 @@ class PicturePair final : public QWidget {
   explicit PicturePair(QWidget* parent = nullptr);
   /// back: as seen through the front; a back without a front as one sees it.
   void setPictures(const QImage& front, const QImage& back, const review::PictureFrame& frame);
+  void setLoading(bool loading);  ///< they are on their way; ends with setPictures
   void setNames(const QString& front, const QString& back);
   bool isCutting() const { return cutting_; }
+  /// Where a picture is missing: whether it still comes.
+  QString missingWords() const;
   QString cutWords() const;  ///< what to do to cut; the pictures themselves are left free
 
  public slots:
@@ -58,7 +61,8 @@ class PicturePair final : public QWidget {
   QString front_name_, back_name_;
   review::PictureFrame frame_;
   QPointF from_, to_;
-  bool mirrored_ = false, cutting_ = false, drawing_ = false, line_on_front_ = true;
+  bool mirrored_ = false, cutting_ = false, drawing_ = false, line_on_front_ = true,
+       loading_ = false;
   int line_steps_ = 0, line_turns_ = 0;
 };
 

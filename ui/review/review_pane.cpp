@@ -309,9 +309,9 @@ void ReviewPane::showCard() {
   if (!review_.batch().isOpen()) {
     cut_->setChecked(false);  // what is opened next is asked anew
     joining_->leave();
-    blankOther();
   }
   if (showsOther()) blanking_.start();
+  if (!scene_ || !review_.batch().isOpen()) blankOther();
   showFigures();
 }
 
@@ -319,23 +319,27 @@ bool ReviewPane::showsOther() const {
   return scene_ && (scene_->front != hand_.front() || scene_->back != hand_.trial().back);
 }
 
-// Nobody can judge a pair whose pictures are on their way.
-bool ReviewPane::isUnseen() const {
-  return showsOther() || (!scene_ && hand_.isFetching());
-}
-
 void ReviewPane::blankOther() {
-  if (review_.batch().isOpen() && !showsOther()) return;
+  if (review_.batch().isOpen() && scene_ && !showsOther()) return;
   scene_.reset();
   view_->clear();
   plot_->clear();
   pictures_->setPictures({}, {}, {});
+  namePictures();
+  pictures_->setLoading(hand_.isLoading());
+}
+
+void ReviewPane::namePictures() {
+  if (!review_.batch().isOpen()) return pictures_->setNames({}, {});
+  const decisions::CandidateTable& table = review_.batch().table();
+  pictures_->setNames(plainNumber(table.fronts, hand_.front()),
+                      plainNumber(table.backs, hand_.trial().back));
 }
 
 void ReviewPane::acceptMarked() {
   if (pictures_->isCutting()) return pictures_->cutHere();
   if (joining_->isOn()) return joining_->takeMarked();
-  if (!isUnseen() || !review_.whyNotAccept().isEmpty()) review_.accept();
+  review_.accept();
 }
 
 void ReviewPane::next() {
@@ -386,20 +390,16 @@ void ReviewPane::showFigures() {
                                        : hand_.figuresText());
   // A missing name is said by the click, not by a dead button.
   accept_->setEnabled(review_.batch().isOpen() && hand_.front() >= 0 && hand_.trial().back >= 0 &&
-                      !isUnseen() && review_.whyReadOnly().isEmpty());
+                      !hand_.isLoading() && review_.whyReadOnly().isEmpty());
   accept_->setToolTip(review_.whyNotAccept());
   if (review_.batch().isOpen() && !closed_->isChecked())
     view_->setPose(hand_.trial().front_from_back);
 }
 
 void ReviewPane::showScene(const PairScene& scene) {
-  const auto& table = review_.batch().table();
-  view_->setUnitKnown(table.has_scale);
-  const auto name = [](const std::vector<decisions::ScanRef>& scans, int i) {
-    return plainNumber(scans, i);
-  };
+  view_->setUnitKnown(review_.batch().table().has_scale);
   pictures_->setPictures(scene.front_picture, scene.back_picture, scene.view.frame);
-  pictures_->setNames(name(table.fronts, scene.front), name(table.backs, scene.back));
+  namePictures();
   scene.front < 0 || scene.back < 0 ? plot_->clear() : plot_->setView(scene.view);
   if (scene.front_cloud && scene.back_cloud) {
     closed_->setChecked(false);

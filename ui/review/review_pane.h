@@ -53,8 +53,8 @@ class ReviewPane final : public QWidget {
                   const QKeySequence& key);
   void showCard();
   bool showsOther() const;  ///< what is seen is not of the pair in hand
-  bool isUnseen() const;    ///< the pair in hand is still fetched
   void blankOther();
+  void namePictures();  ///< after the pair in hand
   void markCard();
   void acceptMarked();
   void next();

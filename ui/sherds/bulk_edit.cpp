@@ -242,7 +242,7 @@ void BulkEdit::showPreview(const Preview& preview) {
   table_->resizeColumnsToContents();
   table_->resizeRowsToContents();
   const QString counts =
-      tr("%1 change, %2 stay unchanged, %3 are rejected.").arg(changed).arg(same).arg(refused);
+      tr("To change: %1. Unchanged: %2. Rejected: %3.").arg(changed).arg(same).arg(refused);
   note_ = leftBehindWords(preview.move);
   QStringList lines = QStringList(counts) + reasonsOf(preview.shown);
   if (asked > 0) lines << tr("%n value(s) ask for a confirmation.", nullptr, asked);

@@ -108,7 +108,10 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
   const double line = metrics.height(), edge = line / 2;
   const bool scale = legend_ == Legend::Distances;
   const QString title = tr("Distance between the sides along the fracture");
-  double wide = scale ? metrics.horizontalAdvance(title) : 0;
+  // Below the bar there is room for both ends and the zero between them, in any language.
+  const auto [front, back] = scaleEnds();
+  const double ends = std::max(metrics.horizontalAdvance(front), metrics.horizontalAdvance(back));
+  double wide = scale ? std::max(metrics.horizontalAdvance(title), 2 * (ends + line)) : 0;
   for (const Row& row : rows) wide = std::max(wide, metrics.horizontalAdvance(row.words) + line);
   const double high = (static_cast<double>(rows.size()) + (scale ? 3 : 0)) * line;
   painter.setPen(Qt::NoPen);
@@ -120,7 +123,7 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
   if (scale) {
     painter.setPen(StateColours::inkOnMatte());
     painter.drawText(QRectF(at, QSizeF(wide, line)), Qt::AlignLeft, title);
-    paintScale(painter, at + QPointF(0, line));
+    paintScale(painter, at + QPointF(0, line), wide);
     at.ry() += 3 * line;
   }
   for (const Row& row : rows) {
@@ -135,23 +138,26 @@ void ViewOverlay::paintLegend(QPainter& painter) const {
 }
 
 // The bar with its ends and its zero in words.
-void ViewOverlay::paintScale(QPainter& painter, const QPointF& at) const {
-  const QFontMetricsF metrics(font());
-  const double line = metrics.height();
-  const double bar = metrics.horizontalAdvance(tr("Distance between the sides along the fracture"));
+void ViewOverlay::paintScale(QPainter& painter, const QPointF& at, double bar) const {
+  const double line = QFontMetricsF(font()).height();
   for (int i = 0; i < kScaleSteps; ++i) {
     const double t = 2 * (i + 0.5) / kScaleSteps - 1;
     painter.fillRect(QRectF(at.x() + bar * i / kScaleSteps, at.y() + 0.2 * line,
                             bar / kScaleSteps + 1, 0.6 * line),
                      scale_.of(t * scale_.reach_mm()));
   }
-  const QString reach = QLocale().toString(scale_.reach_mm(), 'f', 1);
   const QRectF words(at.x(), at.y() + line, bar, line);
   painter.setPen(StateColours::inkOnMatte());
-  const QString length = unit_known_ ? tr("%1 mm").arg(reach) : reach;
-  painter.drawText(words, Qt::AlignLeft, tr("front outside by %1").arg(length));
+  const auto [front, back] = scaleEnds();
+  painter.drawText(words, Qt::AlignLeft, front);
   painter.drawText(words, Qt::AlignHCenter, QStringLiteral("0"));
-  painter.drawText(words, Qt::AlignRight, tr("back outside by %1").arg(length));
+  painter.drawText(words, Qt::AlignRight, back);
+}
+
+std::pair<QString, QString> ViewOverlay::scaleEnds() const {
+  const QString reach = QLocale().toString(scale_.reach_mm(), 'f', 1);
+  const QString length = unit_known_ ? tr("%1 mm").arg(reach) : reach;
+  return {tr("front outside by %1").arg(length), tr("back outside by %1").arg(length)};
 }
 
 }  // namespace ostraka::ui

@@ -1,6 +1,7 @@
 #pragma once
 #include <QString>
 #include <QWidget>
+#include <utility>
 
 #include "ui/look/distance_scale.h"
 #include "ui/viewport/orientation_cube.h"
@@ -28,7 +29,8 @@ class ViewOverlay final : public QWidget {
  private:
   void paintBar(QPainter& painter) const;
   void paintLegend(QPainter& painter) const;
-  void paintScale(QPainter& painter, const QPointF& at) const;
+  void paintScale(QPainter& painter, const QPointF& at, double bar) const;
+  std::pair<QString, QString> scaleEnds() const;  ///< of the bar, in words: front, back
 
   Legend legend_ = Legend::None;
   DistanceScale scale_{1};

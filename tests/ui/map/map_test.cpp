@@ -1,4 +1,5 @@
 // The plate map without a screen: marks, keys, mouse, and the printed pages.
+#include <QAbstractButton>
 #include <QDateTime>
 #include <QLabel>
 #include <QPainter>
@@ -33,6 +34,7 @@ class MapTest : public QObject {
   void theQrCodeIsAsSmallAsTheStandardSays();
   void mapAndLabelsAreWrittenAsPdf();
   void whatWasTakenOutKeepsItsNumberOnBothSides();
+  void whatIsOnItsWaySaysSoAndIsNotPrinted();
   void whatNobodyLooksAtIsNotRead();
   void theLabelSaysTheDayOfTheShooting();
   void itFollowsTheBatchOfTheScreenBefore();
@@ -90,6 +92,19 @@ void MapTest::everySherdHasItsNumberOnBothSides() {
   // Seen from 600 mm above with f = 3000 px: the third sherd lies at x = 0, y = 60 mm.
   QVERIFY(std::abs(map().front.marks[2].at.x() - 600) < 10);
   QVERIFY(std::abs(map().front.marks[2].at.y() - (500 - 60 * 5)) < 10);
+}
+
+void MapTest::whatIsOnItsWaySaysSoAndIsNotPrinted() {
+  QVERIFY(screen_->primary()->isEnabled());
+  QVERIFY(screen_->primary()->toolTip().isEmpty());
+  screen_->openProject(*session_);
+  QCOMPARE(map().front.width, 0);
+  QCOMPARE(view()->accessibleDescription(), QStringLiteral("Loading…"));
+  QVERIFY(!screen_->primary()->isEnabled());
+  QVERIFY(screen_->primary()->toolTip().contains("loading"));
+  QTRY_VERIFY(map().front.width > 0);
+  QVERIFY(view()->accessibleDescription().isEmpty());
+  QVERIFY(screen_->primary()->isEnabled());
 }
 
 void MapTest::aDoubtfulPairShowsBothNumbers() {

@@ -36,7 +36,12 @@ class ReviewModel : public QObject {
 
   decisions::Decisions onDisk() { return *decisions::readDecisions(out_.output); }
   const review::ReviewCard& cardOf(int front) { return *review_->batch().review().ofFront(front); }
-  void waitForScene() { QTRY_VERIFY(review_->hand().fit().fracture_rms_mm > 0); }
+  void waitForScene() { QTRY_VERIFY(!review_->hand().isLoading()); }
+  /// With its pair in sight: nothing else is decided.
+  PairReview& shown() {
+    waitForScene();
+    return *review_;
+  }
 
   QTemporaryDir folder_;
   pipeline::SyntheticOut out_;

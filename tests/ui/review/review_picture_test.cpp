@@ -10,6 +10,7 @@
 #include "cloud/ply.h"
 #include "files/json.h"
 #include "review_window.h"
+#include "ui/review/picture_pair.h"
 #include "ui/viewport/sherd_view.h"
 #include "ui/viewport/view_overlay.h"
 
@@ -22,7 +23,8 @@ class ReviewPictureTest : public ReviewWindow {
   void cleanup() { close(); }
   void theClosedModelIsShownOfItsOwnPairOnly();
   void aLengthIsForgottenWhenWhatWasMeasuredMoves();
-  void aPairIsNotAcceptedBeforeItIsSeen();
+  void aPairIsNotDecidedBeforeItIsSeen();
+  void whatIsOnItsWayIsCalledByItsOwnName();
   void aBatchWithoutAnyLengthIsNotMeasuredInMillimetres();
 };
 
@@ -81,16 +83,38 @@ void ReviewPictureTest::aLengthIsForgottenWhenWhatWasMeasuredMoves() {
   QVERIFY(length().isEmpty());
 }
 
-void ReviewPictureTest::aPairIsNotAcceptedBeforeItIsSeen() {
+void ReviewPictureTest::aPairIsNotDecidedBeforeItIsSeen() {
   open(4);
   QTRY_VERIFY(screen_->primary()->isEnabled());
   review()->select(review()->hand().front() == 0 ? 1 : 0);
   QVERIFY(!screen_->primary()->isEnabled());
-  QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  QCOMPARE(screen_->findChild<QLabel*>("figures")->text(), QStringLiteral("Loading…"));
+  for (const Qt::Key decides : {Qt::Key_Return, Qt::Key_S, Qt::Key_N})
+    QTest::keyClick(QApplication::focusWidget(), decides);
   QVERIFY(!std::filesystem::exists(out_.output / "decisions.json"));
   QTRY_VERIFY(screen_->primary()->isEnabled());
   key(Qt::Key_Return);
   QTRY_VERIFY(std::filesystem::exists(out_.output / "decisions.json"));
+}
+
+// On a machine that takes its time.
+void ReviewPictureTest::whatIsOnItsWayIsCalledByItsOwnName() {
+  open(4);
+  const int first = review()->hand().front();
+  auto& pictures = *screen_->findChild<PicturePair*>("pictures");
+  QVERIFY(pictures.accessibleDescription().contains(QStringLiteral("Front %1").arg(first + 1)));
+  const auto live = review()->batch().live();
+  review()->close();
+  QVERIFY(!pictures.accessibleDescription().contains(QString::number(first + 1)));
+  decisions::Decisions none;
+  review()->open({live, none, none});
+  QVERIFY(review()->hand().isLoading());
+  QCOMPARE(pictures.missingWords(), QStringLiteral("Loading…"));
+  review()->select(3);  // and on to the next before that one came
+  QVERIFY(pictures.accessibleDescription().contains("Front 4"));
+  QCOMPARE(pictures.missingWords(), QStringLiteral("Loading…"));
+  QTRY_VERIFY(!review()->hand().isLoading());
+  QVERIFY(pictures.accessibleDescription().contains("Front 4"));
 }
 
 void ReviewPictureTest::aBatchWithoutAnyLengthIsNotMeasuredInMillimetres() {

@@ -96,7 +96,7 @@ class ReviewWindow : public QObject {
     // For a moment nothing has it: the window manager is still busy with the window.
     QTRY_VERIFY(QApplication::focusWidget() != nullptr);
     // A person decides on what is seen.
-    if (key == Qt::Key_Return) QTRY_VERIFY(!review()->hand().isFetching());
+    QTRY_VERIFY(!review()->hand().isLoading());
     QTest::keyClick(QApplication::focusWidget(), key, modifiers);
   }
   PairReview* review() { return screen_->review(); }

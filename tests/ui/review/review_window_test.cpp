@@ -103,6 +103,10 @@ void ReviewWindowTest::swappedLookAlikesAreFixedByMouse() {
   open(4);
   drag(review()->cards().rowOf(0),
        review()->cards().rowOf(1));  // the back of f001's card onto f002
+  QTRY_COMPARE(review()->hand().front(), 1);
+  QTRY_COMPARE(review()->hand().trial().back, 1);
+  QVERIFY(standingOnDisk().empty());
+  key(Qt::Key_Return);
   QTRY_COMPARE(cardOf(1).back, 1);
   QCOMPARE(cardOf(1).state, CardState::Decided);
   QCOMPARE(review()->hand().front(), 0);
@@ -129,7 +133,8 @@ void ReviewWindowTest::twentyPairsAreReviewedByKeyboardAlone() {
 // A glove, or something that lies on the key.
 void ReviewWindowTest::aKeyThatIsHeldDownDecidesOnePair() {
   open(4);
-  const auto hold = [](Qt::Key held, const QString& text) {
+  const auto hold = [this](Qt::Key held, const QString& text) {
+    QTRY_VERIFY(!review()->hand().isLoading());
     QWidget* widget = QApplication::focusWidget();
     QTest::simulateEvent(widget, true, held, Qt::NoModifier, text, false);
     for (int i = 0; i < 5; ++i)
@@ -261,6 +266,9 @@ void ReviewWindowTest::aLoneBackIsDraggedOntoItsFront() {
   key(Qt::Key_S);
   QTRY_COMPARE(review()->cards().rowCount(), 5);
   drag(review()->cards().rowOfLoneBack(2), review()->cards().rowOf(2));
+  QTRY_COMPARE(review()->hand().front(), 2);
+  QTRY_COMPARE(review()->hand().trial().back, 2);
+  key(Qt::Key_Return);
   QTRY_COMPARE(cardOf(2).state, CardState::Decided);
   QCOMPARE(cardOf(2).back, 2);
   QCOMPARE(review()->cards().rowCount(), 4);
@@ -294,6 +302,7 @@ void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
   QCOMPARE(numberOf(2), QStringLiteral("ARM1-0012-2"));
   QVERIFY(numberOf(0).isEmpty());
   review()->select(2);
+  QTRY_VERIFY(!review()->hand().isLoading());
   review()->joinWith(batch::Side::Front, review()->cards().rowOf(3));
   QTRY_COMPARE(standingOnDisk().size(), std::size_t{1});
   const QString said = screen_->findChild<QLabel*>("message")->text();

@@ -286,7 +286,7 @@ class DetailsTest : public CatalogueWindow {
     field->setCurrentIndex(field->findData("context"));
     QTest::keyClicks(child<QLineEdit>("bulkValue"), "0013");
     auto* summary = child<QLabel>("bulkSummary");
-    QTRY_VERIFY(summary->text().startsWith("2 change, 0 stay unchanged, 0 are rejected."));
+    QTRY_VERIFY(summary->text().startsWith("To change: 2. Unchanged: 0. Rejected: 0."));
     QVERIFY2(summary->text().contains("old context: 4."), qPrintable(summary->text()));
     QTest::mouseClick(child<QPushButton>("bulkApply"), Qt::LeftButton);
     for (const int sherd : {0, 2}) {

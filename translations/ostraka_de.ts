@@ -3526,14 +3526,14 @@
       <translation>kein Beutel: noch keine Nummern</translation>
     </message>
     <message>
-      <source>New: %1 (Esc takes it back)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Neu: %1 (Esc nimmt es zurück)</translation>
-    </message>
-    <message>
       <source>write site-trench-context-bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fundort-Schnitt-Befund-Beutel schreiben</translation>
+    </message>
+    <message>
+      <source>New: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neu: %1</translation>
     </message>
 </context>
 <context>
@@ -9878,6 +9878,11 @@
       <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 der %2 Fotos der Rückseite sind mit Fotos der Vorderseite identisch (etwa %3), daher ist der Durchgang nicht verwendbar; jeder Seite ihre eigenen Fotos geben.</translation>
+    </message>
+    <message>
+      <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Feld %1 wurde inzwischen geändert; nichts wurde rückgängig gemacht oder wiederholt.</translation>
     </message>
 </context>
 <context>

@@ -3521,14 +3521,14 @@
       <translation>χωρίς σακούλα: ακόμη χωρίς αριθμούς</translation>
     </message>
     <message>
-      <source>New: %1 (Esc takes it back)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Νέα: %1 (το Esc τα αναιρεί)</translation>
-    </message>
-    <message>
       <source>write site-trench-context-bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>θέση-τομή-πλαίσιο-σακούλα, παρακαλώ</translation>
+    </message>
+    <message>
+      <source>New: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέα: %1</translation>
     </message>
 </context>
 <context>
@@ -9873,6 +9873,11 @@
       <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 από τις %2 φωτογραφίες της πίσω όψης είναι ίδιες με φωτογραφίες της μπροστινής (π.χ. %3), οπότε η παρτίδα δεν μπορεί να χρησιμοποιηθεί· δώστε σε κάθε όψη τις δικές της φωτογραφίες.</translation>
+    </message>
+    <message>
+      <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το πεδίο %1 άλλαξε στο μεταξύ· τίποτα δεν αναιρέθηκε ούτε επαναλήφθηκε.</translation>
     </message>
 </context>
 <context>

@@ -3521,14 +3521,14 @@
       <translation>sin bolsa: aún sin números</translation>
     </message>
     <message>
-      <source>New: %1 (Esc takes it back)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nuevo: %1 (Esc lo deshace)</translation>
-    </message>
-    <message>
       <source>write site-trench-context-bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>escriba yacimiento-corte-contexto-bolsa</translation>
+    </message>
+    <message>
+      <source>New: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nuevo: %1</translation>
     </message>
 </context>
 <context>
@@ -9873,6 +9873,11 @@
       <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 de las %2 fotos del reverso son idénticas a fotos del anverso (por ejemplo, %3), por lo que la tanda no se puede usar; dé a cada lado sus propias fotos.</translation>
+    </message>
+    <message>
+      <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El campo %1 se modificó entretanto; no se deshizo ni se rehízo nada.</translation>
     </message>
 </context>
 <context>

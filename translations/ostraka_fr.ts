@@ -3521,14 +3521,14 @@
       <translation>pas de sac : pas encore de numéros</translation>
     </message>
     <message>
-      <source>New: %1 (Esc takes it back)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Nouveau : %1 (Échap l’annule)</translation>
-    </message>
-    <message>
       <source>write site-trench-context-bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>écrivez site-tranchée-contexte-sac</translation>
+    </message>
+    <message>
+      <source>New: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nouveau : %1</translation>
     </message>
 </context>
 <context>
@@ -9873,6 +9873,11 @@
       <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 des %2 photos de la face arrière sont identiques à des photos de la face avant (par exemple %3), le lot est donc inutilisable ; donnez à chaque face ses propres photos.</translation>
+    </message>
+    <message>
+      <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le champ %1 a été modifié entre-temps ; rien n’a été annulé ni rétabli.</translation>
     </message>
 </context>
 <context>

@@ -3521,14 +3521,14 @@
       <translation>տոպրակ չկա՝ համարներ դեռ չկան</translation>
     </message>
     <message>
-      <source>New: %1 (Esc takes it back)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նոր՝ %1 (Esc-ը հետ է վերցնում)</translation>
-    </message>
-    <message>
       <source>write site-trench-context-bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>խնդրում ենք՝ հուշարձան-խրամատ-համատեքստ-տոպրակ</translation>
+    </message>
+    <message>
+      <source>New: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր՝ %1</translation>
     </message>
 </context>
 <context>
@@ -9873,6 +9873,11 @@
       <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետևի երեսի %2 լուսանկարներից %1-ը նույնն են, ինչ առջևի երեսի լուսանկարները (օրինակ՝ %3), ուստի խմբաքանակը չի կարող օգտագործվել. յուրաքանչյուր երեսին տվեք իր լուսանկարները։</translation>
+    </message>
+    <message>
+      <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 դաշտն այդ ընթացքում փոխվել է. ոչինչ չի հետարկվել կամ կրկնվել։</translation>
     </message>
 </context>
 <context>

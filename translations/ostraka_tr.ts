@@ -3481,14 +3481,14 @@
       <translation>torba yok: henüz numara yok</translation>
     </message>
     <message>
-      <source>New: %1 (Esc takes it back)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yeni: %1 (Esc geri alır)</translation>
-    </message>
-    <message>
       <source>write site-trench-context-bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>lütfen alan-açma-kontekst-torba</translation>
+    </message>
+    <message>
+      <source>New: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeni: %1</translation>
     </message>
 </context>
 <context>
@@ -9826,6 +9826,11 @@
       <source>%1 of the %2 photographs of the back side are identical to photographs of the front side (such as %3), so the batch cannot be used; give each side its own photographs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arka yüzün %2 fotoğrafından %1 tanesi ön yüzün fotoğraflarıyla aynı (örneğin %3), bu yüzden parti kullanılamaz; her yüze kendi fotoğraflarını verin.</translation>
+    </message>
+    <message>
+      <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 alanı bu arada değiştirildi; hiçbir şey geri alınmadı veya yinelenmedi.</translation>
     </message>
 </context>
 <context>

@@ -86,6 +86,11 @@ bool Catalogue::readOnly() const {
   return database_->readOnly();
 }
 
+Result<std::int64_t> Catalogue::writesOfOthers() const {
+  return database_->asResult(
+      [&] { return database_->sql("PRAGMA data_version").one<std::int64_t>(); });
+}
+
 int Catalogue::schemaVersion() const {
   return store::schemaVersion(*database_);
 }

@@ -29,6 +29,8 @@ class Catalogue {
   /// A copy in a new file, read back and checked before it gets its name.
   Result<void> backup(const std::filesystem::path& file) const;
   int schemaVersion() const;
+  /// Another number after other connections, of this program or another, have written. Cheap.
+  Result<std::int64_t> writesOfOthers() const;
   bool readOnly() const;  ///< it lies where nothing can be written: every change is refused
 
   /// Several changes as one transaction: work returns an error to undo them all.

@@ -44,7 +44,8 @@ Result<void> Settings::setProject(const records::ProjectRecord& p,
                                   const records::Provenance& provenance) {
   if (!isProjectCode(p.code))
     return Error::unusable(
-        message("The project's code must be 2 to 8 letters from A to Z or digits, for example ARM."),
+        message(
+            "The project's code must be 2 to 8 letters from A to Z or digits, for example ARM."),
         p.code);
   if (const Result<records::Numbering> scheme = records::Numbering::parse(p.numbering); !scheme)
     return scheme.error();

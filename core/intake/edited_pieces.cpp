@@ -22,7 +22,7 @@ bool isAmong(const Places& places, const Eigen::Vector2d& place_mm) {
 }
 
 // Above 0 on the left of the line.
-double sideOf(const decisions::PairDecision& split, const Eigen::Vector2d& place_mm) {
+double acrossCut(const decisions::PairDecision& split, const Eigen::Vector2d& place_mm) {
   const Eigen::Vector2d along = split.cut_mm[1] - split.cut_mm[0];
   const Eigen::Vector2d to = place_mm - split.cut_mm[0];
   return along.x() * to.y() - along.y() * to.x();
@@ -80,7 +80,7 @@ std::optional<std::pair<std::size_t, std::size_t>> halvesOf(
   double least_mm = std::numeric_limits<double>::infinity();
   for (const Piece& left : pieces)
     for (const Piece& right : pieces) {
-      if (!(sideOf(split, left.place_mm) > 0 && sideOf(split, right.place_mm) < 0)) continue;
+      if (!(acrossCut(split, left.place_mm) > 0 && acrossCut(split, right.place_mm) < 0)) continue;
       const double n = scans[left.index].points.value_or(1);
       const double m = scans[right.index].points.value_or(1);
       const Eigen::Vector2d whole_mm = (n * left.place_mm + m * right.place_mm) / (n + m);

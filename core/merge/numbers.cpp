@@ -26,12 +26,12 @@ Told toldJoins(const Content& content, const std::vector<const Event*>& since,
                Canonical canonical) {
   std::unordered_map<std::string, std::string> by_number;
   for (const std::vector<Value>& given : content.given)
-    by_number[given[0].value_or("")] = given[3].value_or("");
+    by_number[slugOfNumber(given[2].value_or(""))] = given[3].value_or("");
   Told told;
   for (const Event* event : since)
     if (event->field == "joins")
       tellMembers(*event, [&](const std::string& name, bool added) {
-        const auto numbered = by_number.find(keyOfNumber(name));
+        const auto numbered = by_number.find(slugOfNumber(name));
         const std::string sherd = canonical(event->row),
                           other = canonical(numbered == by_number.end() ? name : numbered->second);
         told[std::minmax(sherd, other)] = added;

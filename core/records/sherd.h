@@ -93,6 +93,8 @@ struct FieldChange {
   std::string field;
   std::string value;
   Confirmation confirmation = Confirmation::None;
+  /// What the field has to hold still, else the change is refused; none: anything.
+  std::optional<std::string> expected = std::nullopt;
 };
 /// What a change would do.
 struct ChangePreview {

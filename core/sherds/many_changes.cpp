@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <string>
 #include <thread>
+#include <utility>
 
 #include "records/records.h"
 #include "records/sherd.h"
@@ -55,6 +58,21 @@ Result<std::vector<records::FieldChange>> changeMany(const catalogue::Catalogue&
   for (auto part = undo.rbegin(); part != undo.rend(); ++part)
     all.insert(all.end(), part->begin(), part->end());
   return all;
+}
+
+std::vector<records::FieldChange> changesAgain(std::span<const records::FieldChange> changes,
+                                               std::span<const records::FieldChange> undo) {
+  std::map<std::pair<std::int64_t, std::string>, std::string> before;
+  for (const records::FieldChange& back : undo)
+    before.emplace(std::pair(back.sherd.value, back.field), back.value);
+  std::vector<records::FieldChange> again;
+  for (const records::FieldChange& change : changes) {
+    const auto found = before.find({change.sherd.value, change.field});
+    if (found == before.end()) continue;
+    again.push_back(change);
+    again.back().expected = found->second;
+  }
+  return again;
 }
 
 }  // namespace ostraka::sherds

@@ -21,4 +21,9 @@ Result<std::vector<records::FieldChange>> changeMany(const catalogue::Catalogue&
                                                      const records::Provenance& provenance,
                                                      Progress& progress, std::stop_token stop);
 
+/// `changes` to be done again after `undo`, which apply returned for them: they expect the values
+/// that it leaves. Without those that changed nothing.
+std::vector<records::FieldChange> changesAgain(std::span<const records::FieldChange> changes,
+                                               std::span<const records::FieldChange> undo);
+
 }  // namespace ostraka::sherds

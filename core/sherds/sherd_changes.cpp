@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <unordered_set>
 
 #include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "catalogue/search.h"
 #include "catalogue/settings.h"
-#include "files/json_text.h"
 #include "records/words.h"
 #include "sherds/measurements.h"
 #include "sherds/sherd_columns.h"
@@ -22,6 +20,7 @@ namespace ostraka::sherds {
 namespace {
 using store::refuse;
 constexpr double kMostMillimetres = 1000, kMostGrams = 20'000;
+constexpr const char* kPlusMinus = " ± ";  // as values and the history show it
 
 // A change that was looked at: what the preview shows, and what is needed to do it.
 struct Examined {
@@ -66,6 +65,8 @@ class Examination {
     const std::string& field = change.shown.change.field;
     const std::string& typed = change.shown.change.value;
     change.shown.old_value = textOf(sherd, field);
+    if (!holdsExpected(sherd, change.shown.change))
+      refuse(message("The field %1 was changed meanwhile; nothing was undone or redone.", field));
     std::string& value = change.shown.new_value;
     value = store::valueOrThrow(store::checkedText(typed));
     if (field.starts_with("extra.") && field.size() > 6) return;
@@ -101,6 +102,18 @@ class Examination {
         joins(sherd, change);
         break;
     }
+  }
+
+  bool holdsExpected(const records::SherdRecord& sherd, const records::FieldChange& change) const {
+    if (!change.expected) return true;
+    const SherdColumn* column = sherdColumn(change.field);
+    // A joined sherd may have got another number: it is the same sherd.
+    if (column && column->field.kind == records::FieldKind::Joins)
+      return joined(*change.expected, sherd) == joined(textOf(sherd, change.field), sherd);
+    std::string now = textOf(sherd, change.field);
+    if (column && column->measure && change.expected->find(kPlusMinus) != std::string::npos)
+      now += kPlusMinus + store::numberText(uncertaintyOf(sherd.row, column->measure));
+    return now == *change.expected;
   }
 
   void number(const records::SherdRecord& sherd, Examined& change) {
@@ -188,14 +201,18 @@ class Examination {
 
   // Where it becomes another; so it is a change of a value that stays, too.
   void showUncertainty(store::SherdRow sherd, Examined& change) {
-    double old = 0;
-    for (const records::Measurement& m : store::valueOrThrow(Measurements(catalogue_).of(sherd)))
-      if (m.kind == change.column->measure) old = m.uncertainty.value_or(0);
+    const double old = uncertaintyOf(sherd, change.column->measure);
     if (old == *change.uncertainty) return;
     const bool stays = change.shown.old_value == change.shown.new_value;
-    if (old > 0 || stays) change.shown.old_value += " ± " + store::numberText(old);
+    if (old > 0 || stays) change.shown.old_value += kPlusMinus + store::numberText(old);
     if (*change.uncertainty > 0 || stays)
-      change.shown.new_value += " ± " + store::numberText(*change.uncertainty);
+      change.shown.new_value += kPlusMinus + store::numberText(*change.uncertainty);
+  }
+
+  double uncertaintyOf(store::SherdRow sherd, const std::string& kind) const {
+    for (const records::Measurement& m : store::valueOrThrow(Measurements(catalogue_).of(sherd)))
+      if (m.kind == kind) return m.uncertainty.value_or(0);
+    return 0;
   }
 
   // Together: a length and a width that change at once are compared with each other.
@@ -236,17 +253,24 @@ class Examination {
     }
   }
 
+  std::vector<store::SherdRow> joined(const std::string& typed,
+                                      const records::SherdRecord& sherd) const {
+    std::vector<store::SherdRow> joins;
+    for (const std::string& name : store::splitTerms(typed)) {
+      store::SherdRow other = store::valueOrThrow(Sherds(catalogue_).byNumber(name));
+      if (!other) other = store::valueOrThrow(Sherds(catalogue_).byId(name));
+      if (!other) refuse(message("There is no sherd %1 to join.", name));
+      if (other == sherd.row) refuse(message("A sherd cannot join itself."));
+      joins.push_back(other);
+    }
+    std::sort(joins.begin(), joins.end());
+    joins.erase(std::unique(joins.begin(), joins.end()), joins.end());
+    return joins;
+  }
+
   void joins(const records::SherdRecord& sherd, Examined& change) {
     std::vector<std::string> numbers;
-    for (const std::string& typed : store::splitTerms(change.shown.new_value)) {
-      store::SherdRow other = store::valueOrThrow(Sherds(catalogue_).byNumber(typed));
-      if (!other) other = store::valueOrThrow(Sherds(catalogue_).byId(typed));
-      if (!other) refuse(message("There is no sherd %1 to join.", typed));
-      if (other == sherd.row) refuse(message("A sherd cannot join itself."));
-      change.joins.push_back(other);
-    }
-    std::sort(change.joins.begin(), change.joins.end());
-    change.joins.erase(std::unique(change.joins.begin(), change.joins.end()), change.joins.end());
+    change.joins = joined(change.shown.new_value, sherd);
     std::vector<std::pair<std::string, std::string>> sorted;
     for (const records::SherdRecord& other :
          store::valueOrThrow(Sherds(catalogue_).of(change.joins))) {
@@ -353,32 +377,9 @@ Batch examine(const catalogue::Catalogue& catalogue, std::span<const records::Fi
   return all;
 }
 
-void setJoins(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
-              const std::vector<store::SherdRow>& joins) {
-  store::Database& database = catalogue.database();
-  database.run("DELETE FROM sherd_join WHERE sherd = ?1 OR other = ?1", sherd);
-  for (const store::SherdRow& other : joins) {
-    database.run("INSERT INTO sherd_join VALUES (?, ?)", sherd, other);
-    database.run("INSERT INTO sherd_join VALUES (?, ?)", other, sherd);
-  }
-}
-
 std::string methodOf(const std::string& kind) {
   if (kind == "weight") return "scale";
   return kind.starts_with("rim_") ? "estimate" : "calliper";
-}
-
-void setExtra(const catalogue::Catalogue& catalogue, store::SherdRow sherd, const std::string& name,
-              const std::string& value) {
-  store::Database& database = catalogue.database();
-  nlohmann::ordered_json extra = orderedJsonOrDiscarded(
-      database.sql("SELECT extra FROM sherd WHERE row = ?", sherd).one<std::string>());
-  if (!extra.is_object()) extra = nlohmann::ordered_json::object();
-  if (value.empty())
-    extra.erase(name);
-  else
-    extra[name] = value;
-  database.run("UPDATE sherd SET extra = ? WHERE row = ?", extra.dump(), sherd);
 }
 
 // Numbers are taken away before places change and given afterwards: a numbered sherd always has its
@@ -465,7 +466,8 @@ Result<std::vector<records::FieldChange>> SherdChanges::apply(
   return database_->inTransaction([&] {
     Batch all = examine(catalogue_, wanted);
     const auto numberOf = [&](const Examined& change) {
-      return all.sherds.at(change.shown.change.sherd.value).number;
+      const records::SherdRecord& sherd = all.sherds.at(change.shown.change.sherd.value);
+      return sherd.number.empty() ? sherd.id : sherd.number;
     };
     for (const Examined& change : all.changes)
       if (!change.shown.refusal.empty()) refuse(change.shown.refusal, numberOf(change));
@@ -479,8 +481,8 @@ Result<std::vector<records::FieldChange>> SherdChanges::apply(
         const records::FieldChange& asked = change.shown.change;
         write(catalogue_, change, all.sherds.at(asked.sherd.value), touched[asked.sherd.value],
               provenance);
-        undo.push_back(
-            {asked.sherd, asked.field, change.shown.old_value, records::Confirmation::Given});
+        undo.push_back({asked.sherd, asked.field, change.shown.old_value,
+                        records::Confirmation::Given, change.shown.new_value});
       }
     for (const auto& [row, plain] : touched)
       finish(catalogue_, store::SherdRow{row}, plain, provenance);

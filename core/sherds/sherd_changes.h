@@ -15,8 +15,9 @@ class SherdChanges : public catalogue::Subject {
   using catalogue::Subject::Subject;
 
   Result<std::vector<records::ChangePreview>> preview(std::span<const records::FieldChange>) const;
-  /// All or nothing. Returns the changes that undo it, in the order to apply them. Errors: what the
-  /// preview refuses, what it asks and nobody confirmed.
+  /// All or nothing. Returns the changes that undo it, in the order to apply them; they expect the
+  /// values that this call leaves. Errors: what the preview refuses, what it asks and nobody
+  /// confirmed.
   Result<std::vector<records::FieldChange>> apply(std::span<const records::FieldChange>,
                                                   const records::Provenance&);
 };

@@ -48,6 +48,13 @@ Taken takenBy(store::Database& database, const std::string& number);
 void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord& sherd,
                const std::string& number);
 
+/// All that it joins, and that they join it.
+void setJoins(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
+              const std::vector<store::SherdRow>& joins);
+/// One of the user's own fields; an empty value deletes it.
+void setExtra(const catalogue::Catalogue& catalogue, store::SherdRow sherd, const std::string& name,
+              const std::string& value);
+
 /// Values of the numbering scheme's tokens for a sherd, by its codes of places and batch.
 std::map<std::string, std::string> numberTokens(const catalogue::Catalogue& catalogue,
                                                 const records::SherdRecord& sherd);

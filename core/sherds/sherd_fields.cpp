@@ -125,4 +125,27 @@ std::string textOf(const records::SherdRecord& sherd, const std::string& field) 
   return {};
 }
 
+void setJoins(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
+              const std::vector<store::SherdRow>& joins) {
+  store::Database& database = catalogue.database();
+  database.run("DELETE FROM sherd_join WHERE sherd = ?1 OR other = ?1", sherd);
+  for (const store::SherdRow& other : joins) {
+    database.run("INSERT INTO sherd_join VALUES (?, ?)", sherd, other);
+    database.run("INSERT INTO sherd_join VALUES (?, ?)", other, sherd);
+  }
+}
+
+void setExtra(const catalogue::Catalogue& catalogue, store::SherdRow sherd, const std::string& name,
+              const std::string& value) {
+  store::Database& database = catalogue.database();
+  nlohmann::ordered_json extra = orderedJsonOrDiscarded(
+      database.sql("SELECT extra FROM sherd WHERE row = ?", sherd).one<std::string>());
+  if (!extra.is_object()) extra = nlohmann::ordered_json::object();
+  if (value.empty())
+    extra.erase(name);
+  else
+    extra[name] = value;
+  database.run("UPDATE sherd SET extra = ? WHERE row = ?", extra.dump(), sherd);
+}
+
 }  // namespace ostraka::sherds

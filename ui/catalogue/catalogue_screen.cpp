@@ -280,19 +280,26 @@ void CatalogueScreen::openProject(ProjectSession& session) {
     bulk_->showProgress(edits_->isBusy() ? edits_->fraction() : -1);
     table_->setEnabled(!edits_->isBusy());  // what is being changed stays chosen
     details_->setEnabled(!edits_->isBusy());
+    showNewRows();
   });
   connect(bulk_, &BulkEdit::stopWanted, edits_, &SherdEdits::stop);
-  connect(&session, &ProjectSession::batchChanged, this, [this] {
+  const auto showNews = [this] {
     stale_ = true;
     showNewRows();
+  };
+  connect(&session, &ProjectSession::batchChanged, this, showNews);
+  const auto showNewWords = [this, showNews] {
+    details_->setVocabularies(session_->project().catalogue());
+    model_->readVocabularies();
+    showNews();
+  };
+  connect(&session, &ProjectSession::othersWrote, this, showNewWords);
+  connect(&session, &ProjectSession::vocabulariesChanged, this, showNewWords);
+  connect(&session, &ProjectSession::stepRefused, this, [this](const QString& why) {
+    if (isVisible()) complain(why);
   });
   connect(&session, &ProjectSession::initialsChanged, this,
           [this](const QString& initials) { who_->setVisible(initials.isEmpty()); });
-  connect(&session, &ProjectSession::vocabulariesChanged, this, [this] {
-    details_->setVocabularies(session_->project().catalogue());
-    model_->readVocabularies();
-    showSelection();
-  });
   who_->setVisible(session.initials().isEmpty());
   details_->setVocabularies(session.project().catalogue());
   model_->setCatalogue(&session.project().catalogue(), session.folder(), &session.jobs());
@@ -326,7 +333,8 @@ void CatalogueScreen::setInFront(bool in_front) {
 }
 
 void CatalogueScreen::showNewRows() {
-  if (stale_ && session_ && isVisible()) reload();
+  // While many are being changed, what is chosen stays as it is.
+  if (stale_ && session_ && isVisible() && !edits_->isBusy()) reload();
 }
 
 // What was chosen stays chosen, and what is being typed about it stays in its line: nothing else is

@@ -309,10 +309,9 @@ void DrawingPage::refresh() {
 void DrawingPage::save() {
   const std::shared_ptr<const Drawn> drawn = drawn_;
   const QString name =
-      sherds_.size() > 1
-          ? tr("plates")
-          : QString::fromStdString(
-                store::slug(printWording().said(drawn->sherds.drawings.front().id)));
+      sherds_.size() > 1 ? tr("plates")
+                         : QString::fromStdString(
+                               store::slug(printWording().said(drawn->sherds.drawings.front().id)));
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save the drawing"), QDir::home().filePath(name + ".pdf"),
       tr("PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)"));

@@ -1,5 +1,6 @@
 #include "ui/frame/project_session.h"
 
+#include <QTimer>
 #include <system_error>
 
 #include "catalogue/places.h"
@@ -15,7 +16,13 @@ ProjectSession::ProjectSession(std::shared_ptr<upkeep::Project> project,
       project_(std::move(project)),
       folder_(std::move(folder)),
       runner_(runner),
-      undo_(this) {}
+      undo_(this) {
+  if (!hasProject()) return;
+  if (const auto writes = project_->catalogue().writesOfOthers()) writes_of_others_ = *writes;
+  auto* look = new QTimer(this);
+  connect(look, &QTimer::timeout, this, &ProjectSession::lookForOthers);
+  look->start(kLook_ms);
+}
 
 ProjectSession::~ProjectSession() = default;
 
@@ -44,6 +51,14 @@ Error ProjectSession::goneError() const {
              "taken out. Open the project again where it is now.")
               .toStdString(),
           folder_.string()};
+}
+
+void ProjectSession::lookForOthers() {
+  const Result<std::int64_t> writes = project_->catalogue().writesOfOthers();
+  if (!writes || *writes == writes_of_others_) return;
+  writes_of_others_ = *writes;
+  emit sherdsChanged();
+  emit othersWrote();
 }
 
 QString ProjectSession::setting(const char* key) const {

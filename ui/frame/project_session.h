@@ -59,12 +59,22 @@ class ProjectSession final : public QObject {
   void tellBatchChanged(const QString& number) { emit batchChanged(number); }
   void tellSherdsChanged() { emit sherdsChanged(); }
   void tellVocabulariesChanged() { emit vocabulariesChanged(); }
+  void tellStepRefused(const QString& sentence) { emit stepRefused(sentence); }
+
+  /// Tells the pages when others wrote: another window, the command line, a worker. Done each
+  /// kLook_ms.
+  void lookForOthers();
+  static constexpr int kLook_ms = 1000;
 
  signals:
   void batchChanged(const QString& number);  ///< "B0031": new, or its state or pairs changed
   void sherdsChanged();                      ///< rows of the catalogue are new or changed
+  void othersWrote();                        ///< anything may be new or changed
   void vocabulariesChanged();                ///< the words that sherds are described with
   void initialsChanged(const QString& initials);
+  /// Undo or redo could not be saved, and its step is gone. Whichever page it is about, the one in
+  /// front shows it.
+  void stepRefused(const QString& sentence);
   /// The catalogue did not take who works: what is done now has no name in the history.
   void personRefused(const QString& sentence);
 
@@ -74,6 +84,7 @@ class ProjectSession final : public QObject {
   JobRunner& runner_;
   QUndoStack undo_;
   QString initials_;
+  std::int64_t writes_of_others_ = 0;
   std::int64_t person_row_ = 0;  ///< of initials_; 0: not looked up yet
 };
 

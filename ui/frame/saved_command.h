@@ -6,13 +6,15 @@
 
 namespace ostraka::ui {
 
+class ProjectSession;
+
 /// A change of data that was saved before its command was made. redo and undo save ids and values
-/// that they hold; what cannot be saved leaves the stack, and failed is told the sentence why.
+/// that they hold; what cannot be saved leaves the stack, and the session tells the sentence why.
 class SavedCommand final : public QUndoCommand {
  public:
   using Save = std::function<Result<void>()>;
-  SavedCommand(const QString& title, Save redo, Save undo,
-               std::function<void(const QString&)> failed);
+  /// session: whose stack it is pushed on.
+  SavedCommand(const QString& title, Save redo, Save undo, ProjectSession& session);
   void redo() override;
   void undo() override { save(undo_); }
 
@@ -20,7 +22,7 @@ class SavedCommand final : public QUndoCommand {
   void save(const Save& change);
 
   Save redo_, undo_;
-  std::function<void(const QString&)> failed_;
+  ProjectSession& session_;
   bool first_ = true;
 };
 

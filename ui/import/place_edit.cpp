@@ -98,7 +98,7 @@ QString PlaceEdit::noteWords() {
   if (!isUsable()) return tr("write site-trench-context-bag");
   const QString news = news_ ? news_(place()) : QString();
   if (news.isEmpty()) known_ = text();
-  return news.isEmpty() ? QString() : tr("New: %1 (Esc takes it back)").arg(news);
+  return news.isEmpty() ? QString() : tr("New: %1").arg(news);
 }
 
 }  // namespace ostraka::ui

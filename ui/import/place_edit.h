@@ -17,7 +17,8 @@ class PlaceEdit final : public QWidget {
   explicit PlaceEdit(QWidget* parent = nullptr);
   /// How texts are understood; without one as readPlaceText does.
   void setReader(std::function<std::optional<PlaceText>(const QString&)> reader);
-  /// What of a place is new and would be made: it is said beside the field, and Esc takes it back.
+  /// What of a place is new and would be made: it is said beside the field. Esc while the
+  /// cursor is in the field brings back the text of before.
   void setNews(std::function<QString(const PlaceText&)> news);
   void setText(const QString& text);
   QString text() const;

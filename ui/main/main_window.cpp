@@ -36,6 +36,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr int kFrame = 4;  // pixels that a desktop draws around a window, about
+constexpr const char* kScreen = "window.screen";  // that was in front when the project was closed
 
 }  // namespace
 
@@ -132,7 +133,7 @@ void MainWindow::openProject(const QString& path) {
   closeProject();
   if (const auto opened = project_->open(path); !opened) return start_->showError(opened.error());
   showProject();
-  showScreen(qMax(0, work_->screenNamed(settings_.screen)));
+  showScreen(qMax(0, work_->screenNamed(session()->setting(kScreen))));
 }
 
 void MainWindow::findProject(const QString& lost, const QString& found) {
@@ -167,6 +168,9 @@ void MainWindow::showProject() {
     keepSettings();
   });
   connect(session(), &ProjectSession::personRefused, work_->footer(), &FooterLine::say);
+  connect(session(), &ProjectSession::stepRefused, this, [this](const QString& why) {
+    all_->currentWidget() == settings_area_ ? settings_page_->say(why) : work_->footer()->say(why);
+  });
   if (!read_only.isEmpty()) work_->footer()->say(read_only);
   care_->begin(folder, !read_only.isEmpty());
   file_watch_->look(folder);
@@ -176,6 +180,8 @@ void MainWindow::closeProject() {
   if (session() == nullptr) return;
   // What stands in a field without Return or Tab after it is saved too.
   if (auto* typing = qobject_cast<QLineEdit*>(focusWidget())) emit typing->editingFinished();
+  const QString shown = screens()[static_cast<std::size_t>(work_->shown())]->iconName();
+  if (session()->setting(kScreen) != shown) session()->keepSetting(kScreen, shown);
   work_->closeProject();
   settings_page_->setSession(nullptr);
   file_watch_->stop();
@@ -225,6 +231,7 @@ void MainWindow::showScreenNamed(const QString& icon_name, const QString& what) 
 
 void MainWindow::showSettings() {
   settings_page_->setSettings(settings_);
+  settings_page_->say({});
   all_->setCurrentWidget(settings_area_);
   settings_page_->setFocus();
 }
@@ -277,9 +284,6 @@ void MainWindow::keepSettings() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (work_->saysWhatIsLost()) return event->ignore();
   settings_.geometry = saveGeometry();
-  const int selected = work_->sidebar()->selected();
-  if (session() != nullptr)
-    settings_.screen = selected < 0 ? QString() : screens().at(selected)->iconName();
   keepSettings();
   closeProject();
   if (!queue_->computation()->isLeaving()) return event->accept();

@@ -92,7 +92,9 @@ void NewProject::follow() {
 
 QString NewProject::refusal() const {
   if (!siteForm().match(site_).hasMatch())
-    return tr("The site's code has two to eight letters from A to Z and digits, without accents, like ARM1.");
+    return tr(
+        "The site's code has two to eight letters from A to Z and digits, without accents, like "
+        "ARM1.");
   if (!numbering_refusal_.isEmpty()) return numbering_refusal_;
   if (place().isEmpty()) return tr("Choose a folder for the project.");
   const QDir folder(place());

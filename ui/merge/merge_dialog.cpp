@@ -62,7 +62,10 @@ void MergeDialog::buildTable() {
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
   table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  for (const int values : {kThis, kOther})
+    table_->horizontalHeader()->setSectionResizeMode(values, QHeaderView::Stretch);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &MergeDialog::showDecisions);
   connect(table_, &QTableWidget::cellDoubleClicked, this, [this](int, int column) {
     if (column == kThis) settle(merge::Take::A);
@@ -87,6 +90,7 @@ QWidget* MergeDialog::buildSettling() {
   undo_ = add("mergeUndo", "undo", tr("Undo"), QKeySequence::Undo, [this] { model_.undo(); });
   new_number_ = new QLineEdit(settling_);
   new_number_->setObjectName("mergeNewNumber");
+  new_number_->setMinimumWidth(fontMetrics().averageCharWidth() * 16);
   new_number_->setAccessibleName(tr("New number of the other project's record"));
   number_ = actButton(settling_, renumber_);
   number_->setDefault(true);  // Return behind a typed number
@@ -191,11 +195,6 @@ void MergeDialog::fill() {
     for (int column = 0; column < kColumns; ++column)
       table_->setItem(row, column, new QTableWidgetItem(words[column]));
   }
-  table_->resizeColumnsToContents();
-  const int most = fontMetrics().averageCharWidth() * 34;
-  for (int column = 0; column < kColumns; ++column)
-    table_->setColumnWidth(column, std::min(table_->columnWidth(column), most));
-  table_->resizeRowsToContents();
   if (!conflicts.empty()) selectNext(-1);
 }
 

@@ -48,7 +48,6 @@ NumberingEdit::NumberingEdit(QWidget* parent)
   buildLayout();
   connect(model_, &NumberingModel::changed, this, &NumberingEdit::showModel);
   connect(model_, &NumberingModel::gapsChanged, this, &NumberingEdit::showGaps);
-  connect(model_, &NumberingModel::failed, told_, &QLabel::setText);
   connect(scheme_, &QLineEdit::textEdited, model_, &NumberingModel::setScheme);
   for (QSpinBox* box : {first_, last_})
     connect(box, &QSpinBox::valueChanged, this,

@@ -192,8 +192,8 @@ QString NumberingModel::apply() {
   const auto saves = [this](const Numbering& numbering) {
     return [this, numbering] { return hold(numbering); };
   };
-  session_->undo().push(new SavedCommand(tr("change the numbering"), saves(after), saves(before),
-                                         [this](const QString& why) { emit failed(why); }));
+  session_->undo().push(
+      new SavedCommand(tr("change the numbering"), saves(after), saves(before), *session_));
   return {};
 }
 

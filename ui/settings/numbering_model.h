@@ -53,7 +53,6 @@ class NumberingModel final : public QObject {
  signals:
   void changed();
   void gapsChanged();
-  void failed(const QString& sentence);
 
  private:
   Result<void> hold(const Numbering& numbering);

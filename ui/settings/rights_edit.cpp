@@ -77,8 +77,7 @@ void RightsEdit::save() {
     return [edit, rights] { return edit ? edit->hold(rights) : Result<void>(); };
   };
   session_->undo().push(
-      new SavedCommand(tr("change the rights"), saves(after), saves(before),
-                       [edit](const QString& why) { edit->told_->setText(why); }));
+      new SavedCommand(tr("change the rights"), saves(after), saves(before), *session_));
   told_->setText(tr("Saved."));
 }
 

@@ -26,6 +26,7 @@ SettingsPage::SettingsPage(QWidget* parent)
       language_(new QComboBox(this)),
       text_(new QSlider(Qt::Horizontal, this)),
       text_words_(new QLabel(this)),
+      said_(wrappedLabel(this, QStringLiteral("settingsSaid"))),
       initials_(new QLineEdit(this)),
       threads_(new QSpinBox(this)),
       numbering_(new NumberingEdit(this)),
@@ -104,12 +105,19 @@ void SettingsPage::buildLayout() {
   head->addWidget(title, 1);
   head->addWidget(close);
   column->addLayout(head);
+  column->addWidget(said_);
+  say({});
   auto* page = new QWidget(this);
   auto* across = bareLayout<QHBoxLayout>(page);  // lines of a readable length, in each text size
   across->addWidget(middle, 3);
   across->addStretch(2);
   parts->addStretch(1);
   column->addWidget(new PageArea(page, this), 1);
+}
+
+void SettingsPage::say(const QString& sentence) {
+  said_->setText(sentence);
+  said_->setVisible(!sentence.isEmpty());
 }
 
 void SettingsPage::setSession(ProjectSession* session) {

@@ -25,6 +25,7 @@ class SettingsPage final : public QWidget {
   void setSettings(const WindowSettings& settings);
   /// The open project, whose numbering and words stand here too; null when none is open.
   void setSession(ProjectSession* session);
+  void say(const QString& sentence);  ///< above everything; empty: nothing
 
  signals:
   void changed(const ostraka::ui::WindowSettings& settings);
@@ -37,7 +38,7 @@ class SettingsPage final : public QWidget {
   WindowSettings settings_;
   QComboBox *theme_, *language_;
   QSlider* text_;
-  QLabel* text_words_;
+  QLabel *text_words_, *said_;
   QLineEdit* initials_;
   QSpinBox* threads_;
   NumberingEdit* numbering_;

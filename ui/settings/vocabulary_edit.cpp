@@ -134,8 +134,8 @@ void VocabularyEdit::save() {
   const auto saves = [this, vocabulary](const std::vector<records::Term>& terms) {
     return [this, vocabulary, terms] { return hold(vocabulary, terms); };
   };
-  session_->undo().push(new SavedCommand(tr("change the vocabulary"), saves(after), saves(before),
-                                         [this](const QString& why) { told_->setText(why); }));
+  session_->undo().push(
+      new SavedCommand(tr("change the vocabulary"), saves(after), saves(before), *session_));
   told_->setText(tr("Saved."));
 }
 

@@ -44,7 +44,6 @@ WindowSettings merged(const WindowSettings& known, const WindowSettings& mine,
   take(&WindowSettings::initials);
   take(&WindowSettings::threads);
   take(&WindowSettings::geometry);
-  take(&WindowSettings::screen);
   for (const QString& project : stored.recent) {
     if (mine.recent.contains(project) || known.recent.contains(project)) continue;
     both.recent.append(project);
@@ -69,7 +68,6 @@ WindowSettings readSettings() {
   for (const QString& project : settings.recent)
     if (titles.contains(project)) settings.titles[project] = titles[project].toString();
   settings.geometry = kept.value(QStringLiteral("geometry")).toByteArray();
-  settings.screen = kept.value(QStringLiteral("screen")).toString();
   return settings;
 }
 
@@ -86,7 +84,6 @@ void writeSettings(const WindowSettings& settings) {
     titles[title.key()] = title.value();
   kept.setValue(QStringLiteral("titles"), titles);
   kept.setValue(QStringLiteral("geometry"), settings.geometry);
-  kept.setValue(QStringLiteral("screen"), settings.screen);
 }
 
 }  // namespace ostraka::ui

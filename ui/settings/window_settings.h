@@ -18,7 +18,6 @@ struct WindowSettings {
   QStringList recent;             ///< folders of projects, the last one first
   QMap<QString, QString> titles;  ///< of those, by folder
   QByteArray geometry;            ///< of the window
-  QString screen;                 ///< that was in front
 
   void remember(const QString& project, const QString& title);
   void moved(const QString& from, const QString& to);  ///< a project's folder

@@ -172,6 +172,9 @@ QWidget* SherdDetails::editorFor(const records::SherdField& field) {
   QWidget* editor = nullptr;
   const auto told = [this, name](const QString& value) {
     if (!sherd_) return;
+    // Asked about already: a press of the answer takes the focus away, and must not ask anew.
+    const bool asked = confirm_->isVisible() && asked_field_ == name;
+    if (asked && unsaved_.of(sherd_).value(name) == value) return;
     // What could not be saved is tried again, or given up by what was there before.
     if (value != shown_.value(name) || unsaved_.of(sherd_).contains(name)) emit edited(name, value);
   };

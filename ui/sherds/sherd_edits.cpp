@@ -67,13 +67,14 @@ QString SherdEdits::busyWords() const {
   return tr("Other changes are still being saved; wait for them, or stop them.");
 }
 
-// Refused or stopped, the values of many stay as they are; undoing and redoing say the same again.
 Result<void> SherdEdits::save(const Changes& changes) {
-  if (isBusy()) {
-    emit failed(busyWords());
-  } else if (changes.size() > kAtOnce) {
-    changeMany([changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
-               [](const Made&) {});
+  if (step_) return *step_;
+  if (isBusy()) return Error{ErrorCode::CannotWrite, busyWords().toStdString(), {}};
+  if (changes.size() > kAtOnce) {
+    changeMany(
+        [changes](const catalogue::Catalogue&) -> Result<Changes> { return changes; },
+        [](const Made&) {},
+        [this, index = session_.undo().index()](const Error& why) { takeStepBack(index, why); });
   } else {
     const auto done =
         sherds::SherdChanges(session_.project().catalogue()).apply(changes, provenance());
@@ -83,12 +84,22 @@ Result<void> SherdEdits::save(const Changes& changes) {
   return {};
 }
 
+// A step of many is known to fail only after the stack took it as done. Stopped by a person it can
+// be done later; refused it leaves the stack.
+void SherdEdits::takeStepBack(int index, const Error& why) {
+  QUndoStack& stack = session_.undo();
+  step_ = why.code == ErrorCode::Cancelled ? Result<void>() : why;
+  if (stack.index() == index - 1) stack.redo();
+  if (stack.index() == index + 1) stack.undo();
+  step_.reset();
+}
+
 void SherdEdits::push(const QString& title, const Changes& done, const Changes& undo) {
   const auto saves = [this](const Changes& changes) {
     return [this, changes] { return save(changes); };
   };
-  session_.undo().push(new SavedCommand(title, saves(done), saves(undo),
-                                        [this](const QString& why) { emit failed(why); }));
+  session_.undo().push(
+      new SavedCommand(title, saves(sherds::changesAgain(done, undo)), saves(undo), session_));
 }
 
 void SherdEdits::tell(const Changes& changes) {
@@ -158,7 +169,8 @@ QString SherdEdits::assignNumbers(const std::vector<store::SherdRow>& sherds) {
   return refused.isEmpty() ? leftWords(*numbers) : refused;
 }
 
-void SherdEdits::changeMany(const Making& making, std::function<void(const Made&)> then) {
+void SherdEdits::changeMany(const Making& making, std::function<void(const Made&)> then,
+                            Failing failing) {
   stop_ = std::stop_source();
   const auto work =
       [folder = session_.folder(), making, provenance = provenance(), stop = stop_.get_token()](
@@ -176,12 +188,13 @@ void SherdEdits::changeMany(const Making& making, std::function<void(const Made&
   job.is_promised = true;
   job_ = session_.jobs().start(std::move(job), this);
   connect(job_, &JobHandle::progressed, this, &SherdEdits::busyChanged);
-  whenDone<std::shared_ptr<const Made>>(job_, this, [this, then](const auto& made) {
+  whenDone<std::shared_ptr<const Made>>(job_, this, [this, then, failing](const auto& made) {
     session_.undo().setActive(true);
     emit busyChanged();
     if (!made) {
       emit failed(made.error().code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was changed.")
                                                             : sentenceOf(made.error()));
+      if (failing) failing(made.error());
       return;
     }
     tell((*made)->done);

@@ -2,6 +2,7 @@
 #include <QObject>
 #include <QPointer>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -43,7 +44,7 @@ class SherdEdits final : public QObject {
 
  signals:
   void changed(const std::vector<store::SherdRow>& sherds);
-  void failed(const QString& sentence);  ///< undoing, redoing or changing many was refused
+  void failed(const QString& sentence);  ///< changing many was refused
   void noted(const QString& sentence);   ///< it is saved, and this came with it
   void busyChanged();                    ///< began, went on, ended
 
@@ -53,15 +54,19 @@ class SherdEdits final : public QObject {
     Changes done, undo;
   };
   using Making = std::function<Result<Changes>(const catalogue::Catalogue&)>;
-  void changeMany(const Making& making, std::function<void(const Made&)> then);
+  using Failing = std::function<void(const Error&)>;
+  void changeMany(const Making& making, std::function<void(const Made&)> then,
+                  Failing failing = {});
   Result<void> save(const Changes& changes);
   void push(const QString& title, const Changes& done, const Changes& undo);
   void tell(const Changes& changes);
+  void takeStepBack(int index, const Error& why);
   QString busyWords() const;
 
   ProjectSession& session_;
   QPointer<JobHandle> job_;
-  std::stop_source stop_;  ///< of what a person stops; what nobody stops is finished
+  std::optional<Result<void>> step_;  ///< what a step of many came to, while it is taken back
+  std::stop_source stop_;             ///< of what a person stops; what nobody stops is finished
 };
 
 }  // namespace ostraka::ui

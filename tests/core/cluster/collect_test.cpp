@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "cluster_project.h"
+#include "fake_cluster.h"
 #include "intake/computed_again.h"
 
 namespace ostraka::cluster {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cluster/place.h"
-#include "cluster_project.h"
+#include "fake_cluster.h"
 #include "files/json.h"
 
 namespace ostraka::cluster {

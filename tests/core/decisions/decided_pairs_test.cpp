@@ -146,7 +146,7 @@ TEST_F(DecidedPairs, OfTwoAboutOneScanTheLaterHoldsAndTheEarlierIsSaid) {
   const Settled settled = settledBy({pair(0, 0), second}, out_.table);
   ASSERT_EQ(settled.warnings.size(), 1u);
   for (const char* words : {"The decision of 2026-07-14 09:30 UTC by AP",
-                            "the decision of 2026-07-14 10:01 UTC by KL", "withdraw"})
+                            "the later decision of 2026-07-14 10:01 UTC by KL", "withdraw"})
     EXPECT_NE(settled.warnings[0].english().find(words), std::string::npos) << settled.warnings[0];
 
   PairDecision aside = about(DecisionKind::Aside, out_.table.fronts[0]);

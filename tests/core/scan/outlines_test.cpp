@@ -119,7 +119,7 @@ TEST(Outlines, ACrumbBesideASherdIsSaidAndOneUnderItIsNoise) {
     EXPECT_EQ(split->scans[0].cloud.size(), cap.size());
     ASSERT_EQ(split->warnings.size(), crumb ? 1u : 0u);
     if (crumb) {
-      EXPECT_EQ(split->warnings[0].english().find("A crumb of 8 mm at x 35"), 0u)
+      EXPECT_EQ(split->warnings[0].english().find("A small object of 8 mm at x 35"), 0u)
           << split->warnings[0];
     }
   }

@@ -54,7 +54,7 @@ TEST(SplitScans, ASliverIsACrumbHoweverLong) {
   ASSERT_TRUE(found.has_value()) << found.error().what;
   EXPECT_EQ(found->scans.size(), 2u);
   ASSERT_EQ(found->warnings.size(), 1u);
-  EXPECT_NE(found->warnings[0].english().find("crumb of 15 mm at x 18"), std::string::npos)
+  EXPECT_NE(found->warnings[0].english().find("small object of 15 mm at x 18"), std::string::npos)
       << found->warnings[0];
 }
 

@@ -2,6 +2,7 @@
 
 #include "catalogue/history.h"
 #include "records/sherd.h"
+#include "sherds/many_changes.h"
 #include "sherds/measurements.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherd_fields.h"
@@ -74,6 +75,55 @@ TEST_F(Changes, CanBeUndoneAndDoneAgainWithTheirHistory) {
   EXPECT_EQ(valueOf(a, "ware"), "grey");
   EXPECT_EQ(valueOf(b, "bag"), "1");
   EXPECT_EQ(valueOf(b, "number"), "X-1") << "its own number comes back to it";
+}
+
+TEST_F(Changes, AreUndoneOnlyWhereTheirValuesStillStand) {
+  const store::SherdRow a = numbered(context12), b = draft(context12);
+  const std::vector<records::FieldChange> changes = {
+      {a, "ware", "grey"}, {a, "part", "rim"}, {b, "ware", "grey"}};
+  const auto undo = SherdChanges(catalogue()).apply(changes, anna);
+  ASSERT_TRUE(undo);
+  ASSERT_TRUE(set(b, "ware", "red"));  // somebody else
+  const auto refused = SherdChanges(catalogue()).apply(*undo, anna);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().what,
+            "The field ware was changed meanwhile; nothing was undone or redone.");
+  EXPECT_EQ(refused.error().where, Sherds(catalogue()).get(b)->id) << "a draft has no number";
+  EXPECT_EQ(valueOf(a, "ware"), "grey");
+  EXPECT_EQ(valueOf(b, "ware"), "red");
+  ASSERT_TRUE(set(b, "ware", "grey"));
+  ASSERT_TRUE(SherdChanges(catalogue()).apply(*undo, anna));
+  EXPECT_EQ(valueOf(a, "part"), "");
+}
+
+TEST_F(Changes, AreRedoneOnlyOverWhatTheUndoLeft) {
+  const store::SherdRow a = numbered(context12);
+  const std::vector<records::FieldChange> changes = {{a, "ware", "grey"}, {a, "note", ""}};
+  const auto undo = SherdChanges(catalogue()).apply(changes, anna);
+  ASSERT_TRUE(undo);
+  const std::vector<records::FieldChange> again = changesAgain(changes, *undo);
+  ASSERT_EQ(again.size(), 1u) << "an empty note stayed empty";
+  ASSERT_TRUE(SherdChanges(catalogue()).apply(*undo, anna));
+  ASSERT_TRUE(set(a, "ware", "red"));
+  EXPECT_FALSE(SherdChanges(catalogue()).apply(again, anna));
+  ASSERT_TRUE(set(a, "ware", ""));
+  EXPECT_TRUE(SherdChanges(catalogue()).apply(again, anna));
+  EXPECT_EQ(valueOf(a, "ware"), "grey");
+}
+
+TEST_F(Changes, ExpectAnUncertaintyAndTheSameJoinedSherd) {
+  const store::SherdRow a = numbered(context12), b = draft(context12);
+  const std::string id = Sherds(catalogue()).get(b)->id;
+  const std::vector<records::FieldChange> changes = {{a, "length_mm", "12.5 ± 0.4"},
+                                                     {a, "joins", id}};
+  const auto undo = SherdChanges(catalogue()).apply(changes, anna);
+  ASSERT_TRUE(undo);
+  ASSERT_TRUE(set(b, "number", "X-1"));
+  ASSERT_TRUE(set(a, "length_mm", "12.5 ± 0.9"));
+  EXPECT_FALSE(SherdChanges(catalogue()).apply(*undo, anna)) << "the uncertainty is another";
+  ASSERT_TRUE(set(a, "length_mm", "12.5 ± 0.4"));
+  const auto done = SherdChanges(catalogue()).apply(*undo, anna);
+  EXPECT_TRUE(done) << "a number does not make it another sherd: " << done.error().sentence();
 }
 
 TEST_F(Changes, ThatChangeNothingLeaveNoTrace) {

@@ -125,7 +125,7 @@ class CaptureScreenTest : public CaptureBench {
     QCOMPARE(note->text(), QString());
     place->selectAll();
     QTest::keyClicks(place, "XX-9-foo-77");
-    QVERIFY2(note->text().contains("site XX, trench 9, context foo, bag 77"),
+    QVERIFY2(note->text().endsWith("site XX, trench 9, context foo, bag 77"),
              qPrintable(note->text()));
     QTest::keyClick(place, Qt::Key_Escape);
     QCOMPARE(place->text(), QStringLiteral("ARM1-T3-0012-4"));

@@ -7,7 +7,9 @@
 
 #include "../project_in.h"
 #include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "ui/jobs/job.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -51,6 +53,20 @@ class ProjectSessionTest : public QObject {
     QCOMPARE(changed[0][0].toString(), QStringLiteral("AP"));
     session_->setInitials("AP");
     QCOMPARE(changed.count(), 1);
+  }
+
+  void whatOthersWriteIsTold() {
+    QSignalSpy wrote(session_.get(), &ProjectSession::othersWrote);
+    catalogue::Settings own(session_->project().catalogue());
+    QVERIFY(own.setValue("key", "own").has_value());
+    session_->lookForOthers();
+    QCOMPARE(wrote.count(), 0);
+    auto elsewhere = upkeep::Project::connect(session_->folder());
+    QVERIFY(elsewhere.has_value());
+    QVERIFY(catalogue::Settings(*elsewhere).setValue("key", "theirs").has_value());
+    QVERIFY(wrote.wait(10 * ProjectSession::kLook_ms));
+    session_->lookForOthers();
+    QCOMPARE(wrote.count(), 1);
   }
 
   void aPersonWhoCannotBeEnteredIsSaid() {

@@ -86,6 +86,41 @@ class MainWindowTest : public QObject {
     QVERIFY(!recent(window)->item(0)->text().contains("find it"));
   }
 
+  void eachProjectOpensOnThePageWhereItWasLeft() {
+    const QString other = home_->path(QStringLiteral("Ostraka/p2"));
+    records::ProjectRecord record;
+    record.code = "P2";
+    record.title = "Another";
+    QVERIFY(upkeep::Project::create(other.toStdString(), record).has_value());
+    MainWindow window(jobs_);
+    activate(window);
+    const auto inFront = [&](int page) {
+      return window.screens()[static_cast<std::size_t>(page)]->isVisible();
+    };
+    window.openProject(folder_);
+    QVERIFY(inFront(0));
+    window.showScreen(1);
+    window.openProject(other);
+    QVERIFY2(inFront(0), "nobody was in this project yet");
+    window.openProject(folder_);
+    QVERIFY(inFront(1));
+  }
+
+  void aStepThatIsRefusedIsToldOnThePageInFront() {
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    window.showSettings();
+    auto* told = named<QLabel>(window, "settingsSaid");
+    QVERIFY(!told->isVisible());
+    window.session()->tellStepRefused("It was changed meanwhile.");
+    QCOMPARE(told->text(), QStringLiteral("It was changed meanwhile."));
+    QVERIFY(told->isVisible());
+    window.leaveSidePage();
+    window.showSettings();
+    QVERIFY(!told->isVisible());
+  }
+
   void whatIsInTheCatalogueHasACopyOnceItIsOpen() {
     MainWindow window(jobs_);
     activate(window);

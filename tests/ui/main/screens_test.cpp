@@ -330,6 +330,7 @@ class ScreensTest : public QObject {
       look(theme);
       picture(theme, "start", [this] { window_->closeProject(); });
       openVirtual();
+      showScreen("capture");
       QTRY_VERIFY_WITH_TIMEOUT(window_->wizard()->pictures()->live().has_value(), 60000);
       for (const Screen* screen : window_->screens())
         picture(theme, screen->iconName(), [this, screen] { showScreen(screen->iconName()); });

@@ -21,9 +21,9 @@ struct Task {
 /// PROJECT/cluster/tasks.json: the newest task of each batch. It is written before a job is
 /// submitted, so that every job on the cluster is known.
 struct Tasks {
-  std::string host;  ///< user@login:/folder; empty: the cluster sees the project's folder. A file
-                     ///< of a project says it, which may be a stranger's: never contacted unless
-                     ///< the person named the same (reach)
+  /// user@login:/folder; empty: the cluster sees the project's folder. A project may come from a
+  /// stranger, so that reach() contacts this host only if the person named the same one.
+  std::string host;
   std::vector<Task> tasks;
 
   Task* of(const std::string& batch);

@@ -37,7 +37,7 @@ class CardInHand final : public QObject {
   const review::LiveFit& fit() const { return fit_; }  ///< of what was shown last
   bool isMeasured() const;                             ///< fit() is of the pose on trial
   bool isSettling() const { return busy_; }
-  /// The pair in hand is on its way and not seen yet: nobody can judge it. sceneFetched follows.
+  /// The pair is still loading and is not shown yet, so nobody can judge it; ends in sceneFetched.
   bool isLoading() const { return scene_job_ != nullptr && !isShown(); }
   const std::vector<double>& settlingRms() const { return settling_rms_; }  ///< so far, mm
   QString reason() const;       ///< why the card is doubtful, or what is tried on it

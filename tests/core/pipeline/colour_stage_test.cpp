@@ -1,7 +1,6 @@
 // A colour chart in one of the photographs corrects the colours of all that is made of the batch.
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <opencv2/imgcodecs.hpp>
 
 #include "../colour/rendered_chart.h"
@@ -9,6 +8,7 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "pipeline/chain.h"
+#include "tests/core/files/temporary_folder.h"
 #include "texture/texture.h"
 #include "virtualrig/simulate.h"
 
@@ -20,12 +20,6 @@ using testing::HasSubstr;
 
 class ColourStage : public testing::Test {
  protected:
-  ColourStage() {
-    std::string pattern = (fs::temp_directory_path() / "ostraka_colours_XXXXXX").string();
-    folder = ::mkdtemp(pattern.data());
-  }
-  ~ColourStage() override { fs::remove_all(folder); }
-
   static void write(const fs::path& file, const cv::Mat3b& picture, const char* ending) {
     std::vector<unsigned char> bytes;
     cv::imencode(ending, picture, bytes, {cv::IMWRITE_JPEG_QUALITY, 97});
@@ -60,7 +54,8 @@ class ColourStage : public testing::Test {
     return colourStage(run);
   }
 
-  fs::path folder;
+  TemporaryFolder temporary;
+  fs::path folder = temporary.path();
 };
 
 TEST_F(ColourStage, TakesTheChartOfWhicheverPhotographShowsIt) {

@@ -17,6 +17,7 @@
 #include "files/output_place.h"
 #include "shown.h"
 #include "tables/column_names.h"
+#include "tables/refused_rows.h"
 #include "upkeep/project.h"
 
 namespace ostraka::app {
@@ -49,6 +50,7 @@ const char* chosenBy(tables::ChosenBy by) {
 
 // What was mapped, a line a column.
 void printMapping(const tables::TableMapping& mapping) {
+  if (!mapping.kind.empty()) show(stderr, "%s\n", mapping.kind.english().c_str());
   for (const tables::ColumnChoice& choice : mapping.columns) {
     const std::string unit = choice.unit.empty() ? std::string() : " in " + choice.unit;
     show(stderr, "column '%s': %s%s (%s%s)\n", choice.column.c_str(),
@@ -131,7 +133,7 @@ void printRefusals(const tables::ImportReport& report) {
         " Not entered; --confirm " + std::to_string(report.questions[i].line) + " enters the row.");
   if (const std::size_t more = report.refusals.size() + report.questions.size() - refused - asked;
       more > 0)
-    show(stderr, "%zu more rows are refused or to confirm; --refusals and --json list all.\n",
+    show(stderr, "%zu more reasons why rows were not entered; --refusals and --json list all.\n",
          more);
 }
 
@@ -163,7 +165,9 @@ int reported(Session& session, const tables::ImportReport& report,
   // What was entered is told even if its refusals cannot be written any more.
   Result<void> written;
   if (!arguments.refusals.empty())
-    written = writeFileAtomically(arguments.refusals, tables::refusalsCsv(report));
+    written = writeFileAtomically(
+        arguments.refusals,
+        tables::refusedRowsCsv(report, [](const Message& reason) { return reason.english(); }));
   if (!session.json) printReport(report);
   const std::vector<std::string> open = openUnits(report.mapping);
   for (const std::string& sentence : open) show(stderr, "%s\n", sentence.c_str());
@@ -215,20 +219,8 @@ Result<tables::ImportOptions> importOptions(const ImportArguments& arguments) {
   return how;
 }
 
-Result<void> checkReplaced(const fs::path& file) {
-  const std::string head = tables::refusalsCsv({});
-  Result<OpenFile> there = OpenFile::open(file);
-  if (!there) return there.error();
-  std::string begin(head.size(), '\0');
-  if (const Result<std::size_t> read = there->read(begin); !read) return read.error();
-  if (begin == head) return {};
-  return Error::unusable(
-      "This file already exists and is not a table of refusals; choose another name.",
-      file.string());
-}
-
-// A new file in a folder that is there, or in the place of an earlier table of refusals; never in a
-// project or a sealed folder. An empty path is none.
+// A new file in a folder that is there, never in a project or a sealed folder: an earlier one may
+// hold rows that somebody corrected since. An empty path is none.
 Result<void> checkRefusalsFile(const fs::path& file) {
   if (file.empty()) return {};
   if (Result<void> good = checkOutputPlace(file); !good) return good;
@@ -243,7 +235,9 @@ Result<void> checkRefusalsFile(const fs::path& file) {
   if (Message other = otherThanAFile(file); !other.empty())
     return Error::unusable(std::move(other), file.string());
   if (fs::exists(fs::symlink_status(file, failed)))
-    if (Result<void> good = checkReplaced(file); !good) return good;
+    return Error::unusable(
+        "A file with this name already exists and is not overwritten; choose another name.",
+        file.string());
   if (!mayBeWritten(folder))
     return Error::unusable(
         "The folder cannot be written to; check its permissions, or choose another location.",
@@ -271,7 +265,10 @@ int runImport(const ImportArguments& arguments, Session& session) {
     if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
   const auto report = tables::importTable(project->catalogue(), *bytes, arguments.source.string(),
                                           *how, kCommandLine, session.progress, session.stop);
-  return report ? reported(session, *report, arguments) : fail(session, report.error());
+  if (!report) return fail(session, report.error());
+  if (report->mapping.missing.empty()) return reported(session, *report, arguments);
+  if (!session.json) printMapping(report->mapping);
+  return fail(session, Error::unusable(report->mapping.missing, arguments.source.string()));
 }
 
 }  // namespace
@@ -292,7 +289,7 @@ void addCatalogueImport(CLI::App& catalogue, Command& chosen) {
                     "Make sites, trenches, contexts and bags that are not there");
   command->add_option(
       "--refusals", arguments->refusals,
-      "Write what was refused, and why, as CSV: a new file, or over an earlier one");
+      "Write the refused rows with their reasons to a new table (CSV), to be corrected");
   command->add_option("--map", arguments->columns,
                       "A column's field and unit, as Gewicht=weight_g:kg; COLUMN=- leaves it out");
   command

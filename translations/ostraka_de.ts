@@ -1050,6 +1050,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Scherbe %1 von %2</translation>
     </message>
+    <message>
+      <source>imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>importiert</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -6785,11 +6790,6 @@
       <translation>Die Nummer %1 gehört einer anderen Scherbe.</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1' ist kein Begriff der Wortliste '%2'; einen anderen wählen oder ihn in den Einstellungen hinzufügen.</translation>
-    </message>
-    <message>
       <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nach ± einen Wert größer als 0 eingeben, oder 0, wenn die Unsicherheit unbekannt ist.</translation>
@@ -9883,6 +9883,46 @@
       <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Feld %1 wurde inzwischen geändert; nichts wurde rückgängig gemacht oder wiederholt.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term; choose one of %2, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos; ist kein Begriff der Wortliste; einen von diesen wählen: %2, oder ihn in den Einstellungen hinzufügen.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term: the vocabulary is empty; add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos; ist kein Begriff: die Wortliste ist leer; ihn in den Einstellungen hinzufügen.</translation>
+    </message>
+    <message>
+      <source>why this row was not imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>warum diese Zeile nicht importiert wurde</translation>
+    </message>
+    <message>
+      <source>Read as a table of contexts and bags: no column has the sherds&apos; numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Als Tabelle von Befunden und Beuteln gelesen: keine Spalte enthält die Nummern der Scherben.</translation>
+    </message>
+    <message>
+      <source>Read as a table of sherds: the column &apos;%1&apos; identifies them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Als Tabelle von Scherben gelesen: die Spalte &apos;%1&apos; bezeichnet sie.</translation>
+    </message>
+    <message>
+      <source>No column has the sherds&apos; numbers, but &apos;%1&apos; is a column of sherds; select the column of numbers, or leave &apos;%1&apos; out if this is a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Keine Spalte enthält die Nummern der Scherben, aber &apos;%1&apos; ist eine Spalte von Scherben; die Spalte der Nummern auswählen, oder &apos;%1&apos; weglassen, wenn dies eine Tabelle von Befunden ist.</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 unterscheidet sich von der vorhandenen Nummer %2 nur in führenden Nullen, Groß- und Kleinschreibung oder Satzzeichen; prüfen, welche gemeint ist.</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neue Nummern unterscheiden sich von vorhandenen nur in führenden Nullen, Groß- und Kleinschreibung oder Satzzeichen: %1; auf Tippfehler prüfen.</translation>
     </message>
 </context>
 <context>

@@ -1050,6 +1050,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>όστρακο %1 της %2</translation>
     </message>
+    <message>
+      <source>imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>εισαγμένο</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -6780,11 +6785,6 @@
       <translation>Ο αριθμός %1 ανήκει σε άλλο όστρακο.</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το '%1' δεν είναι όρος του λεξιλογίου '%2'· επιλέξτε άλλον ή προσθέστε τον στις ρυθμίσεις.</translation>
-    </message>
-    <message>
       <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ό,τι ακολουθεί το σύμβολο ± είναι μεγαλύτερο από το 0, ή 0 όπου δεν είναι γνωστή αβεβαιότητα.</translation>
@@ -9878,6 +9878,46 @@
       <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το πεδίο %1 άλλαξε στο μεταξύ· τίποτα δεν αναιρέθηκε ούτε επαναλήφθηκε.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term; choose one of %2, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το &apos;%1&apos; δεν είναι όρος· επιλέξτε έναν από: %2, ή προσθέστε τον στις ρυθμίσεις.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term: the vocabulary is empty; add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το &apos;%1&apos; δεν είναι όρος: το λεξιλόγιο είναι κενό· προσθέστε τον στις ρυθμίσεις.</translation>
+    </message>
+    <message>
+      <source>why this row was not imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>γιατί δεν εισήχθη αυτή η γραμμή</translation>
+    </message>
+    <message>
+      <source>Read as a table of contexts and bags: no column has the sherds&apos; numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διαβάστηκε ως πίνακας πλαισίων και σακουλών: καμία στήλη δεν έχει τους αριθμούς των οστράκων.</translation>
+    </message>
+    <message>
+      <source>Read as a table of sherds: the column &apos;%1&apos; identifies them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διαβάστηκε ως πίνακας οστράκων: η στήλη &apos;%1&apos; τα προσδιορίζει.</translation>
+    </message>
+    <message>
+      <source>No column has the sherds&apos; numbers, but &apos;%1&apos; is a column of sherds; select the column of numbers, or leave &apos;%1&apos; out if this is a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία στήλη δεν έχει τους αριθμούς των οστράκων, αλλά η &apos;%1&apos; είναι στήλη οστράκων· επιλέξτε τη στήλη των αριθμών ή παραλείψτε την &apos;%1&apos;, αν αυτός είναι πίνακας πλαισίων.</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 διαφέρει από τον υπάρχοντα αριθμό %2 μόνο στα αρχικά μηδενικά, στα πεζά ή κεφαλαία ή στα σημεία στίξης· ελέγξτε ποιος εννοείται.</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέοι αριθμοί διαφέρουν από υπάρχοντες μόνο στα αρχικά μηδενικά, στα πεζά ή κεφαλαία ή στα σημεία στίξης: %1· ελέγξτε για τυπογραφικά λάθη.</translation>
     </message>
 </context>
 <context>

@@ -1050,6 +1050,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>fragmento %1 de %2</translation>
     </message>
+    <message>
+      <source>imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>importado</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -6780,11 +6785,6 @@
       <translation>El número %1 pertenece a otro fragmento.</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1' no es un término del vocabulario '%2'; elija otro o añádalo en los ajustes.</translation>
-    </message>
-    <message>
       <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escriba tras ± un valor mayor que 0, o 0 si no se conoce la incertidumbre.</translation>
@@ -9878,6 +9878,46 @@
       <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El campo %1 se modificó entretanto; no se deshizo ni se rehízo nada.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term; choose one of %2, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos; no es un término; elija uno de %2, o añádalo en los ajustes.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term: the vocabulary is empty; add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos; no es un término: el vocabulario está vacío; añádalo en los ajustes.</translation>
+    </message>
+    <message>
+      <source>why this row was not imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>por qué no se importó esta fila</translation>
+    </message>
+    <message>
+      <source>Read as a table of contexts and bags: no column has the sherds&apos; numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Leída como tabla de contextos y bolsas: ninguna columna contiene los números de los fragmentos.</translation>
+    </message>
+    <message>
+      <source>Read as a table of sherds: the column &apos;%1&apos; identifies them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Leída como tabla de fragmentos: la columna &apos;%1&apos; los identifica.</translation>
+    </message>
+    <message>
+      <source>No column has the sherds&apos; numbers, but &apos;%1&apos; is a column of sherds; select the column of numbers, or leave &apos;%1&apos; out if this is a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ninguna columna contiene los números de los fragmentos, pero &apos;%1&apos; es una columna de fragmentos; elija la columna de los números, u omita &apos;%1&apos; si esta es una tabla de contextos.</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 se distingue del número existente %2 solo en los ceros a la izquierda, las mayúsculas o la puntuación; compruebe cuál es el correcto.</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay números nuevos que se distinguen de los existentes solo en los ceros a la izquierda, las mayúsculas o la puntuación: %1; compruebe si hay erratas.</translation>
     </message>
 </context>
 <context>

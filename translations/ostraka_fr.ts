@@ -1050,6 +1050,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>tesson %1 de %2</translation>
     </message>
+    <message>
+      <source>imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>importé</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -6780,11 +6785,6 @@
       <translation>Le numéro %1 est celui d’un autre tesson.</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1' n’est pas un terme du vocabulaire '%2' ; choisissez-en un autre, ou ajoutez-le dans les réglages.</translation>
-    </message>
-    <message>
       <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entrez après ± une valeur supérieure à 0, ou 0 si l’incertitude n’est pas connue.</translation>
@@ -9878,6 +9878,46 @@
       <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le champ %1 a été modifié entre-temps ; rien n’a été annulé ni rétabli.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term; choose one of %2, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos; n’est pas un terme ; choisissez-en un parmi %2, ou ajoutez-le dans les réglages.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term: the vocabulary is empty; add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos; n’est pas un terme : le vocabulaire est vide ; ajoutez-le dans les réglages.</translation>
+    </message>
+    <message>
+      <source>why this row was not imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>pourquoi cette ligne n’a pas été importée</translation>
+    </message>
+    <message>
+      <source>Read as a table of contexts and bags: no column has the sherds&apos; numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lu comme un tableau de contextes et de sacs : aucune colonne ne contient les numéros des tessons.</translation>
+    </message>
+    <message>
+      <source>Read as a table of sherds: the column &apos;%1&apos; identifies them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lu comme un tableau de tessons : la colonne « %1 » les identifie.</translation>
+    </message>
+    <message>
+      <source>No column has the sherds&apos; numbers, but &apos;%1&apos; is a column of sherds; select the column of numbers, or leave &apos;%1&apos; out if this is a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune colonne ne contient les numéros des tessons, mais &apos;%1&apos; est une colonne de tessons ; choisissez la colonne des numéros, ou omettez &apos;%1&apos; si c’est un tableau de contextes.</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 ne diffère du numéro existant %2 que par des zéros initiaux, la casse ou la ponctuation ; vérifiez lequel est voulu.</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De nouveaux numéros ne diffèrent de numéros existants que par des zéros initiaux, la casse ou la ponctuation : %1 ; vérifiez les fautes de frappe.</translation>
     </message>
 </context>
 <context>

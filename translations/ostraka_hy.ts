@@ -1050,6 +1050,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2, բեկոր %1</translation>
     </message>
+    <message>
+      <source>imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ներմուծված</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -6780,11 +6785,6 @@
       <translation>%1 համարն այլ բեկորինն է։</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1'-ը '%2' բառարանի տերմին չէ. ընտրեք այլը կամ ավելացրեք կարգավորումներում։</translation>
-    </message>
-    <message>
       <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>± նշանին հաջորդողը մեծ է 0-ից, կամ 0 է, եթե անորոշությունը հայտնի չէ։</translation>
@@ -9878,6 +9878,46 @@
       <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 դաշտն այդ ընթացքում փոխվել է. ոչինչ չի հետարկվել կամ կրկնվել։</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term; choose one of %2, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos;-ը տերմին չէ. ընտրեք սրանցից մեկը՝ %2, կամ ավելացրեք կարգավորումներում։</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term: the vocabulary is empty; add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos;-ը տերմին չէ. բառարանը դատարկ է, ավելացրեք այն կարգավորումներում։</translation>
+    </message>
+    <message>
+      <source>why this row was not imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ինչու այս տողը չներմուծվեց</translation>
+    </message>
+    <message>
+      <source>Read as a table of contexts and bags: no column has the sherds&apos; numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարդացվել է որպես համատեքստերի և տոպրակների աղյուսակ. ոչ մի սյունակ չունի բեկորների համարները։</translation>
+    </message>
+    <message>
+      <source>Read as a table of sherds: the column &apos;%1&apos; identifies them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կարդացվել է որպես բեկորների աղյուսակ. դրանք որոշում է &apos;%1&apos; սյունակը։</translation>
+    </message>
+    <message>
+      <source>No column has the sherds&apos; numbers, but &apos;%1&apos; is a column of sherds; select the column of numbers, or leave &apos;%1&apos; out if this is a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ոչ մի սյունակ չունի բեկորների համարները, բայց &apos;%1&apos;-ը բեկորների սյունակ է. ընտրեք համարների սյունակը կամ բաց թողեք &apos;%1&apos;-ը, եթե սա համատեքստերի աղյուսակ է։</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարն առկա %2 համարից տարբերվում է միայն սկզբնական զրոներով, տառերի մեծությամբ կամ կետադրությամբ. ստուգեք, թե որն է նկատի առնված։</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր համարներն առկա համարներից տարբերվում են միայն սկզբնական զրոներով, տառերի մեծությամբ կամ կետադրությամբ՝ %1. ստուգեք վրիպակները։</translation>
     </message>
 </context>
 <context>

@@ -1044,6 +1044,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2, parça %1</translation>
     </message>
+    <message>
+      <source>imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>içe aktarılmış</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -6733,11 +6738,6 @@
       <translation>%1 numarası başka bir parçanın.</translation>
     </message>
     <message>
-      <source>&apos;%1&apos; is not a term of the vocabulary &apos;%2&apos;; choose another or add it in the settings.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>'%1', '%2' sözlüğünün bir terimi değil; başka birini seçin ya da ayarlarda ekleyin.</translation>
-    </message>
-    <message>
       <source>Enter a value greater than 0 after ±, or 0 if the uncertainty is unknown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>± işaretinden sonra gelen 0’dan büyüktür; belirsizlik bilinmiyorsa 0’dır.</translation>
@@ -9831,6 +9831,46 @@
       <source>The field %1 was changed meanwhile; nothing was undone or redone.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 alanı bu arada değiştirildi; hiçbir şey geri alınmadı veya yinelenmedi.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term; choose one of %2, or add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos; bir terim değil; şunlardan birini seçin: %2, ya da ayarlarda ekleyin.</translation>
+    </message>
+    <message>
+      <source>&apos;%1&apos; is not a term: the vocabulary is empty; add it in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&apos;%1&apos; bir terim değil: sözlük boş; ayarlarda ekleyin.</translation>
+    </message>
+    <message>
+      <source>why this row was not imported</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>bu satır neden içe aktarılmadı</translation>
+    </message>
+    <message>
+      <source>Read as a table of contexts and bags: no column has the sherds&apos; numbers.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kontekst ve torba tablosu olarak okundu: hiçbir sütunda parçaların numaraları yok.</translation>
+    </message>
+    <message>
+      <source>Read as a table of sherds: the column &apos;%1&apos; identifies them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Parça tablosu olarak okundu: parçaları &apos;%1&apos; sütunu belirliyor.</translation>
+    </message>
+    <message>
+      <source>No column has the sherds&apos; numbers, but &apos;%1&apos; is a column of sherds; select the column of numbers, or leave &apos;%1&apos; out if this is a table of contexts.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hiçbir sütunda parçaların numaraları yok, ama &apos;%1&apos; parçalara ait bir sütun; numara sütununu seçin ya da bu bir kontekst tablosuysa &apos;%1&apos; sütununu dışarıda bırakın.</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numarası var olan %2 numarasından yalnızca baştaki sıfırlarda, büyük-küçük harfte ya da noktalamada ayrılıyor; hangisinin kastedildiğini denetleyin.</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeni numaralar var olanlardan yalnızca baştaki sıfırlarda, büyük-küçük harfte ya da noktalamada ayrılıyor: %1; yazım hatası olup olmadığını denetleyin.</translation>
     </message>
 </context>
 <context>

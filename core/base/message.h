@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -27,7 +28,7 @@ inline Decimal decimal(double value, int digits) {
 /// The value for a place of a template.
 struct MessageValue {
   enum class Kind {
-    Text,     ///< a name, a file, another program's output: never translated
+    Text,     ///< a name, a file, another program's output: as it is, but see translations
     Count,    ///< a whole number
     Decimal,  ///< written with the decimal sign of the reader's language
     Message   ///< a phrase or sentence that is translated itself
@@ -51,6 +52,8 @@ struct MessageValue {
   std::int64_t count = 0;
   Decimal number;
   std::shared_ptr<const Message> message;  ///< of kind Message; else none
+  /// Of a text that the project has in several languages ("de").
+  std::map<std::string, std::string> translations = {};
 };
 
 /// The place that begins at `at` of a template, %1 to %9 as 1 to 9; else 0.

@@ -28,7 +28,6 @@ namespace {
 using namespace catalogue;
 using store::valueOrThrow;
 
-constexpr const char* kMark = "\xEF\xBB\xBF";
 constexpr const char* kCentreColumns[] = {"mass_centre_x_mm", "mass_centre_y_mm",
                                           "mass_centre_z_mm"};
 constexpr const char* kFileColumns[] = {"model_file", "image_file", "drawing_file"};
@@ -163,7 +162,8 @@ void writeContexts(const Catalogue& catalogue, std::span<const store::ContextRow
 // Numbers stand as they are, texts with the guard against formulas.
 class CsvWriter final : public TableWriter {
  public:
-  explicit CsvWriter(ByteOrderMark mark) : text(mark == ByteOrderMark::With ? kMark : "") {}
+  explicit CsvWriter(ByteOrderMark mark)
+      : text(mark == ByteOrderMark::With ? tables::kUtf8Mark : "") {}
   void begin(const std::vector<tables::OdsSheet::Column>& columns) override {
     columns_ = columns;
     std::vector<std::string> names;

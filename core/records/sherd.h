@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "records/plausibility.h"
 #include "records/records.h"
 
@@ -47,7 +48,7 @@ struct Measurement {
   std::string kind, unit;
   double value = 0;
   std::optional<double> uncertainty;  ///< half of the 95 % interval, in the unit
-  std::string method = "program";     ///< program, scale, calliper, estimate
+  std::string method = "program";     ///< program, scale, calliper, estimate, imported
   store::PersonRow by;
   std::string model_sha256;
 };
@@ -95,6 +96,7 @@ struct FieldChange {
   Confirmation confirmation = Confirmation::None;
   /// What the field has to hold still, else the change is refused; none: anything.
   std::optional<std::string> expected = std::nullopt;
+  std::string method = {};  ///< Measurement::method; empty: as the kind is usually measured by hand
 };
 /// What a change would do.
 struct ChangePreview {
@@ -119,5 +121,7 @@ struct Term {
   std::map<std::string, std::string> labels;  ///< language -> word
   std::string uri;
 };
+/// That `typed` is none of these, with the first of them in each language that has labels.
+Message notATerm(const std::string& typed, const std::vector<Term>& vocabulary);
 
 }  // namespace ostraka::records

@@ -177,6 +177,30 @@ Result<int> Numbers::next(const std::string& counter, int first, int last) const
       [&] { return static_cast<int>(nextOf(*database_, counter, first, last)); });
 }
 
+Result<std::vector<std::string>> Numbers::similar(store::SherdRow sherd,
+                                                  const std::string& number) const {
+  return database_->asResult([&] {
+    auto numbers = database_
+                       ->sql("SELECT number FROM sherd WHERE number_sort = ? AND row IS NOT ?",
+                             store::sortKey(number), sherd)
+                       .all<std::string>();
+    std::erase_if(numbers, [&](const std::string& other) {
+      return store::uniqueKey(other) == store::uniqueKey(number);
+    });
+    return numbers;
+  });
+}
+
+Result<Message> Numbers::doubt(store::SherdRow sherd, const std::string& number) const {
+  const Result<std::vector<std::string>> numbers = similar(sherd, number);
+  if (!numbers) return numbers.error();
+  if (number.empty() || numbers->empty()) return Message();
+  return message(
+      "The number %1 differs from the existing number %2 only in leading zeros, letter case or "
+      "punctuation; check which one is meant.",
+      number, numbers->front());
+}
+
 Result<std::vector<int>> Numbers::gaps(store::ContextRow context) const {
   return database_->asResult([&] {
     std::vector<int> gaps;

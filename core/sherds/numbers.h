@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/message.h"
 #include "base/result.h"
 #include "catalogue/subject.h"
 #include "records/records.h"
@@ -22,6 +23,11 @@ class Numbers : public catalogue::Subject {
   /// The next running number of a count (records::Numbering::counter) within first..last; not
   /// reserved.
   Result<int> next(const std::string& counter, int first, int last) const;
+  /// Of other sherds, those that people read as this one: they differ in leading zeros, letter case
+  /// or punctuation at most (store::sortKey). The number itself is none of them.
+  Result<std::vector<std::string>> similar(store::SherdRow, const std::string& number) const;
+  /// What to look at again before the sherd gets this number; empty: nothing.
+  Result<Message> doubt(store::SherdRow, const std::string& number) const;
   /// Numbers below the highest that were never given.
   Result<std::vector<int>> gaps(store::ContextRow) const;
 };

@@ -160,9 +160,8 @@ class Examination {
       }
     const auto found = known.find(store::uniqueKey(typed));
     if (found != known.end()) return found->second;
-    refuse(message(
-        "'%1' is not a term of the vocabulary '%2'; choose another or add it in the settings.",
-        typed, vocabulary));
+    refuse(records::notATerm(
+        typed, store::valueOrThrow(catalogue::Settings(catalogue_).vocabulary(vocabulary))));
   }
 
   void terms(const std::string& vocabulary, std::string& value) {
@@ -377,7 +376,8 @@ Batch examine(const catalogue::Catalogue& catalogue, std::span<const records::Fi
   return all;
 }
 
-std::string methodOf(const std::string& kind) {
+std::string methodOf(const std::string& kind, const records::FieldChange& change) {
+  if (!change.method.empty()) return change.method;
   if (kind == "weight") return "scale";
   return kind.starts_with("rim_") ? "estimate" : "calliper";
 }
@@ -408,10 +408,16 @@ void write(const catalogue::Catalogue& catalogue, const Examined& change,
     if (value.empty())
       clearMeasure(catalogue, row, kind, provenance);
     else
-      typeMeasure(
-          catalogue,
-          {row, kind, {}, change.number, change.uncertainty, methodOf(kind), provenance.person, {}},
-          provenance);
+      typeMeasure(catalogue,
+                  {row,
+                   kind,
+                   {},
+                   change.number,
+                   change.uncertainty,
+                   methodOf(kind, change.shown.change),
+                   provenance.person,
+                   {}},
+                  provenance);
     return;  // its history is written with the measurement
   } else if (change.column->field.kind == records::FieldKind::Joins) {
     setJoins(catalogue, row, change.joins);

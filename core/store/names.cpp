@@ -73,9 +73,27 @@ std::string plainKey(std::string_view text) {
   return narrow(plain);
 }
 
+namespace {
+
+// A-1, A/1 and A – 1 are "A-1".
+std::string withOneMark(std::string_view text) {
+  icu::UnicodeString out;
+  const icu::UnicodeString letters = wide(text);
+  for (int32_t i = 0; i < letters.length(); ++i) {
+    const char16_t letter = letters[i];
+    if (u_isalnum(letter) || U16_IS_SURROGATE(letter) || (U_GET_GC_MASK(letter) & U_GC_M_MASK))
+      out += letter;
+    else if (out.isEmpty() || out[out.length() - 1] != u'-')
+      out += u'-';
+  }
+  return narrow(out);
+}
+
+}  // namespace
+
 std::string sortKey(std::string_view text) {
   // A run of digits is written with its length in front: longer runs are larger numbers.
-  const std::string key = uniqueKey(text);
+  const std::string key = withOneMark(uniqueKey(text));
   std::string out;
   for (std::size_t i = 0; i < key.size();) {
     if (std::isdigit(static_cast<unsigned char>(key[i])) == 0) {

@@ -13,7 +13,8 @@ std::string composed(std::string_view text);
 std::string uniqueKey(std::string_view text);
 /// Letters and digits alone, small, without accents: "Épaisseur (max.)" is "epaisseurmax".
 std::string plainKey(std::string_view text);
-/// Orders 9 before 10 and A2 before A10, capitals with small letters.
+/// Orders 9 before 10 and A2 before A10, capitals with small letters. What people read as one
+/// number has one key: leading zeros and which marks stand between its parts make no difference.
 std::string sortKey(std::string_view text);
 /// A file's name: letters, digits, '-', '.' and '_'; everything else becomes '_'. Never empty,
 /// never hidden, no '%', no line break; a name that Windows keeps for a device, and one that ends

@@ -140,8 +140,27 @@ bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Without what languages write between groups of three digits, as in 1 234 567,5: blanks, those
-// that do not break, too, and apostrophes. Not the point and the comma: 1.234 is not 1234.
+// 1.204,5 and 1,204.5: the mark that the other one follows stands between groups of three digits.
+// One mark alone is the decimal one: 1.204 is not 1204.
+std::string withoutGroupMarks(const std::string& text) {
+  const std::size_t decimal = text.find_last_of(".,");
+  if (decimal == std::string::npos) return text;
+  const char group = text[decimal] == '.' ? ',' : '.';
+  std::string whole = text.substr(0, decimal);
+  std::size_t end = decimal;
+  for (std::size_t at = whole.rfind(group); at != std::string::npos; at = whole.rfind(group)) {
+    if (end - at != 4) return text;
+    whole.erase(at, 1);
+    end = at;
+  }
+  if (end == decimal) return text;
+  const std::size_t first = whole.find_first_not_of("+-");
+  if (first >= end || end - first > 3 || whole[first] == '0') return text;
+  return whole + '.' + text.substr(decimal + 1);
+}
+
+// Without what else languages write between groups of three digits, as in 1 234 567,5: blanks,
+// those that do not break, too, and apostrophes.
 std::string withoutGroups(const std::string& text) {
   constexpr std::string_view kMarks[] = {" ", "\u00A0", "\u2009", "\u202F", "'", "\u2019"};
   std::string out;
@@ -166,7 +185,7 @@ std::string withoutGroups(const std::string& text) {
 
 Result<double> parsedNumber(std::string_view typed) {
   const std::string whole = trimmed(typed);
-  std::string text = withoutGroups(whole);
+  std::string text = withoutGroupMarks(withoutGroups(whole));
   if (std::count(text.begin(), text.end(), ',') == 1 && text.find('.') == std::string::npos)
     text[text.find(',')] = '.';
   double value = 0;

@@ -20,7 +20,8 @@ Result<std::string> checkedDay(std::string_view text);
 Result<std::string> checkedEdtf(std::string_view text);
 /// 10YR 3/1, N 4/0.
 Result<std::string> checkedMunsell(std::string_view text);
-/// 12.5 or 12,5; finite. No thousands' marks.
+/// 12.5 or 12,5; finite. Groups of three digits, as in 1 204,5 or 1.204,5; of 1.204 alone, which is
+/// 1.204 here, readsOneWay says the doubt.
 Result<double> parsedNumber(std::string_view text);
 /// Shortest text that reads back as the same number, with a point.
 std::string numberText(double value);

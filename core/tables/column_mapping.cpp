@@ -30,6 +30,23 @@ constexpr const char* kBeside[] = {"model_file",      "image_file",       "drawi
                                    "mass_centre_z_mm"};
 constexpr const char* kByHand = "measured_by_hand";
 
+// What contexts and bags never have. Of pits and layers there are lengths, diameters and colours.
+constexpr const char* kOnlyOfSherds[] = {"part",
+                                         "ware",
+                                         "fabric",
+                                         "inclusions",
+                                         "manufacture",
+                                         "firing",
+                                         "surface_out",
+                                         "surface_in",
+                                         "decoration",
+                                         "joins",
+                                         "vessel",
+                                         "thickness_min_mm",
+                                         "thickness_mean_mm",
+                                         "thickness_max_mm",
+                                         "rim_pct"};
+
 template <class List>
 bool holds(const List& list, const std::string& name) {
   return std::find(std::begin(list), std::end(list), name) != std::end(list);
@@ -122,29 +139,50 @@ class Mapper {
   }
 
   Result<TableMapping> finish() {
-    mapping_.of_contexts = !namesSherds();
+    const std::string numbers = columnOfNumbers();
+    mapping_.of_contexts = numbers.empty();
     for (ColumnChoice& choice : mapping_.columns)  // exact names come before other languages
       if (choice.by == ChosenBy::Nobody) byExactName(choice);
     for (ColumnChoice& choice : mapping_.columns)
       if (choice.by == ChosenBy::Nobody) byName(choice);
-    if (mapping_.of_contexts && !(isTaken("site") && isTaken("context")))
-      return Error::unusable(
-          message("The table needs a column for the sherds' numbers, or columns for site and "
-                  "context (contexts); select them."),
-          where_);
+    if (mapping_.of_contexts) mapping_.missing = missing();
+    if (mapping_.missing.empty())
+      mapping_.kind =
+          mapping_.of_contexts
+              ? message("Read as a table of contexts and bags: no column has the sherds' numbers.")
+              : message("Read as a table of sherds: the column '%1' identifies them.", numbers);
     for (std::size_t i = 0; i < mapping_.columns.size(); ++i)
       if (Result<void> good = settle(mapping_.columns[i], i); !good) return good.error();
     return std::move(mapping_);
   }
 
  private:
-  bool namesSherds() const {
+  // Empty: none has numbers or uuids.
+  std::string columnOfNumbers() const {
     const auto& columns = mapping_.columns;
-    return std::any_of(columns.begin(), columns.end(), [](const ColumnChoice& choice) {
+    const auto found = std::find_if(columns.begin(), columns.end(), [](const ColumnChoice& choice) {
       const std::string field =
           choice.by == ChosenBy::Nobody ? fieldOfColumn(choice.column, false) : choice.field;
       return field == "number" || field == "uuid";
     });
+    return found == columns.end() ? std::string() : found->column;
+  }
+  Message missing() const {
+    // Else a sherd's weight would become its bag's.
+    for (const ColumnChoice& choice : mapping_.columns) {
+      if (choice.by != ChosenBy::Nobody) continue;
+      std::string field = fieldOfColumn(choice.column, false);
+      if (field.empty()) field = fieldOfColumn(nameAndUnit(choice.column).name, false);
+      if (holds(kOnlyOfSherds, field))
+        return message(
+            "No column has the sherds' numbers, but '%1' is a column of sherds; select the column "
+            "of numbers, or leave '%1' out if this is a table of contexts.",
+            choice.column);
+    }
+    if (isTaken("site") && isTaken("context")) return {};
+    return message(
+        "The table needs a column for the sherds' numbers, or columns for site and context "
+        "(contexts); select them.");
   }
   bool isTaken(const std::string& field) const {
     const auto& columns = mapping_.columns;

@@ -110,9 +110,22 @@ void addDifferences(std::vector<ChangedValue>& changed, const std::string& name,
       changed.push_back({name, now[i].name, then[i].value, now[i].value});
 }
 
-// What was there before, and is another now. Throws Refused.
+// Of a row: columns, and what is wrong with their values.
+using Faults = std::vector<std::pair<std::string, Message>>;
+
+// Whether it is good.
+template <class Value>
+bool checked(const Result<Value>& value, const char* column, Faults& faults) {
+  if (value) return true;
+  if (value.error().code != ErrorCode::UnusableInput) throw store::Refused(value.error());
+  faults.emplace_back(column, value.error().sentence());
+  return false;
+}
+
+// What was there before, and is another now. Throws Refused where the row cannot be looked at to
+// its end.
 std::vector<ChangedValue> enterRow(Catalogue& catalogue, Places& places, const Values& values,
-                                   const records::Provenance& provenance) {
+                                   const records::Provenance& provenance, Faults& faults) {
   catalogue::Places known(catalogue);
   const auto row =
       valueOrThrow(places.context(values.raw("site"), values.raw("trench"), values.raw("context")));
@@ -125,28 +138,38 @@ std::vector<ChangedValue> enterRow(Catalogue& catalogue, Places& places, const V
   values.text("note", context.note);
   const std::string closed = store::uniqueKey(values.raw("closed"));
   if (!closed.empty() && closed != "yes" && closed != "no" && closed != "<clear>")
-    store::refuse(message("The column 'closed' accepts only yes or no."));
+    faults.emplace_back("closed", message("The column 'closed' accepts only yes or no."));
   if (!closed.empty()) context.closed = closed == "yes";
   context.extra_json = values.extra(context.extra_json);
-  valueOrThrow(known.save(context, provenance));
+  if (!checked(store::checkedDay(context.excavated_on), "excavated_on", faults))
+    context.excavated_on = found.excavated_on;
+  if (!checked(store::checkedEdtf(context.date_edtf), "date_edtf", faults))
+    context.date_edtf = found.date_edtf;
+  checked(known.save(context, provenance), "context", faults);
   std::vector<ChangedValue> changed;
   addDifferences(changed, placeOf(context), found, context);
   const std::string number = values.raw("bag");
   if (number.empty()) return changed;
-  const auto bag_row = valueOrThrow(places.bag(row, number));
+  const Result<store::BagRow> bag_row = places.bag(row, number);
+  if (!checked(bag_row, "bag", faults)) return changed;
   const std::vector<records::BagRecord> bags = valueOrThrow(known.bags(row));
-  const records::BagRecord before = *std::ranges::find(bags, bag_row, &records::BagRecord::row);
+  const records::BagRecord before = *std::ranges::find(bags, *bag_row, &records::BagRecord::row);
   records::BagRecord bag = before;
   values.text("collected_on", bag.collected_on);
   values.text("storage", bag.storage);
-  valueOrThrow(values.number("weight_g", bag.weight_g));
+  if (!checked(store::checkedDay(bag.collected_on), "collected_on", faults))
+    bag.collected_on = before.collected_on;
+  checked(values.number("weight_g", bag.weight_g), "weight_g", faults);
   std::optional<double> count;
   if (bag.count_written) count = *bag.count_written;
-  valueOrThrow(values.number("count_written", count));
-  if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count)))
-    store::refuse(message("The column 'count_written' accepts only a whole number."));
+  checked(values.number("count_written", count), "count_written", faults);
+  if (count && (*count < 0 || *count > 1'000'000 || *count != static_cast<int>(*count))) {
+    faults.emplace_back("count_written",
+                        message("The column 'count_written' accepts only a whole number."));
+    count.reset();
+  }
   bag.count_written = count ? std::optional(static_cast<int>(*count)) : std::nullopt;
-  valueOrThrow(known.save(bag, provenance));
+  checked(known.save(bag, provenance), "bag", faults);
   addDifferences(changed, placeOf(context) + ", bag " + bag.number, before, bag);
   return changed;
 }
@@ -165,11 +188,10 @@ class ContextRows {
   }  // a table of contexts is there to make them
 
   Result<void> row(const CsvRow& row) {
+    Faults faults;
     for (std::size_t i = 0; i < row.values.size(); ++i)
-      if (const auto good = store::checkedText(row.values[i]); !good) {
-        refuse({row.line, table_.columns[i], row.values[i], good.error().what});
-        return {};
-      }
+      if (const auto good = store::checkedText(row.values[i]); !good)
+        faults.emplace_back(table_.columns[i], good.error().what);
     const Values values(table_, row, unclear_);
     const auto known =
         catalogue::Places(catalogue_)
@@ -178,14 +200,19 @@ class ContextRows {
     const std::int64_t before = History(catalogue_).length();
     std::vector<ChangedValue> changed_values;
     const Result<void> entered = catalogue_.together([&]() -> Result<void> {
-      changed_values = enterRow(catalogue_, places_, values, provenance_);
-      return {};
+      if (faults.empty())
+        changed_values = enterRow(catalogue_, places_, values, provenance_, faults);
+      return faults.empty() ? Result<void>() : Error::unusable(faults.front().second);
     });
     if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
     if (!entered) {
       places_.forget();
       places_.forgetMade();
-      refuse({row.line, "context", values.raw("context"), entered.error().sentence()});
+      if (faults.empty()) faults.emplace_back("context", entered.error().sentence());
+      ++report_.refused;
+      report_.rows.emplace_back(row.line, RowFate::Refused);
+      for (auto& [column, reason] : faults)
+        report_.refusals.push_back({row.line, column, values.raw(column), std::move(reason)});
       return {};
     }
     const bool changed = History(catalogue_).length() > before;
@@ -203,12 +230,6 @@ class ContextRows {
   std::vector<std::string> madePlaces() const { return {made_.begin(), made_.end()}; }
 
  private:
-  void refuse(Refusal refusal) {
-    ++report_.refused;
-    report_.rows.emplace_back(refusal.line, RowFate::Refused);
-    report_.refusals.push_back(std::move(refusal));
-  }
-
   Catalogue& catalogue_;
   const CsvTable& table_;
   const NumberRemarks& unclear_;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostRows = limits::kTableRows.most,
                       kMostColumns = limits::kTableColumns.most,
                       kMostField = limits::kTableFieldBytes.most;
-constexpr std::string_view kBom = "\xEF\xBB\xBF";
+constexpr std::string_view kBom = kUtf8Mark;
 constexpr std::string_view kFormulaStarts = "=+-@\t\r\n";
 
 std::string fromUtf16(std::string_view bytes, bool big_endian) {
@@ -64,6 +64,14 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
 std::string columnNamed(std::string_view written) {
   const std::string name = store::trimmed(written);
   return store::trimmed(std::string_view(name).substr(marksBefore(name)));
+}
+
+// Of a row that is too short there is nothing to leave out.
+void leaveOut(CsvTable& table, std::size_t column) {
+  const auto at = static_cast<std::ptrdiff_t>(column);
+  table.columns.erase(table.columns.begin() + at);
+  for (CsvRow& row : table.rows)
+    if (column < row.values.size()) row.values.erase(row.values.begin() + at);
 }
 
 // Of the three, the one that the header has most of, outside quotation marks.
@@ -178,13 +186,15 @@ Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where) {
     table.columns.push_back(columnNamed(column));
   rows->erase(rows->begin());
   table.rows = std::move(*rows);
+  for (std::size_t i = table.columns.size(); i > 0; --i)
+    if (table.columns[i - 1].starts_with(kRemarkColumn)) leaveOut(table, i - 1);
   return table;
 }
 
-std::string csvLine(const std::vector<std::string>& values) {
+std::string csvLine(const std::vector<std::string>& values, char separator) {
   std::string line;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (i > 0) line += ',';
+    if (i > 0) line += separator;
     // A row of one empty value would be an empty line, and a column's name full of semicolons would
     // be taken for many columns.
     const bool quote = values[i].find_first_of(",;\t\"\r\n") != std::string::npos ||

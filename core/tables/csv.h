@@ -17,13 +17,18 @@ struct CsvTable {
   char separator = ',';
 };
 
+/// Begins the name of a column of remarks in any language.
+constexpr const char* kRemarkColumn = "Ostraka: ";
+constexpr const char* kUtf8Mark = "\xEF\xBB\xBF";
+
 /// RFC 4180. UTF-8 with or without BOM, UTF-16 with BOM; the separator (, ; or tabulator) is taken
 /// from the header; line ends CRLF, LF or CR; empty lines are left out. At most 1,000,000 rows,
-/// 1,000 columns and 1 MB a field. A vertical tab in a value is a line end. Errors name the line.
+/// 1,000 columns and 1 MB a field. A vertical tab in a value is a line end. Columns with remarks of
+/// the program (kRemarkColumn) are left out. Errors name the line.
 Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where);
 
-/// Comma, CRLF; values with any separator, a quotation mark or a line end are quoted.
-std::string csvLine(const std::vector<std::string>& values);
+/// CRLF; values with any separator, a quotation mark or a line end are quoted.
+std::string csvLine(const std::vector<std::string>& values, char separator = ',');
 
 /// A spreadsheet takes a text that begins with = + - @ (or tab, CR, LF) for a formula: such texts,
 /// also behind quotes, get one ' more, which the import takes off again. Any text survives both.

@@ -10,6 +10,7 @@
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/measurements.h"
+#include "sherds/numbers.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
@@ -23,6 +24,9 @@
 
 namespace ostraka::tables {
 namespace {
+
+// How a value was measured that somebody else's table has, nobody here knows.
+constexpr const char* kImported = "imported";
 
 using catalogue::Catalogue;
 using records::Confirmation;
@@ -76,28 +80,33 @@ class Importing {
     const ImportRow& row = rows_[at];
     SherdRow entered;
     RowFate fate = RowFate::Same;
-    Refusal refusal{row.line, {}, {}, {}};
     done_.clear();
     undo_.clear();
+    faults_.clear();
     asks_ = false;
     const Result<void> done = catalogue_.together([&]() -> Result<void> {
-      entered = find(row, refusal);
+      entered = find(row);
       const bool fresh = !entered;
-      if (fresh) entered = add(row, refusal);
-      const bool changed = change(at, entered, fresh, refusal);
+      if (fresh) entered = add(row);
+      const bool changed = change(at, entered, fresh);
+      if (!faults_.empty()) return Error::unusable(faults_.front().reason);
       fate = fresh ? RowFate::Fresh : changed ? RowFate::Changed : RowFate::Same;
       return {};
     });
     if (!done && done.error().code != ErrorCode::UnusableInput) return done;
     if (!done) {
       places_.forget();
-      if (refusal.reason.empty()) refusal.reason = done.error().sentence();
-      (asks_ ? report_.questions : report_.refusals).push_back(std::move(refusal));
+      if (faults_.empty()) fault({}, {}, done.error().sentence());
+      for (Refusal& one : faults_) {
+        one.line = row.line;
+        (asks_ ? report_.questions : report_.refusals).push_back(std::move(one));
+      }
       ++(asks_ ? report_.asked : report_.refused);
       report_.rows.emplace_back(row.line, asks_ ? RowFate::Asked : RowFate::Refused);
       return {};
     }
     joins_.enteredAs(at, entered);
+    if (const Result<void> noted = noteSimilarNumbers(); !noted) return noted;
     report_.rows.emplace_back(row.line, fate);
     ++(fate == RowFate::Fresh     ? report_.fresh
        : fate == RowFate::Changed ? report_.changed
@@ -109,7 +118,13 @@ class Importing {
     return {};
   }
 
-  Result<void> tellLostJoins() {
+  // Once all rows are entered.
+  Result<void> tellWhatToCheck() {
+    if (!similar_.empty())
+      report_.warnings.push_back(
+          message("New numbers differ from existing ones only in leading zeros, letter case or "
+                  "punctuation: %1; check for typos.",
+                  joined(similar_, ", ")));
     const Result<std::vector<std::string>> lost = joins_.lost(catalogue_);
     if (!lost) return lost.error();
     if (!lost->empty())
@@ -121,55 +136,72 @@ class Importing {
   }
 
  private:
-  // What follows is within the row's transaction: throws Refused.
-  [[noreturn]] static void refuse(Refusal& refusal, std::string column, std::string value,
-                                  Message reason) {
-    refusal.column = std::move(column);
-    refusal.value = std::move(value);
-    refusal.reason = reason;
-    store::refuse(std::move(reason));
+  // "007 (0007)"; also of two rows of this table.
+  Result<void> noteSimilarNumbers() {
+    constexpr std::size_t kMostNamed = 10;
+    for (const FieldChange& change : undo_) {
+      const std::string number = change.expected.value_or("");
+      if (change.field != "number" || number.empty() || similar_.size() > kMostNamed) continue;
+      const auto others = sherds::Numbers(catalogue_).similar(change.sherd, number);
+      if (!others) return others.error();
+      if (others->empty()) continue;
+      similar_.push_back(similar_.size() == kMostNamed ? "\u2026"
+                                                       : number + " (" + others->front() + ")");
+    }
+    return {};
   }
 
-  SherdRow find(const ImportRow& row, Refusal& refusal) {
+  // The row goes on to be looked at, so that a person sees at once all that is wrong with it; one
+  // fault a value. The parts of a place are one value: they are wrong together.
+  void fault(const std::string& column, const std::string& value, Message reason) {
+    const auto isPlace = [](const std::string& name) {
+      const SherdField* field = sherds::sherdField(name);
+      return field && field->kind == FieldKind::Place;
+    };
+    const bool known = std::any_of(faults_.begin(), faults_.end(), [&](const Refusal& one) {
+      return one.column == column || (isPlace(one.column) && isPlace(column));
+    });
+    if (!known) faults_.push_back({0, column, value, std::move(reason)});
+  }
+
+  SherdRow find(const ImportRow& row) {
     const std::string number = valueOf(row, "number"), uuid = valueOf(row, "uuid");
     if (number.empty() && uuid.empty())
-      refuse(refusal, "number", "", message("The row has neither a number nor a uuid."));
+      fault("number", "", message("The row has neither a number nor a uuid."));
     for (const auto& [column, value] : {std::pair("number", number), std::pair("uuid", uuid)})
       if (const auto same = lines_.find({column, store::uniqueKey(value)});
           same != lines_.end() && same->second.size() > 1)
-        refuse(refusal, column, value, inTheLines(same->second));
+        fault(column, value, inTheLines(same->second));
     SherdRow by_uuid, by_number;
-    if (!uuid.empty()) {
-      if (!isUuid(uuid)) refuse(refusal, "uuid", uuid, message("Not a uuid."));
-      by_uuid = valueOrThrow(sherds::Sherds(catalogue_).byId(uuid));
-    }
+    if (!uuid.empty() && !isUuid(uuid)) fault("uuid", uuid, message("Not a uuid."));
+    if (isUuid(uuid)) by_uuid = valueOrThrow(sherds::Sherds(catalogue_).byId(uuid));
     if (!number.empty()) by_number = valueOrThrow(sherds::Sherds(catalogue_).byNumber(number));
-    if (by_number && !uuid.empty() && by_uuid != by_number)
-      refuse(refusal, "number", number,
-             message("The number and the uuid belong to different sherds."));
+    if (by_number && isUuid(uuid) && by_uuid != by_number)
+      fault("number", number, message("The number and the uuid belong to different sherds."));
     return by_uuid ? by_uuid : by_number;
   }
 
-  SherdRow add(const ImportRow& row, Refusal& refusal) {
+  SherdRow add(const ImportRow& row) {
     if (valueOf(row, "context").empty() && !valueOf(row, "number").empty())
-      refuse(refusal, "context", "", message("A new sherd needs its context."));
+      fault("context", "", message("A new sherd needs its context."));
     SherdRecord record;
-    record.id = store::uniqueKey(valueOf(row, "uuid"));
+    if (const std::string uuid = valueOf(row, "uuid"); isUuid(uuid))
+      record.id = store::uniqueKey(uuid);
     record.batch = row.batch;
     return valueOrThrow(sherds::Sherds(catalogue_).add(record, provenance_));
   }
 
-  bool change(std::size_t at, SherdRow sherd, bool fresh, Refusal& refusal) {
+  bool change(std::size_t at, SherdRow sherd, bool fresh) {
     const ImportRow& row = rows_[at];
     if (makes_places_) {
       const std::string site = valueOf(row, "site"), context = valueOf(row, "context");
       if (!site.empty() && !context.empty()) {
         const auto place = places_.context(site, valueOf(row, "trench"), context);
-        if (!place) refuse(refusal, "context", context, place.error().sentence());
+        if (!place) fault("context", context, place.error().sentence());
         const std::string bag = valueOf(row, "bag");
-        if (!bag.empty())
+        if (place && !bag.empty())
           if (const auto made = places_.bag(*place, bag); !made)
-            refuse(refusal, "bag", bag, made.error().sentence());
+            fault("bag", bag, made.error().sentence());
       }
     }
     const SherdRecord now = valueOrThrow(sherds::Sherds(catalogue_).get(sherd));
@@ -189,12 +221,14 @@ class Importing {
       if (field && field->kind == FieldKind::Number && !before.empty() &&
           showsInTable(value, *store::parsedNumber(before)))
         continue;
-      if (const auto unclear = row.unclear.find(name); unclear != row.unclear.end())
-        refuse(refusal, name, value, unclear->second);
+      if (const auto unclear = row.unclear.find(name); unclear != row.unclear.end()) {
+        fault(name, value, unclear->second);
+        continue;
+      }
       const bool by_program =
           field && field->kind == FieldKind::Number && row.by_hand && !row.by_hand->contains(name);
       if (by_program && fresh && store::parsedNumber(value)) {
-        measureByProgram({sherd, name, value}, refusal);
+        measureByProgram({sherd, name, value});
         continue;
       }
       if (by_program && !fresh) {  // a table of before the latest computation
@@ -205,31 +239,20 @@ class Importing {
           continue;
       }
       const std::string own = field ? name : name.starts_with("extra.") ? name : "extra." + name;
-      if (value != sherds::textOf(now, own)) changes.push_back({sherd, own, value, confirmation});
+      if (value != sherds::textOf(now, own))
+        changes.push_back({sherd, own, value, confirmation, std::nullopt, kImported});
     }
     const auto joins = joins_.of(at, now, catalogue_);
-    if (!joins) refuse(refusal, "joins", valueOf(row, "joins"), joins.error().sentence());
-    if (*joins && std::set((*joins)->begin(), (*joins)->end()) !=
-                      std::set(now.joins.begin(), now.joins.end())) {
+    if (!joins) fault("joins", valueOf(row, "joins"), joins.error().sentence());
+    if (joins && *joins &&
+        std::set((*joins)->begin(), (*joins)->end()) !=
+            std::set(now.joins.begin(), now.joins.end())) {
       std::vector<std::string> ids;
       for (const SherdRecord& other : valueOrThrow(sherds::Sherds(catalogue_).of(**joins)))
         ids.push_back(other.id);
       changes.push_back({sherd, "joins", store::joinTerms(ids)});
     }
-    bool changed = false;
-    if (!changes.empty()) {
-      const Result<std::vector<FieldChange>> undo =
-          sherds::SherdChanges(catalogue_).apply(changes, provenance_);
-      if (!undo) refuseNamed(changes, row, undo.error(), refusal);
-      if (!confirmed)
-        if (const FieldChange* doubted = doubtedOf(*undo, row); doubted != nullptr) {
-          asks_ = true;
-          refuse(refusal, doubted->field, row.values.at(doubted->field), questionOf(*undo, row));
-        }
-      changed = !undo->empty();
-      done_ = std::move(changes);
-      undo_ = *undo;
-    }
+    bool changed = !changes.empty() && enter(std::move(changes), row, confirmed);
     for (const auto& [measurement, initials] : row.measured) {
       records::Measurement m = measurement;
       m.sherd = sherd;
@@ -239,25 +262,44 @@ class Importing {
       const auto before = now.measures.find(m.kind);
       changed |= before == now.measures.end() || before->second != m.value;
       if (const Result<void> done = sherds::Measurements(catalogue_).add(m, by); !done)
-        refuse(refusal, m.kind, {}, done.error().sentence());
+        fault(m.kind, {}, done.error().sentence());
     }
     return changed;
   }
 
-  // Of what would change; what stays as it was is not asked about.
-  static const FieldChange* doubtedOf(const std::vector<FieldChange>& changes,
-                                      const ImportRow& row) {
-    const auto found = std::find_if(changes.begin(), changes.end(), [&](const FieldChange& change) {
-      return row.doubtful.contains(change.field);
-    });
-    return found == changes.end() ? nullptr : &*found;
-  }
-  static Message questionOf(const std::vector<FieldChange>& changes, const ImportRow& row) {
-    Message question;
-    for (const FieldChange& change : changes)
-      if (const auto doubt = row.doubtful.find(change.field); doubt != row.doubtful.end())
-        question = question.empty() ? doubt->second : inOne(question, doubt->second);
-    return question;
+  // Whether anything is another now; else what is wrong with each of them.
+  bool enter(std::vector<FieldChange> changes, const ImportRow& row, bool confirmed) {
+    std::optional<Error> failed;
+    if (faults_.empty()) {
+      const auto undo = sherds::SherdChanges(catalogue_).apply(changes, provenance_);
+      if (undo) {
+        // Of what would change; what stays as it was is not asked about.
+        for (auto change = undo->rbegin(); change != undo->rend() && !confirmed; ++change)
+          if (const auto doubt = row.doubtful.find(change->field); doubt != row.doubtful.end())
+            fault(change->field, row.values.at(change->field), doubt->second);
+        asks_ = !faults_.empty();
+        done_ = std::move(changes);
+        undo_ = *undo;
+        return !undo->empty();
+      }
+      failed = undo.error();
+    }
+    const auto shown = valueOrThrow(sherds::SherdChanges(catalogue_).preview(changes));
+    for (const records::ChangePreview& change : shown)
+      if (!change.refusal.empty()) fault(change.change.field, change.change.value, change.refusal);
+    if (!faults_.empty()) return false;
+    for (const records::ChangePreview& change : shown) {
+      const auto doubt = row.doubtful.find(change.change.field);
+      const bool doubted = doubt != row.doubtful.end() && change.old_value != change.new_value;
+      if (change.asks())
+        fault(change.change.field, change.change.value,
+              doubted ? inOne(change.question, doubt->second) : change.question);
+      else if (doubted)
+        fault(change.change.field, change.change.value, doubt->second);
+    }
+    asks_ = !faults_.empty();
+    if (!asks_) throw store::Refused(*failed);
+    return false;
   }
 
   static std::string kindOf(const std::string& field) {  // rim_pct, beside length_mm
@@ -265,12 +307,12 @@ class Importing {
   }
 
   // Computed where the table comes from: it gives way to what is computed or measured here.
-  void measureByProgram(const FieldChange& number, Refusal& refusal) {
+  void measureByProgram(const FieldChange& number) {
     const auto shown =
         valueOrThrow(sherds::SherdChanges(catalogue_)
                          .preview(std::span(&number, 1)));  // as strict as with typed ones
     if (!shown.front().refusal.empty())
-      refuse(refusal, number.field, number.value, shown.front().refusal);
+      return fault(number.field, number.value, shown.front().refusal);
     records::Measurement m;
     m.sherd = number.sherd;
     m.kind = kindOf(number.field);
@@ -290,24 +332,6 @@ class Importing {
     return {};
   }
 
-  // Which column it was.
-  [[noreturn]] void refuseNamed(const std::vector<FieldChange>& changes, const ImportRow& row,
-                                const Error& error, Refusal& refusal) {
-    const auto shown = sherds::SherdChanges(catalogue_).preview(changes);
-    if (!shown) throw store::Refused(error);
-    for (const records::ChangePreview& change : *shown)
-      if (!change.refusal.empty())
-        refuse(refusal, change.change.field, change.change.value, change.refusal);
-    for (const records::ChangePreview& change : *shown)
-      if (change.asks()) {
-        asks_ = true;
-        const Message more = questionOf(changes, row);
-        refuse(refusal, change.change.field, change.change.value,
-               more.empty() ? change.question : inOne(change.question, more));
-      }
-    throw store::Refused(error);
-  }
-
   Catalogue& catalogue_;
   const std::vector<ImportRow>& rows_;
   TableJoins joins_;
@@ -315,9 +339,11 @@ class Importing {
   bool makes_places_;
   const ImportOptions& options_;
   const Provenance& provenance_;
-  bool asks_ = false;  ///< the present row is not refused: a person may confirm it
+  std::vector<Refusal> faults_;  ///< of the present row
+  bool asks_ = false;            ///< it is not refused: a person may confirm it
   ImportReport& report_;
   std::vector<FieldChange> done_, undo_;  ///< of the present row
+  std::vector<std::string> similar_;      ///< numbers, each with the one that it resembles
   /// Of the rows that have this number or uuid.
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines_;
   std::map<std::string, store::PersonRow> persons_;
@@ -345,7 +371,7 @@ Result<ImportReport> importSherds(Catalogue& catalogue, const std::vector<Import
   const Result<std::size_t> entered = enterInPortions(
       catalogue, rows.size(), options, progress, stop, [&](std::size_t i) -> Result<void> {
         Result<void> done = importing.row(i);
-        return done && i + 1 == rows.size() ? importing.tellLostJoins() : done;
+        return done && i + 1 == rows.size() ? importing.tellWhatToCheck() : done;
       });
   if (!entered) return entered.error();
   std::reverse(report.undo.begin(), report.undo.end());

@@ -1,6 +1,8 @@
 #include "tables/import_table.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <set>
 
 #include "base/message.h"
@@ -53,27 +55,43 @@ std::vector<ImportRow> sherdRowsOf(const CsvTable& table, const NumberRemarks& u
 }
 
 // Takes out the rows that do not fit the header.
-std::vector<Refusal> takeBroken(CsvTable& table) {
-  std::vector<Refusal> broken;
-  std::erase_if(table.rows, [&](const CsvRow& row) {
-    if (row.values.size() == table.columns.size()) return false;
-    broken.push_back({row.line,
-                      {},
-                      {},
-                      message("Values in the row: %1, columns in the header: %2; correct the row.",
-                              row.values.size(), table.columns.size())});
-    return true;
-  });
+std::vector<CsvRow> takeBroken(CsvTable& table) {
+  const auto first = std::stable_partition(
+      table.rows.begin(), table.rows.end(),
+      [&](const CsvRow& row) { return row.values.size() == table.columns.size(); });
+  std::vector<CsvRow> broken(std::make_move_iterator(first),
+                             std::make_move_iterator(table.rows.end()));
+  table.rows.erase(first, table.rows.end());
   return broken;
 }
 
-void addBroken(ImportReport& report, const std::vector<Refusal>& broken) {
+void addBroken(ImportReport& report, const std::vector<CsvRow>& broken, std::size_t columns) {
   report.refused += static_cast<int>(broken.size());
-  for (const Refusal& refusal : broken) report.rows.emplace_back(refusal.line, RowFate::Refused);
+  for (const CsvRow& row : broken) {
+    report.rows.emplace_back(row.line, RowFate::Refused);
+    report.refusals.push_back(
+        {row.line,
+         {},
+         {},
+         message("Values in the row: %1, columns in the header: %2; correct the row.",
+                 row.values.size(), columns)});
+  }
   std::sort(report.rows.begin(), report.rows.end());
-  report.refusals.insert(report.refusals.end(), broken.begin(), broken.end());
   std::stable_sort(report.refusals.begin(), report.refusals.end(),
                    [](const Refusal& a, const Refusal& b) { return a.line < b.line; });
+}
+
+// The refused and the asked rows of the table, as it has them.
+CsvTable leftOut(const CsvTable& table, std::vector<CsvRow> broken, const ImportReport& report) {
+  std::set<int> lines;
+  for (const auto* list : {&report.refusals, &report.questions})
+    for (const Refusal& refusal : *list) lines.insert(refusal.line);
+  CsvTable rows{table.columns, std::move(broken), table.separator};
+  std::copy_if(table.rows.begin(), table.rows.end(), std::back_inserter(rows.rows),
+               [&](const CsvRow& row) { return lines.contains(row.line); });
+  std::sort(rows.rows.begin(), rows.rows.end(),
+            [](const CsvRow& a, const CsvRow& b) { return a.line < b.line; });
+  return rows;
 }
 
 // A refusal names the column as the table does.
@@ -110,9 +128,16 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
   if (Result<void> good = checkColumns(*table, where); !good) return good.error();
   const Result<TableMapping> mapping = mapColumns(catalogue, *table, options.columns, where);
   if (!mapping) return mapping.error();
+  if (!mapping->missing.empty()) {
+    ImportReport nothing;
+    nothing.mapping = *mapping;
+    return nothing;
+  }
+  Provenance from_file = provenance;
+  if (from_file.why.empty()) from_file.why = std::filesystem::path(where).filename().string();
   ImportOptions named = options;
   if (named.source.empty()) named.source = where;
-  const std::vector<Refusal> broken = takeBroken(*table);
+  std::vector<CsvRow> broken = takeBroken(*table);
   const bool guessed = std::any_of(mapping->columns.begin(), mapping->columns.end(),
                                    [](const ColumnChoice& choice) { return choice.unit_guessed; });
   const bool held = guessed && options.guessed_units == GuessedUnits::Hold;
@@ -121,10 +146,11 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
   const CsvTable own = mapped(*table, *mapping, unclear);
   Result<ImportReport> report =
       mapping->of_contexts
-          ? importContexts(catalogue, own, unclear, named, provenance, progress, stop)
-          : importSherds(catalogue, sherdRowsOf(own, unclear), named, provenance, progress, stop);
+          ? importContexts(catalogue, own, unclear, named, from_file, progress, stop)
+          : importSherds(catalogue, sherdRowsOf(own, unclear), named, from_file, progress, stop);
   if (!report) return report;
-  addBroken(*report, broken);
+  addBroken(*report, broken, table->columns.size());
+  report->left_out = leftOut(*table, std::move(broken), *report);
   nameColumns(report->refusals, *mapping);
   nameColumns(report->questions, *mapping);
   for (const ColumnChoice& choice : mapping->columns)
@@ -134,15 +160,6 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
     if (Result<void> saved = rememberColumns(catalogue, *mapping); !saved) return saved.error();
   report->mapping = *mapping;
   return report;
-}
-
-std::string refusalsCsv(const ImportReport& report) {
-  std::string text = csvLine({"line", "column", "value", "reason"});
-  for (const auto* list : {&report.refusals, &report.questions})
-    for (const Refusal& refusal : *list)
-      text += csvLine({std::to_string(refusal.line), guarded(refusal.column),
-                       guarded(refusal.value), refusal.reason.english()});
-  return text;
 }
 
 }  // namespace ostraka::tables

@@ -69,6 +69,7 @@ struct ImportReport {
   std::vector<Refusal> refusals, questions;
   std::vector<Message> warnings;
   TableMapping mapping = {};  ///< of a table
+  CsvTable left_out = {};     ///< its refused and asked rows, as it has them
   bool held = false;          ///< nothing is entered before a person states the guessed units
   std::vector<std::pair<int, RowFate>> rows;  ///< line of a table, and what becomes of it
   /// Of sherds that were there before: what is changed, and what takes it back, in order.
@@ -87,8 +88,10 @@ Result<ImportReport> importSherds(catalogue::Catalogue& catalogue,
 
 /// A table of sherds (a column has their numbers or uuids) or of contexts (site, trench, context,
 /// bag ...), as CSV; its columns go where mapColumns says, which is remembered once they entered.
-/// Entering is only a preview (ImportReport::held) while a unit is guessed and nobody has seen it.
-/// Errors: what parseCsv and mapColumns refuse, a column that is there twice.
+/// The history names the file (Provenance::why). No row is looked at while TableMapping::missing
+/// asks for a column, and entering is only a preview (ImportReport::held) while a unit is guessed
+/// and nobody has seen it. Errors: what parseCsv and mapColumns refuse, a column that is there
+/// twice.
 Result<ImportReport> importTable(catalogue::Catalogue& catalogue, std::string_view bytes,
                                  const std::string& where, const ImportOptions& options,
                                  const records::Provenance& provenance, Progress& progress,
@@ -102,9 +105,6 @@ struct UnfinishedImport {
 /// One for each source, the latest last, until it is imported to its end or forgotten.
 std::vector<UnfinishedImport> unfinishedImports(const catalogue::Catalogue& catalogue);
 Result<void> forgetUnfinishedImports(catalogue::Catalogue& catalogue);
-
-/// line, column, value, reason: to be mended in a spreadsheet. Refused rows, then asked ones.
-std::string refusalsCsv(const ImportReport& report);
 
 /// Runs `work` as one transaction that a preview takes back.
 Result<void> previewOrEnter(catalogue::Catalogue& catalogue, ImportMode mode,

@@ -219,7 +219,7 @@ CREATE TABLE measurement (
   person INTEGER REFERENCES person, sherd INTEGER NOT NULL REFERENCES sherd,
   kind TEXT NOT NULL, value REAL NOT NULL CHECK (value >= 0),
   unit TEXT NOT NULL CHECK (unit IN ('mm', 'mm2', 'mm3', 'g', 'deg', 'pct')), uncertainty REAL,
-  method TEXT NOT NULL CHECK (method IN ('program', 'scale', 'calliper', 'estimate')),
+  method TEXT NOT NULL CHECK (method IN ('program', 'scale', 'calliper', 'estimate', 'imported')),
   model_sha256 TEXT NOT NULL DEFAULT '', replaces INTEGER REFERENCES measurement,
   current INTEGER NOT NULL DEFAULT 1
 ) STRICT;

@@ -3,6 +3,7 @@
 
 #include "intake/sherd_moves.h"
 #include "records/sherd.h"
+#include "sherds/numbers.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
 #include "sherds/typed_numbers.h"
@@ -46,6 +47,11 @@ void CatalogueScreen::saveField(const QString& field, const QString& value) {
   }
   if (shown.asks())
     return details_->ask(field, value, questionWords(shown.findings), confirmWords(shown.findings));
+  if (change.field == "number" && shown.old_value != shown.new_value)
+    if (const auto doubt = sherds::Numbers(catalogue).doubt(change.sherd, change.value);
+        doubt && !doubt->empty())
+      return details_->ask(field, QString::fromStdString(change.value), wordsOf(*doubt),
+                           confirmWords({}));
   const bool voids =
       change.field == "void_reason" && !shown.new_value.empty() && shown.old_value.empty();
   if (voids) {

@@ -149,6 +149,7 @@ QString methodLabel(const std::string& method) {
   if (method == "scale") return tr("on a scale");
   if (method == "calliper") return tr("with a calliper");
   if (method == "estimate") return tr("estimated");
+  if (method == "imported") return tr("imported");
   return tr("by the program");
 }
 

@@ -405,7 +405,9 @@ void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
                     .arg(label, old_value, new_value.isEmpty() ? tr("nothing") : new_value);
       auto* item = new QTreeWidgetItem(
           history_, {when(entry.at_ms), people.value(entry.by.value, tr("program")), what});
-      item->setToolTip(2, what);  // a narrow column cuts it off
+      // A narrow column cuts it off; below it the reason, or the file of an import.
+      const QString why = QString::fromStdString(entry.why);
+      item->setToolTip(2, why.isEmpty() ? what : what + QLatin1Char('\n') + why);
     }
   fitHeight(history_);
 }

@@ -84,7 +84,9 @@ QWidget* ColumnTable::fieldBox(int row, const tables::ColumnChoice& choice, bool
   box->setAccessibleName(tr("Field of the column %1").arg(QString::fromStdString(choice.column)));
   box->addItem(tr("skip"), QString());
   box->addItem(tr("own field: %1").arg(ownField(choice).mid(6)), ownField(choice));
-  for (const std::string& field : tables::fieldsOfTables(of_contexts))
+  std::vector<std::string> fields = tables::fieldsOfTables(of_contexts);
+  if (of_contexts) fields.insert(fields.begin(), "number");  // then it is a table of sherds
+  for (const std::string& field : fields)
     box->addItem(fieldLabel(field), QString::fromStdString(field));
   if (box->findData(QString::fromStdString(choice.field)) < 0)
     box->addItem(QString::fromStdString(choice.field), QString::fromStdString(choice.field));

@@ -16,6 +16,7 @@
 #include "ui/tables/column_table.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/page_acts.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -50,6 +51,12 @@ QIcon iconOf(tables::RowFate fate) {
       break;
   }
   return icon("check");
+}
+
+// A line on which kind of table it is taken for; none of an export folder.
+QString kindOf(const ImportModel& model) {
+  const QString kind = model.report() ? wordsOf(model.report()->mapping.kind) : QString();
+  return kind.isEmpty() ? QString() : QLatin1Char('\n') + kind;
 }
 
 }  // namespace
@@ -149,8 +156,8 @@ void ImportDialog::saveRefusals() {
   const QString file = QFileDialog::getSaveFileName(this, tr("Save rejected rows"),
                                                     tr("rejected.csv"), tr("Tables (*.csv)"));
   if (file.isEmpty()) return;
-  const QString why = model_.saveRefusals(file);
-  problem_->setText(why.isEmpty() ? tr("Saved: %1").arg(file) : why);
+  const Result<QString> saved = model_.saveRefusals(file);
+  problem_->setText(saved ? tr("Saved: %1").arg(*saved) : sentenceOf(saved.error()));
   problem_->show();
 }
 
@@ -215,7 +222,7 @@ void ImportDialog::refresh() {
                        ? tr("A table of sherds has a column with their numbers; one of contexts "
                             "has columns for site and context. Their names may be in any of the "
                             "program's languages.")
-                       : model_.source());
+                       : model_.source() + kindOf(model_));
   {
     const QSignalBlocker quiet(places_);
     places_->setChecked(model_.makesPlaces());
@@ -253,7 +260,7 @@ void ImportDialog::refresh() {
   }
   bar_->setVisible(works);
   bar_->setValue(qRound(1000 * model_.fraction()));
-  refusals_->setVisible(model_.report() && model_.report()->refused > 0);
+  refusals_->setVisible(model_.report() && model_.report()->refused + model_.report()->asked > 0);
   const int asked = model_.report() ? model_.report()->asked : 0;
   confirm_->setVisible(asked > 0 && state == State::Ready);
   confirm_->setText(tr("Confirm %n row(s)", nullptr, asked));

@@ -7,11 +7,13 @@
 #include <memory>
 
 #include "base/limits.h"
+#include "base/message.h"
 #include "exchange/read_back.h"
 #include "files/files.h"
 #include "files/output_place.h"
 #include "records/records.h"
 #include "tables/csv.h"
+#include "tables/refused_rows.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
 #include "ui/words/sentence.h"
@@ -122,7 +124,8 @@ void ImportModel::setColumn(int column, const QString& field, const QString& uni
   choice.field = field.toStdString();
   choice.unit = unit.toStdString();
   choice.unit_guessed = choice.unit_idle = false;  // now a person says it
-  for (tables::ColumnChoice& other : chosen_)      // the field is this column's now
+  choice.by = tables::ChosenBy::Person;
+  for (tables::ColumnChoice& other : chosen_)  // the field is this column's now
     if (&other != &choice && !choice.field.empty() && other.field == choice.field) {
       other.field = "extra." + other.column;
       other.unit.clear();
@@ -130,6 +133,11 @@ void ImportModel::setColumn(int column, const QString& field, const QString& uni
   // A unit that was guessed for others is guessed again.
   for (tables::ColumnChoice& other : chosen_)
     if (&other != &choice && other.unit_guessed) other.unit.clear();
+  // Of a table that was taken for none the others are proposed anew: it may be another kind now.
+  if (!report_->mapping.missing.empty())
+    std::erase_if(chosen_, [](const tables::ColumnChoice& other) {
+      return other.by != tables::ChosenBy::Person;
+    });
   look();
 }
 
@@ -172,7 +180,8 @@ std::vector<ImportModel::Row> rowsOf(const tables::ImportReport& report,
     QString why = wordsOf(refusal.reason);
     if (!refusal.column.empty())
       why = ImportModel::tr("%1 '%2': %3").arg(text(refusal.column), text(refusal.value), why);
-    refusals[refusal.line] = why;
+    QString& all_of_line = refusals[refusal.line];
+    all_of_line += (all_of_line.isEmpty() ? QString() : QString(' ')) + why;
   }
   std::vector<ImportModel::Row> rows;
   if (table == nullptr) {
@@ -259,6 +268,7 @@ void ImportModel::took(const Look& look) {
   state_ = State::Ready;
   bytes_ = look.bytes;
   report_ = look.report;
+  if (!report_->mapping.missing.empty()) problem_ = wordsOf(report_->mapping.missing);
   confirmed_.clear();  // the rows may mean something else now
   columns_ = look.columns;
   rows_ = look.rows;
@@ -266,7 +276,7 @@ void ImportModel::took(const Look& look) {
 }
 
 QString ImportModel::summary() const {
-  if (!report_) return {};
+  if (!report_ || !report_->mapping.missing.empty()) return {};
   const QString counts = tr("%1 new, %2 updated, %3 unchanged, %4 rejected.")
                              .arg(report_->fresh)
                              .arg(report_->changed)
@@ -342,11 +352,24 @@ void ImportModel::cancel() {
   if (job_) job_->cancel();
 }
 
-QString ImportModel::saveRefusals(const QString& file) const {
-  if (!report_) return {};
-  Result<void> written = checkOutputPlace(file.toStdString());
-  if (written) written = writeFileAtomically(file.toStdString(), tables::refusalsCsv(*report_));
-  return written ? QString() : sentenceOf(written.error());
+Result<QString> ImportModel::saveRefusals(const QString& typed) const {
+  const QStringList endings{"csv", "tsv", "txt"};
+  const bool whole = endings.contains(QFileInfo(typed).suffix(), Qt::CaseInsensitive);
+  const QString file = whole ? typed : typed + ".csv";
+  // Nobody was asked about a name that was completed, and the table itself is still needed.
+  const bool taken = !whole && QFileInfo::exists(file);
+  if (taken || QFileInfo(file) == QFileInfo(source_))
+    return Error::unusable(
+        message("A file with this name already exists and is not overwritten; choose another "
+                "name."),
+        file.toStdString());
+  if (Result<void> good = checkOutputPlace(file.toStdString()); !good) return good.error();
+  const std::string rows =
+      tables::refusedRowsCsv(report_.value_or(tables::ImportReport()),
+                             [](const Message& reason) { return wordsOf(reason).toStdString(); });
+  if (Result<void> written = writeFileAtomically(file.toStdString(), rows); !written)
+    return written.error();
+  return file;
 }
 
 }  // namespace ostraka::ui

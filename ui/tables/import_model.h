@@ -61,8 +61,9 @@ class ImportModel final : public QObject {
   bool canEnter() const;
   void enter();
   void cancel();
-  /// line, column, value, reason. The sentence when it cannot be written.
-  QString saveRefusals(const QString& file) const;
+  /// The rows that did not enter (tables::refusedRowsCsv); the file that was written. A name
+  /// without the ending of a table gets .csv.
+  Result<QString> saveRefusals(const QString& file) const;
 
  signals:
   void changed();

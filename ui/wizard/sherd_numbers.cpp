@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "catalogue/batches.h"
+#include "sherds/numbers.h"
 #include "sherds/sherds.h"
 #include "store/names.h"
 #include "ui/frame/project_session.h"
@@ -94,6 +95,9 @@ QString SherdNumbers::doubtOf(int sherd) const {
   const QString number = of(sherd);
   if (session_ == nullptr || !row_ || number.isEmpty()) return {};
   const catalogue::Catalogue& rows = session_->project().catalogue();
+  if (const auto doubt = sherds::Numbers(rows).doubt({}, number.toStdString());
+      doubt && !doubt->empty())
+    return wordsOf(*doubt);
   const auto fits = sherds::fitsTheBatch(rows, row_, number.toStdString());
   const auto example = sherds::wholeNumber(rows, row_, "1");
   if (!fits || *fits || !example) return {};

@@ -29,7 +29,8 @@ class SherdNumbers final : public QObject {
   /// A whole number, its last digits, or what a label's code says; empty takes it back. Returns the
   /// sentence why it is refused; empty when it is kept.
   QString give(int sherd, const QString& typed);
-  /// What to look at again: a number of another context than the bag's; empty: nothing.
+  /// What to look at again: a number that is hardly another sherd's, or of another context than the
+  /// bag's; empty: nothing.
   QString doubtOf(int sherd) const;
 
  signals:

@@ -11,8 +11,11 @@ QString written(const MessageValue& value) {
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);  // as files and folders have numbers
   switch (value.kind) {
-    case MessageValue::Kind::Text:
-      return QString::fromStdString(value.text);
+    case MessageValue::Kind::Text: {
+      const std::string language = QLocale().name().section('_', 0, 0).toStdString();
+      const auto own = value.translations.find(language);
+      return QString::fromStdString(own == value.translations.end() ? value.text : own->second);
+    }
     case MessageValue::Kind::Count:
       return locale.toString(static_cast<qlonglong>(value.count));
     case MessageValue::Kind::Decimal:

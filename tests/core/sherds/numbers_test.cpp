@@ -46,6 +46,18 @@ TEST_F(NumbersTest, DifferOnlyIfTheyDifferForPeopleAndForFiles) {
   EXPECT_NE(same_file.error().what.english().find("same names as those of A/1"), std::string::npos);
 }
 
+TEST_F(NumbersTest, ThatPeopleReadAsOneAreDoubted) {
+  const store::SherdRow a = draft(context12), b = draft(context12);
+  ASSERT_TRUE(set(a, "number", "K-0007"));
+  EXPECT_THAT(*Numbers(catalogue()).similar(b, "k/7"), ElementsAre("K-0007"));
+  EXPECT_EQ(*Numbers(catalogue()).doubt({}, "K 007"),
+            "The number K 007 differs from the existing number K-0007 only in leading zeros, "
+            "letter case or punctuation; check which one is meant.");
+  EXPECT_THAT(*Numbers(catalogue()).similar(a, "k/7"), ElementsAre()) << "its own";
+  for (const char* other : {"K-0007", "k-0007", "K-70", "K-7a", ""})
+    EXPECT_TRUE(Numbers(catalogue()).doubt(b, other)->empty()) << other;
+}
+
 TEST_F(NumbersTest, HaveNoLettersThatNobodySees) {
   const store::SherdRow sherd = draft(context12);
   EXPECT_FALSE(set(sherd, "number", "A\u202E1"));

@@ -21,7 +21,10 @@ TEST_F(Changes, AreAllOrNothing) {
       SherdChanges(catalogue()).apply(changes, anna);
   ASSERT_FALSE(done);
   EXPECT_EQ(done.error().where, "ARM1-T3-0012-0002") << "the sherd that it is about";
-  EXPECT_NE(done.error().what.english().find("'wing' is not a term"), std::string::npos);
+  EXPECT_NE(done.error().what.english().find("'wing' is not a term; choose one of rim, "),
+            std::string::npos);
+  EXPECT_EQ(done.error().what.values().at(1).translations.at("de"),
+            "Rand, Hals, Schulter, Wandung, Boden, Henkel, Ausguss, Deckel, \u2026");
   EXPECT_EQ(valueOf(a, "ware"), "");
 }
 

@@ -42,6 +42,16 @@ TEST(Names, NumbersAreOrderedByTheirValue) {
                                    "A9-2", "A9-10", "A10", "A100", "B1"));
 }
 
+TEST(Names, WhatPeopleReadAsOneNumberHasOnePlaceInTheOrder) {
+  EXPECT_EQ(sortKey("ARM-007"), sortKey("arm/0007"));
+  EXPECT_EQ(sortKey("K 7"), sortKey("K \u2013 7"));
+  EXPECT_EQ(sortKey("\u0533-7"), sortKey("\u0563.07"));
+  EXPECT_NE(sortKey("1-12"), sortKey("11-2"));
+  EXPECT_NE(sortKey("12"), sortKey("12a"));
+  EXPECT_NE(sortKey("70"), sortKey("7"));
+  EXPECT_NE(sortKey("0"), sortKey(""));
+}
+
 TEST(Names, AFileNameHoldsNothingThatAFileSystemOrAManifestCouldMisread) {
   EXPECT_EQ(slug("Ar/Ts.WSH.02.C.12"), "Ar_Ts.WSH.02.C.12");
   EXPECT_EQ(slug("../x"), "_._x");

@@ -51,12 +51,18 @@ TEST(Values, NumbersAreReadWithPointOrCommaInEveryLocale) {
   EXPECT_DOUBLE_EQ(*parsedNumber(" 12,5 "), 12.5);
   EXPECT_DOUBLE_EQ(*parsedNumber("+3"), 3);
   EXPECT_DOUBLE_EQ(*parsedNumber("1e3"), 1000);
-  for (const char* text : {"1 234,5", "1\u00A0234.5", "1\u202F234,5", "1\u2019234,5"})
+  for (const char* text : {"1 234,5", "1\u00A0234.5", "1\u202F234,5", "1\u2019234,5", "1.234,5",
+                           "1,234.5", "+1.234,50"})
     EXPECT_DOUBLE_EQ(*parsedNumber(text), 1234.5) << text;
   EXPECT_DOUBLE_EQ(*parsedNumber("1 234 567"), 1234567);
+  EXPECT_DOUBLE_EQ(*parsedNumber("-12.345.678,9"), -12345678.9);
+  EXPECT_DOUBLE_EQ(*parsedNumber("1.204"), 1.204) << "one mark alone is the decimal one";
+  for (const char* text : {"1.23,5", "1.2345,6", "1234.567,8", "0.204,5", ".204,5", "1,2.345,6",
+                           "1.234,5.6", "1.2x4,5"})
+    EXPECT_FALSE(parsedNumber(text)) << text;
   for (const char* text : {"12 34", "1 2345", "1 23,5", "1  234", "1 234 mm"})
     EXPECT_FALSE(parsedNumber(text)) << text;
-  for (const char* text : {"", "12.5 mm", "1.234,5", "1,2,3", "nan", "inf", "0x10", "1e999", "--1"})
+  for (const char* text : {"", "12.5 mm", "1,2,3", "nan", "inf", "0x10", "1e999", "--1"})
     EXPECT_FALSE(parsedNumber(text)) << text;
 }
 

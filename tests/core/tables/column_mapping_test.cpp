@@ -62,6 +62,28 @@ TEST_F(Columns, WithoutAUnitAreTakenForTheOneThatTheirValuesFit) {
   EXPECT_FALSE(map("number;Gewicht (g)\nX-1;0,4\n")->columns[1].unit_guessed);
 }
 
+// Else the weight of a sherd would be entered as its bag's.
+TEST_F(Columns, OfSherdsWithoutTheirNumbersAreNoTableOfBags) {
+  const std::string bags = "Fundort;Schnitt;Befund;Beutel;Gewicht (g)";
+  EXPECT_THAT(map(bags + ";Teil\nARM1;T3;0012;4;23,4;Rand\n")->missing.english(),
+              HasSubstr("but 'Teil' is a column of sherds"));
+  EXPECT_FALSE(map(bags + ";Wandstärke (mm)\nARM1;T3;0012;4;23,4;5\n")->missing.empty());
+  const ImportReport nothing = import(bags + ";Teil\nARM1;T3;0012;4;23,4;Rand\n");
+  EXPECT_TRUE(nothing.rows.empty());
+  EXPECT_TRUE(
+      map(bags + ";Teil\nARM1;T3;0012;4;23,4;Rand\n", {{"Teil", "extra.Teil"}})->missing.empty())
+      << "a person said what it is";
+  import(bags + ";Teil\nARM1;T3;0012;4;23,4;Rand\n", {{ "Teil", "extra.Teil" }});
+  EXPECT_TRUE(map(bags + ";Teil\nARM1;T3;0012;5;17;Rand\n")->missing.empty())
+      << "and said it of such tables";
+  const auto taken = map(bags + ";Länge;Farbe\nARM1;T3;0012;4;230;2;braun\n");
+  EXPECT_TRUE(taken->missing.empty()) << "pits have lengths, and layers colours";
+  EXPECT_EQ(taken->kind,
+            "Read as a table of contexts and bags: no column has the sherds' numbers.");
+  EXPECT_EQ(map("Fundnummer;Teil\nX-1;Rand\n")->kind,
+            "Read as a table of sherds: the column 'Fundnummer' identifies them.");
+}
+
 TEST_F(Columns, OfNoTwoMeanOneField) {
   EXPECT_THAT(fieldsOf("number;weight;Gewicht\nX-1;7;8\n"),
               ElementsAre("number", "weight_g:g", "extra.Gewicht"));

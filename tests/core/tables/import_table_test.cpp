@@ -18,6 +18,7 @@
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
 #include "tables/csv.h"
+#include "tables/refused_rows.h"
 #include "tests/core/catalogue/small_project.h"
 #include "tests/core/tables/import_fixture.h"
 
@@ -105,6 +106,66 @@ TEST_F(Import, EachRefusalSaysRowColumnValueAndReason) {
   EXPECT_TRUE(*sherds::Sherds(catalogue()).byNumber("Y-2")) << "the other rows enter";
 }
 
+std::vector<std::string> columnsOf(const std::vector<Refusal>& refusals) {
+  std::vector<std::string> columns;
+  for (const Refusal& refusal : refusals) columns.push_back(refusal.column);
+  return columns;
+}
+
+// Else a table of bad values is corrected and tried as often as its rows have faults.
+TEST_F(Import, AllFaultsOfARowAreToldAtOnce) {
+  const ImportReport report = import(
+      "number,site,trench,context,bag,part,length_mm,width_mm,munsell_out,joins,uuid\n"
+      "X-1,ARM1,T3,0099,4,wing,abc,0,brown,X-7,nonsense\n"
+      "X-2,ARM1,T3,,,wing,12,11,,,\n");
+  EXPECT_EQ(report.refused, 2);
+  EXPECT_THAT(columnsOf(report.refusals),
+              testing::ElementsAre("uuid", "joins", "bag", "length_mm", "munsell_out", "part",
+                                   "width_mm", "context", "part"))
+      << "the parts of a place are one value";
+  EXPECT_EQ(report.refusals[6].line, 2);
+  EXPECT_EQ(report.refusals[7].line, 3);
+  EXPECT_EQ(report.left_out.rows.size(), 2u);
+  const std::string text =
+      refusedRowsCsv(report, [](const Message& reason) { return reason.english(); });
+  EXPECT_NE(text.find("part: 'wing' is not a term"), std::string::npos) << text;
+  EXPECT_NE(text.find(" width_mm: Enter a value greater than 0."), std::string::npos) << text;
+}
+
+TEST_F(Import, NumbersThatReadAsOthersAreToldOnce) {
+  const std::string head = "number,site,trench,context\n", rest = ",ARM1,T3,0012\n";
+  import(head + "K-0007" + rest);
+  const std::string table = head + "k/7" + rest + "K-8" + rest + "K-08" + rest + "K-9" + rest;
+  const ImportReport report = import(table);
+  EXPECT_EQ(report.fresh, 4);
+  EXPECT_THAT(report.warnings,
+              testing::ElementsAre(
+                  "New numbers differ from existing ones only in leading zeros, letter case or "
+                  "punctuation: k/7 (K-0007), K-08 (K-8); check for typos."));
+  EXPECT_TRUE(import(table).warnings.empty()) << "they are there now";
+}
+
+TEST_F(Import, AllDoubtsAboutARowAreAskedAtOnce) {
+  const ImportReport report =
+      import("number,site,trench,context,length_mm,weight_g\nX-1,ARM1,T3,0012,900,9000\n");
+  EXPECT_EQ(report.asked, 1);
+  EXPECT_TRUE(report.refusals.empty());
+  EXPECT_THAT(columnsOf(report.questions), testing::ElementsAre("length_mm", "weight_g"));
+  EXPECT_FALSE(*sherds::Sherds(catalogue()).byNumber("X-1"));
+}
+
+TEST_F(Import, AllFaultsOfAContextAreToldAtOnce) {
+  const ImportReport report = import(
+      "site,trench,context,kind,excavated_on,date_edtf,closed,bag,collected_on,weight_g,"
+      "count_written\n"
+      "ARM1,T3,0012,hole,yesterday,600 BC,perhaps,4,today,x,1.5\n");
+  EXPECT_EQ(report.refused, 1);
+  EXPECT_THAT(columnsOf(report.refusals),
+              testing::UnorderedElementsAre("closed", "excavated_on", "date_edtf", "context",
+                                            "collected_on", "weight_g", "count_written"));
+  EXPECT_EQ(report.refusals[0].value, "perhaps");
+}
+
 // Of 40 rows with one number each is refused; a list of all of them in each would be 1,600.
 TEST_F(Import, ARefusalNamesTheFirstOfManyRowsThatAreAlike) {
   std::string table = "number,site,trench,context\n";
@@ -118,12 +179,32 @@ TEST_F(Import, ARefusalNamesTheFirstOfManyRowsThatAreAlike) {
         "10, 11 and 30 more.");
 }
 
-TEST_F(Import, RefusalsAreATableThemselves) {
-  const ImportReport report = import("number,context\n=cmd,0012\n");
-  const Result<CsvTable> table = parseCsv(refusalsCsv(report), "r.csv");
-  ASSERT_TRUE(table);
-  EXPECT_THAT(table->columns, testing::ElementsAre("line", "column", "value", "reason"));
-  EXPECT_EQ(table->rows[0].values[0], "2");
+TEST_F(Import, RefusedRowsAreWrittenAsTheTableHasThemAndImportedAgain) {
+  const ImportReport report = import(
+      "Nummer;Fundort;Schnitt;Befund;Teil;Bemerkung\n"
+      "K-1;ARM1;T3;0012;Wand;\"a;b\"\n"
+      "K-2;ARM1;T3;0012;rim;\n"
+      "K-3;ARM1;T3\n"
+      "K-4;ARM1;T3;0012;rim;;7\n");
+  EXPECT_EQ(report.refused, 3);
+  const std::string text = refusedRowsCsv(
+      report, [](const Message& words) { return "<" + words.templateWords() + ">"; });
+  const std::string broken =
+      "\"<Values in the row: %1, columns in the header: %2; correct the row.>\"";
+  EXPECT_EQ(text, std::string(kUtf8Mark) +
+                      "Ostraka: <why this row was not imported>;Nummer;Fundort;Schnitt;Befund;"
+                      "Teil;Bemerkung\r\n"
+                      "<%1: %2>;K-1;ARM1;T3;0012;Wand;\"a;b\"\r\n" +
+                      broken + ";K-3;ARM1;T3\r\n" + broken + ";K-4;ARM1;T3;0012;rim;;7\r\n");
+  std::string corrected = text;
+  corrected.replace(corrected.find("Wand"), 4, "rim");
+  const ImportReport again = import(corrected);
+  EXPECT_EQ(again.fresh, 1);
+  EXPECT_EQ(again.mapping.columns.size(), 6u) << "the reasons are no column";
+  EXPECT_EQ(again.refused, 2) << "what was not corrected is refused again";
+  EXPECT_EQ(again.left_out.columns.size(), 6u);
+  ASSERT_EQ(again.left_out.rows.size(), 2u);
+  EXPECT_EQ(again.left_out.rows[0].values.size(), 3u);
 }
 
 TEST_F(Import, UnknownPlacesAreMadeWhenAskedFor) {
@@ -199,7 +280,11 @@ TEST_F(Import, OfContextsKeepsColumnsThatItDoesNotKnow) {
 }
 
 TEST_F(Import, ATableOfSomethingElseIsRefusedWhole) {
-  for (const char* text : {"a,b\n1,2\n", "number,number\n1,2\n", "number,,x\n1,2,3\n", ""})
+  const ImportReport nothing = import("a,b\n1,2\n");
+  EXPECT_TRUE(nothing.rows.empty());
+  EXPECT_THAT(nothing.mapping.missing.english(), testing::HasSubstr("needs a column for the"));
+  EXPECT_TRUE(nothing.mapping.kind.empty());
+  for (const char* text : {"number,number\n1,2\n", "number,,x\n1,2,3\n", ""})
     EXPECT_FALSE(importTable(catalogue(), text, "t.csv", {}, anna, quiet, {})) << text;
 }
 
@@ -345,15 +430,17 @@ TEST_F(Import, OfANewSherdKeepsWhatAProgramMeasuredForThePrograms) {
     methods[m.kind] = m.method;
   EXPECT_THAT(methods, testing::ElementsAre(testing::Pair("length", "program"),
                                             testing::Pair("rim_pct", "program"),
-                                            testing::Pair("width", "calliper")));
+                                            testing::Pair("width", "imported")));
   EXPECT_EQ(import(table).same, 1);
   import("number,site,trench,context,length_mm\nX-3,ARM1,T3,0012,52\n");
   EXPECT_EQ(sherds::Measurements(catalogue())
                 .of(*sherds::Sherds(catalogue()).byNumber("X-3"))
                 ->front()
                 .method,
-            "calliper")
-      << "where nothing is said";
+            "imported")
+      << "nobody here knows whether it was a calliper";
+  EXPECT_EQ(History(catalogue()).of(*sherds::Sherds(catalogue()).byNumber("X-3"))->front().why,
+            "t.csv");
 }
 
 // Each laptop begins with B0001.

@@ -433,6 +433,9 @@ class CaptureScreenTest : public CaptureBench {
     QVERIFY2(numbers.doubtOf(1).contains("(ARM1-T3-0012-0001)"), qPrintable(numbers.doubtOf(1)));
     QCOMPARE(numbers.give(1, "33"), QString());
     QCOMPARE(numbers.doubtOf(1), QString());
+    QCOMPARE(numbers.give(1, "OLD-08"), QString());  // of a sherd that is there: OLD-8
+    QVERIFY2(numbers.doubtOf(1).contains("OLD-8 only in leading zeros"),
+             qPrintable(numbers.doubtOf(1)));
     QCOMPARE(numbers.give(1, {}), QString());
     // What no sherd has is refused, with the reason.
     for (const char* typed : {"x y/z", "no number", "12 a"})

@@ -213,6 +213,23 @@ class CatalogueScreenTest : public CatalogueWindow {
     QCOMPARE(sample_->session().undo().count(), 0);
   }
 
+  void aNumberThatReadsAsAnotherSherdsIsAskedAboutOnce() {
+    choose(1);
+    auto* number = child<QLineEdit>("field_number");
+    number->setFocus();
+    number->selectAll();
+    QTest::keyClicks(number, "ARM1/T3/12/1");
+    QTest::keyClick(number, Qt::Key_Return);
+    auto* text = child<QLabel>("refusalText");
+    QVERIFY(text->isVisible());
+    QVERIFY2(text->text().contains("differs from the existing number ARM1-T3-0012-0001"),
+             qPrintable(text->text()));
+    QCOMPARE(sample_->session().undo().count(), 0);
+    QTest::mouseClick(child<QPushButton>("confirmChange"), Qt::LeftButton);
+    QCOMPARE(sample_->session().undo().count(), 1);
+    QCOMPARE(sample_->value(2, "number"), QString("ARM1/T3/12/1"));
+  }
+
   void theModelOfTheSherdCanBeTurned() {
     sample_->giveModel(0);
     choose(0);

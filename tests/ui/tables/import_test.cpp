@@ -312,15 +312,35 @@ class ImportTest : public QObject {
     QVERIFY(!model_->canEnter());
   }
 
+  void theColumnOfNumbersIsChosenWhereNoNameSaysIt() {
+    open();
+    model_->setSource(
+        table("Inv;Fundort;Schnitt;Befund;Teil\r\nARM1-T3-0012-0001;ARM1;T3;0012;Boden\r\n"));
+    QTRY_VERIFY(
+        child<QLabel>("importProblem")->text().contains("but 'Teil' is a column of sherds"));
+    QVERIFY2(!model_->canEnter(), "not as bags");
+    QCOMPARE(summary(), QString());
+    auto* field = child<QComboBox>("columnField0");
+    field->setCurrentIndex(field->findData(QString("number")));
+    emit field->activated(field->currentIndex());
+    QTRY_COMPARE(summary(), QString("0 new, 1 updated, 0 unchanged, 0 rejected."));
+    QVERIFY(child<QLabel>("importSource")->text().contains("the column 'Inv' identifies them"));
+  }
+
   void refusalsGoIntoATable() {
     open();
     model_->setSource(sherds());
     QTRY_VERIFY(child<QPushButton>("importRefusals")->isVisible());
-    const QString path = sample_->folder() + "/refused.csv";
-    QCOMPARE(model_->saveRefusals(path), QString());
-    QFile file(path);
+    const QString path = sample_->folder() + "/refused 27.11";
+    QCOMPARE(*model_->saveRefusals(path), path + ".csv");
+    QFile file(path + ".csv");
     QVERIFY(file.open(QIODevice::ReadOnly));
-    QVERIFY(file.readAll().contains("5,part,rimm,"));
+    const QByteArray rows = file.readAll();
+    QVERIFY2(rows.contains(",ARM1-T3-0012-0002,ARM1,T3,0012,grey,rimm\r\n") &&
+                 rows.contains("part: 'rimm' is not a term"),
+             rows.constData());
+    QVERIFY2(!model_->saveRefusals(path), "nobody was asked whether it is overwritten");
+    QVERIFY2(!model_->saveRefusals(model_->source()), "the table itself is still needed");
   }
 
   void anExportIsReadBack() {

@@ -118,6 +118,15 @@ class SentenceTest : public QObject {
              QStringLiteral("[0,25 mm of 12000 in 0.25.png]"));
   }
 
+  void namesOfTheProjectAreSaidInTheLanguageThatHasThem() {
+    MessageValue terms("rim, neck");
+    terms.translations = {{"de", "Rand, Hals"}};
+    QLocale::setDefault(QLocale(QLocale::German, QLocale::Austria));
+    QCOMPARE(wordsOf(message("one of %1", terms)), QStringLiteral("[one of Rand, Hals]"));
+    QLocale::setDefault(QLocale(QLocale::French));
+    QCOMPARE(wordsOf(message("one of %1", terms)), QStringLiteral("[one of rim, neck]"));
+  }
+
   void valuesAreNotReadAsPlaces() {
     QCOMPARE(wordsOf(message("%2 and %1", "%2", "b")), QStringLiteral("[b and %2]"));
   }

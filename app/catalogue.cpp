@@ -90,6 +90,8 @@ int runExport(const Options& options, Session& session) {
   if (!missing.empty())
     show(stderr, "No files in these formats, since the sherds have none: %s.\n",
          joined(missing, ", ").c_str());
+  if (!done->without_model.empty())
+    show(stderr, "Sherds without a model: %s.\n", joined(done->without_model, ", ").c_str());
   const bool nothing = done->without_file.size() == how.forms.size();
   const int status = done->warnings.empty() && !nothing ? Whole : NotWhole;
   return finish(session, status,
@@ -98,6 +100,7 @@ int runExport(const Options& options, Session& session) {
                  {"files", done->files},
                  {"bytes", done->bytes},
                  {"forms_without_file", missing},
+                 {"without_model", done->without_model},
                  {"warnings", done->warnings}},
                 std::to_string(done->sherds) + " sherds in " + std::to_string(done->files) +
                     " files: " + options.output.string());

@@ -2346,14 +2346,6 @@
         <numerusform>%n Scherben, %1 Dateien, %2, %3</numerusform>
       </translation>
     </message>
-    <message numerus="yes">
-      <source>%n of them without a model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>eine davon ohne Modell</numerusform>
-        <numerusform>%n davon ohne Modell</numerusform>
-      </translation>
-    </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2394,6 +2386,14 @@
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Abgebrochen. Nichts blieb zurück.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n of them without a model: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>eine davon ohne Modell: %1</numerusform>
+        <numerusform>%n davon ohne Modell: %1</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -9923,6 +9923,11 @@
       <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Neue Nummern unterscheiden sich von vorhandenen nur in führenden Nullen, Groß- und Kleinschreibung oder Satzzeichen: %1; auf Tippfehler prüfen.</translation>
+    </message>
+    <message>
+        <source>%1: not restored; it belongs to %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: nicht wiederhergestellt; gehört zu %2</translation>
     </message>
 </context>
 <context>

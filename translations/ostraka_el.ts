@@ -2341,14 +2341,6 @@
         <numerusform>%n όστρακα, %1 αρχεία, %2, %3</numerusform>
       </translation>
     </message>
-    <message numerus="yes">
-      <source>%n of them without a model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n από αυτά χωρίς μοντέλο</numerusform>
-        <numerusform>%n από αυτά χωρίς μοντέλο</numerusform>
-      </translation>
-    </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2389,6 +2381,14 @@
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ακυρώθηκε. Δεν έμεινε τίποτα.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n of them without a model: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n από αυτά χωρίς μοντέλο: %1</numerusform>
+        <numerusform>%n από αυτά χωρίς μοντέλο: %1</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -9918,6 +9918,11 @@
       <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Νέοι αριθμοί διαφέρουν από υπάρχοντες μόνο στα αρχικά μηδενικά, στα πεζά ή κεφαλαία ή στα σημεία στίξης: %1· ελέγξτε για τυπογραφικά λάθη.</translation>
+    </message>
+    <message>
+        <source>%1: not restored; it belongs to %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: δεν αποκαταστάθηκε· ανήκει στο %2</translation>
     </message>
 </context>
 <context>

@@ -196,13 +196,6 @@
       </translation>
     </message>
     <message numerus="yes">
-      <source>%n of them without a model</source>
-      <translation>
-        <numerusform>%n of them without a model</numerusform>
-        <numerusform>%n of them without a model</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%1, %n second(s) left</source>
       <translation>
         <numerusform>%1, %n second left</numerusform>
@@ -214,6 +207,13 @@
       <translation>
         <numerusform>%n sherd, %1, manifest checked</numerusform>
         <numerusform>%n sherds, %1, manifest checked</numerusform>
+      </translation>
+    </message>
+    <message numerus="yes">
+      <source>%n of them without a model: %1</source>
+      <translation>
+        <numerusform>%n of them without a model: %1</numerusform>
+        <numerusform>%n of them without a model: %1</numerusform>
       </translation>
     </message>
 </context>

@@ -2341,14 +2341,6 @@
         <numerusform>%n fragmentos, %1 archivos, %2, %3</numerusform>
       </translation>
     </message>
-    <message numerus="yes">
-      <source>%n of them without a model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n de ellos sin modelo</numerusform>
-        <numerusform>%n de ellos sin modelo</numerusform>
-      </translation>
-    </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2389,6 +2381,14 @@
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cancelada. No quedó nada a medias.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n of them without a model: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n de ellos sin modelo: %1</numerusform>
+        <numerusform>%n de ellos sin modelo: %1</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -9918,6 +9918,11 @@
       <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hay números nuevos que se distinguen de los existentes solo en los ceros a la izquierda, las mayúsculas o la puntuación: %1; compruebe si hay erratas.</translation>
+    </message>
+    <message>
+        <source>%1: not restored; it belongs to %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: no restaurado; pertenece a %2</translation>
     </message>
 </context>
 <context>

@@ -2341,14 +2341,6 @@
         <numerusform>%n tessons, %1 fichiers, %2, %3</numerusform>
       </translation>
     </message>
-    <message numerus="yes">
-      <source>%n of them without a model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>dont %n sans modèle</numerusform>
-        <numerusform>dont %n sans modèle</numerusform>
-      </translation>
-    </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2389,6 +2381,14 @@
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Annulé. Rien n’est resté.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n of them without a model: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>dont %n sans modèle : %1</numerusform>
+        <numerusform>dont %n sans modèle : %1</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -9918,6 +9918,11 @@
       <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>De nouveaux numéros ne diffèrent de numéros existants que par des zéros initiaux, la casse ou la ponctuation : %1 ; vérifiez les fautes de frappe.</translation>
+    </message>
+    <message>
+        <source>%1: not restored; it belongs to %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 : non restauré ; appartient à %2</translation>
     </message>
 </context>
 <context>

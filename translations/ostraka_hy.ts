@@ -2341,14 +2341,6 @@
         <numerusform>%n բեկոր, %1 ֆայլ, %2, %3</numerusform>
       </translation>
     </message>
-    <message numerus="yes">
-      <source>%n of them without a model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>որից %n-ն առանց մոդելի</numerusform>
-        <numerusform>որից %n-ն առանց մոդելի</numerusform>
-      </translation>
-    </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2389,6 +2381,14 @@
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չեղարկված է. ոչինչ չի մնացել։</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n of them without a model: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>որից %n-ն առանց մոդելի՝ %1</numerusform>
+        <numerusform>որից %n-ն առանց մոդելի՝ %1</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -9918,6 +9918,11 @@
       <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նոր համարներն առկա համարներից տարբերվում են միայն սկզբնական զրոներով, տառերի մեծությամբ կամ կետադրությամբ՝ %1. ստուգեք վրիպակները։</translation>
+    </message>
+    <message>
+        <source>%1: not restored; it belongs to %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1. չվերականգնվեց, պատկանում է՝ %2</translation>
     </message>
 </context>
 <context>

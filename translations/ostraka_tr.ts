@@ -2314,13 +2314,6 @@
         <numerusform>%n parça, %1 dosya, %2, %3</numerusform>
       </translation>
     </message>
-    <message numerus="yes">
-      <source>%n of them without a model</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n tanesinin modeli yok</numerusform>
-      </translation>
-    </message>
     <message>
       <source>A folder with this name already exists; choose another name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2359,6 +2352,13 @@
       <source>Cancelled. Nothing was left behind.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İptal edildi. Geride bir şey kalmadı.</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n of them without a model: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n tanesinin modeli yok: %1</numerusform>
+      </translation>
     </message>
 </context>
 <context>
@@ -9871,6 +9871,11 @@
       <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeni numaralar var olanlardan yalnızca baştaki sıfırlarda, büyük-küçük harfte ya da noktalamada ayrılıyor: %1; yazım hatası olup olmadığını denetleyin.</translation>
+    </message>
+    <message>
+        <source>%1: not restored; it belongs to %2</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: geri getirilemedi; ait olduğu kayıt: %2</translation>
     </message>
 </context>
 <context>

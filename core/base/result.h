@@ -1,10 +1,9 @@
 #pragma once
 #include <cassert>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
-
-#include "base/message.h"
 
 #include "base/message.h"
 
@@ -30,6 +29,12 @@ struct Error {
   static Error cancelled() { return {ErrorCode::Cancelled, message("Cancelled."), {}}; }
   static Error unusable(Message what, std::string where = {}) {
     return {ErrorCode::UnusableInput, std::move(what), std::move(where)};
+  }
+  /// Undo and redo write only where the field still holds what their step left.
+  static Error changedMeanwhile(std::string_view field, std::string where = {}) {
+    return unusable(
+        message("The field %1 was changed meanwhile; nothing was undone or redone.", field),
+        std::move(where));
   }
   /// "where: what", or just what.
   Message sentence() const { return where.empty() ? what : about(where, what); }

@@ -112,10 +112,6 @@ auto withId(const std::string& id) {
   return [&id](const PairDecision& d) { return d.id == id; };
 }
 
-bool has(const Decisions& all, const std::string& id) {
-  return std::any_of(all.begin(), all.end(), withId(id));
-}
-
 bool aboutPartners(DecisionKind kind) {
   return kind == DecisionKind::Pair || kind == DecisionKind::Aside || kind == DecisionKind::Reshoot;
 }
@@ -144,6 +140,36 @@ Error tooMany(const std::string& where) {
                                  "or restore a copy of it.",
                                  limits::kDecisions.most),
                          where);
+}
+
+Decisions replacedAmong(const Decisions& holding, const PairDecision& decision) {
+  Decisions replaced;
+  for (const PairDecision& other : holding)
+    if (aboutPartners(decision.kind) && aboutPartners(other.kind) && shareAScan(decision, other))
+      replaced.push_back(other);
+  return replaced;
+}
+
+// It would bring back what contradicts a decision that was made since.
+Result<void> checkWithdrawal(const Decisions& all, const PairDecision& withdrawal,
+                             const std::string& where) {
+  const Decisions holding = standing(all);
+  const std::unordered_set<std::string_view> withdrawn(withdrawal.replaces.begin(),
+                                                       withdrawal.replaces.end());
+  std::unordered_set<std::string_view> back;
+  for (const std::string& id : withdrawal.replaces) {
+    const auto held = std::find_if(holding.begin(), holding.end(), withId(id));
+    if (held == holding.end())
+      return Error::unusable(message("This decision is no longer in effect."), where);
+    back.insert(held->replaces.begin(), held->replaces.end());
+  }
+  for (const PairDecision& d : all) {
+    if (!back.contains(d.id)) continue;
+    for (const PairDecision& other : replacedAmong(holding, d))
+      if (!withdrawn.contains(other.id))
+        return Error::changedMeanwhile(nameOf(DecisionKind::Pair), where);
+  }
+  return {};
 }
 
 using Places = std::unordered_map<std::string_view, std::size_t>;  // in the list, by id
@@ -228,6 +254,11 @@ bool equivalent(const PairDecision& a, const PairDecision& b) {
                     }) &&
          posed == b.front_from_back.has_value() &&
          (!posed || a.front_from_back->isApprox(*b.front_from_back, kSamePose));
+}
+
+bool equivalent(const Decisions& a, const Decisions& b) {
+  return a.size() == b.size() &&
+         std::all_of(a.begin(), a.end(), [&](const PairDecision& d) { return containedIn(b, d); });
 }
 
 bool containedIn(const Decisions& list, const PairDecision& d) {
@@ -346,22 +377,16 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
   Result<Decisions> decisions = readDecisions(output);
   if (!decisions) return decisions.error();
   if (decisions->size() >= limits::kDecisions.most) return tooMany(fileIn(output).string());
-  const Decisions holding = standing(*decisions);
   if (decision.kind == DecisionKind::Withdraw) {
-    for (const std::string& id : decision.replaces)
-      if (!has(holding, id))
-        return Error::unusable(message("This decision is no longer in effect."),
-                               fileIn(output).string());
+    const Result<void> valid = checkWithdrawal(*decisions, decision, fileIn(output).string());
+    if (!valid) return valid.error();
   } else {
     decision.replaces.clear();
-    for (const PairDecision& other : holding)
-      if (aboutPartners(decision.kind) && aboutPartners(other.kind) && shareAScan(decision, other))
-        decision.replaces.push_back(other.id);
     const Result<CandidateTable> now = readCandidatesOf(output);
-    for (const PairDecision& other : now ? holding : Decisions())
-      if (std::find(decision.replaces.begin(), decision.replaces.end(), other.id) !=
-          decision.replaces.end())
-        takeAlong(decision, other, *now);
+    for (const PairDecision& other : replacedAmong(standing(*decisions), decision)) {
+      decision.replaces.push_back(other.id);
+      if (now) takeAlong(decision, other, *now);
+    }
     if (const Result<void> valid = checked(decision); !valid) return valid.error();
   }
   using namespace std::chrono;
@@ -371,6 +396,12 @@ Result<PairDecision> appendDecision(const fs::path& output, PairDecision decisio
   const Result<void> written = writeFileAtomically(fileIn(output), textOf(*decisions));
   if (!written) return written.error();
   return decision;
+}
+
+Result<Decisions> replacedBy(const PairDecision& decision, const fs::path& output) {
+  const Result<Decisions> all = readDecisions(output);
+  if (!all) return all.error();
+  return replacedAmong(standing(*all), decision);
 }
 
 }  // namespace ostraka::decisions

@@ -73,8 +73,11 @@ Result<Decisions> parseDecisions(std::string_view text, const std::string& where
 /// (Withdraw). What takes one side of a sherd out that was taken out with its other side is about
 /// both. Returns it as written. Errors: those of readDecisions, CannotWrite; UnusableInput
 /// without a person's name, with text that checkText refuses, with the wrong number of scans, or
-/// for a withdrawal of what does not stand.
+/// for a withdrawal of what does not stand, or of what replaced a decision about a scan that
+/// another was made about since.
 Result<PairDecision> appendDecision(const std::filesystem::path& output, PairDecision decision);
+/// What it replaces when it is appended now. Errors: those of readDecisions.
+Result<Decisions> replacedBy(const PairDecision& decision, const std::filesystem::path& output);
 
 nlohmann::ordered_json toJson(const Decisions& decisions);
 /// All of decisions.json, as parseDecisions reads it.
@@ -86,6 +89,7 @@ Decisions followed(const Decisions& all, const std::filesystem::path& output);
 /// They differ in nothing but their ids, moments, persons and notes, as a decision and the same
 /// one done again after an undo: results of the one are results of the other.
 bool equivalent(const PairDecision& a, const PairDecision& b);
+bool equivalent(const Decisions& a, const Decisions& b);  ///< in any order
 bool containedIn(const Decisions& list, const PairDecision& decision);
 /// What holds and was not followed, and what was followed and holds no more.
 Decisions changedSince(const Decisions& all, const Decisions& followed);

@@ -67,8 +67,10 @@ class Exporting {
     views(plan);
     centres(sherds, plan.project());
     records(sherds, rows);
-    for (const metadata::MetadataFile& file : valueOrThrow(
-             metadata::metadataOf(catalogue_, sherds, project, options_.program, bag_.files())))
+    exported_.without_model = withoutModel(sherds, with_model_, options_);
+    for (const metadata::MetadataFile& file :
+         valueOrThrow(metadata::metadataOf(catalogue_, sherds, project, options_.program,
+                                           {bag_.files(), exported_.without_model})))
       valueOrThrow(bag_.add(file.path, file.text));
     const auto read_again = [this](const fs::path& written) -> Result<void> {
       const auto whole = archive::checkBag(written, progress_, stop_);
@@ -123,6 +125,7 @@ class Exporting {
                 : addModel(file, std::move(*open), *by_row[file.sherd], licence,
                            scale_doubts[by_row[file.sherd]->batch]);
       written_.insert(file.form);
+      if (isModel(file.form)) with_model_.insert(file.sherd);
       if (file.form == Form::Photographs && !file.sha256.empty() && added.sha256 != file.sha256)
         exported_.warnings.push_back(
             message("%1 differs from the recorded photograph; check it.", file.from.string()));
@@ -278,14 +281,13 @@ class Exporting {
   void centres(const std::vector<records::SherdRecord>& sherds, const fs::path& project) {
     if (!options_.forms.contains(Form::Csv) && !options_.forms.contains(Form::Ods)) return;
     for (const records::SherdRecord& sherd : sherds) {
-      const auto named = named_.find(sherd.row);
-      if (named == named_.end() || !named->second.contains("model_file")) continue;
+      if (!with_model_.contains(sherd.row)) continue;
       stopIfAsked();
       const Result<PlyContents> model = modelOf(sherd, project);
       if (!model) continue;  // a GLB alone
       const Eigen::Vector3d centre = model::volumeMoment(model->mesh).centre;
       for (int axis = 0; axis < 3; ++axis)
-        named->second[std::string("mass_centre_") + "xyz"[axis] + "_mm"] =
+        named_[sherd.row][std::string("mass_centre_") + "xyz"[axis] + "_mm"] =
             store::numberText(std::round(100 * centre[axis]) / 100);
     }
   }
@@ -329,6 +331,7 @@ class Exporting {
   std::stop_token stop_;
   Exported exported_;
   std::set<Form> written_ = {Form::Csv, Form::Json, Form::Ods};  ///< tables have all sherds
+  std::set<store::SherdRow> with_model_;
   std::int64_t done_ = 0, total_ = 0;
   store::SherdRow lighter_of_, photographs_of_;
   std::optional<texture::TexturedMesh> photographs_;

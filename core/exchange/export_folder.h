@@ -50,10 +50,10 @@ struct ExportOptions {
 
 struct ExportSize {
   int sherds = 0, files = 0;
-  std::int64_t bytes = 0;  ///< of all of them, within a tenth; see sizeOfExport
-  int without_model = 0;
-  int drawings = 0;   ///< sherds that will be drawn, two of the files each
-  int lightened = 0;  ///< sherds whose models will get fewer triangles
+  std::int64_t bytes = 0;                  ///< of all of them, within a tenth; see sizeOfExport
+  std::vector<std::string> without_model;  ///< as in Exported
+  int drawings = 0;                        ///< sherds that will be drawn, two of the files each
+  int lightened = 0;                       ///< sherds whose models will get fewer triangles
 };
 /// What the export will take, before it starts. Copies are counted; of what is made only for the
 /// export (OBJ, lighter models, drawings, records) one to three sherds of middle size tell for all.
@@ -71,6 +71,9 @@ struct Exported {
   std::int64_t bytes = 0;
   std::vector<Message> warnings;  ///< models or photographs that are not there, sherds not drawn
   std::set<Form> without_file;    ///< forms that were asked for, and of which nothing is there
+  /// Sherds, by the names of their files, of which no model is there; none where no models are
+  /// asked for. README.txt lists them, too.
+  std::vector<std::string> without_model;
 };
 /// A folder after BagIt with a checksum for every file; nothing half-written, ever: all is read
 /// again before it gets its name. Errors: the target is there, a file changed since it was entered

@@ -1,5 +1,7 @@
 #include "exchange/export_plan.h"
 
+#include <algorithm>
+
 #include "base/message.h"
 #include "catalogue/files.h"
 #include "cloud/glb.h"
@@ -41,7 +43,6 @@ void ExportPlan::add(const records::SherdRecord& sherd) {
     if (file.role == "model" && file.path.ends_with(".glb") && (most == 0 || file.bytes <= most))
       glb = file.path;
   }
-  if (sherd.model_path.empty()) ++without_model_;
   want(Form::Ply, sherd, "model", "models/" + name + ".ply", sherd.model_path);
   want(Form::Glb, sherd, "model", "models/" + name + ".glb", glb.empty() ? sherd.model_path : glb);
   want(Form::Obj, sherd, "model", "models/" + name + ".obj", sherd.model_path);
@@ -114,6 +115,16 @@ std::vector<records::SherdRecord> readAll(const Catalogue& catalogue,
     plan.add(sherd);
   }
   return sherds;
+}
+
+std::vector<std::string> withoutModel(const std::vector<records::SherdRecord>& sherds,
+                                      const std::set<store::SherdRow>& with_model,
+                                      const ExportOptions& options) {
+  std::vector<std::string> names;
+  if (std::any_of(options.forms.begin(), options.forms.end(), isModel))
+    for (const records::SherdRecord& sherd : sherds)
+      if (!with_model.contains(sherd.row)) names.push_back(slugOf(sherd));
+  return names;
 }
 
 Result<DrawnSheets> sheetsOf(const Catalogue& catalogue, const records::SherdRecord& sherd,

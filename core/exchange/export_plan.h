@@ -67,7 +67,6 @@ class ExportPlan {
   const std::vector<const records::SherdRecord*>& drawn() const { return drawn_; }
   /// Not drawn, and why.
   const std::vector<Message>& notDrawn() const { return not_drawn_; }
-  int withoutModel() const { return without_model_; }
 
  private:
   void want(Form form, const records::SherdRecord& sherd, const char* role, const std::string& to,
@@ -84,13 +83,17 @@ class ExportPlan {
   std::vector<std::filesystem::path> viewed_photographs_;
   std::map<store::BatchRow, std::string> batches_;
   std::map<std::string, std::string> hashes_;
-  int without_model_ = 0;
 };
 
 /// The records of these sherds; the plan refers to them. Throws Refused.
 std::vector<records::SherdRecord> readAll(const catalogue::Catalogue& catalogue,
                                           std::span<const store::SherdRow> rows, ExportPlan& plan,
                                           const std::stop_token& stop);
+
+/// Names of those that have no model in an export that is to have models.
+std::vector<std::string> withoutModel(const std::vector<records::SherdRecord>& sherds,
+                                      const std::set<store::SherdRow>& with_model,
+                                      const ExportOptions& options);
 
 /// A sherd's drawing on its sheets.
 struct DrawnSheets {

@@ -54,7 +54,6 @@ class Sizing {
   /// Throws Refused.
   ExportSize run() {
     size_.sherds = static_cast<int>(sherds_.size());
-    size_.without_model = plan_.withoutModel();
     for (const auto step :
          {&Sizing::copies, &Sizing::drawings, &Sizing::records, &Sizing::metadata}) {
       stopIfAsked();
@@ -83,7 +82,7 @@ class Sizing {
              (file.form == Form::Glb && file.from.extension() == ".ply");
     };
     std::vector<PlannedFile> models;
-    std::set<store::SherdRow> lightened;
+    std::set<store::SherdRow> lightened, with_model;
     for (const PlannedFile& file : plan_.files()) {
       stopIfAsked();
       if (!plan_.open(file)) continue;  // is left out
@@ -91,9 +90,11 @@ class Sizing {
         models.push_back(file);
       else
         add(file.to, bytesOf(file.from), file.sherd, file.role);
+      if (isModel(file.form)) with_model.insert(file.sherd);
       if (isMadeAnew(file, options_)) lightened.insert(file.sherd);
     }
     size_.lightened = static_cast<int>(lightened.size());
+    size_.without_model = withoutModel(sherds_, with_model, options_);
     const auto* middle =
         middleOf(models, [](const PlannedFile& file) { return bytesOf(file.from); });
     const Shares shares = middle == nullptr ? Shares() : sharesOf(*middle);
@@ -266,8 +267,8 @@ class Sizing {
 
   void metadata() {
     const auto project = valueOrThrow(Settings(catalogue_).project());
-    for (const metadata::MetadataFile& file :
-         valueOrThrow(metadata::metadataOf(catalogue_, sherds_, project, options_.program, files_)))
+    for (const metadata::MetadataFile& file : valueOrThrow(metadata::metadataOf(
+             catalogue_, sherds_, project, options_.program, {files_, size_.without_model})))
       add(file.path, static_cast<std::int64_t>(file.text.size()));
   }
 

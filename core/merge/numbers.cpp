@@ -8,6 +8,7 @@
 #include "merge/told.h"
 #include "records/sherd.h"
 #include "sherds/sherd_columns.h"
+#include "sherds/sherds.h"
 #include "store/database.h"
 #include "store/names.h"
 #include "store/values.h"
@@ -97,13 +98,10 @@ bool Merging::takesNumber(const std::string& sherd, const Table& table, Values& 
 }
 
 void Merging::takeNumberAway(std::int64_t sherd, const std::string& number) {
-  if (database_.sql("SELECT state FROM sherd WHERE row = ?", sherd).one<std::string>() ==
-      "numbered")
-    to_number_.push_back(sherd);
-  database_.run(
-      "UPDATE sherd SET number = '', number_sort = ?, state = CASE state WHEN 'numbered' THEN "
-      "'draft' ELSE state END WHERE row = ?",
-      sherds::kBehindAllNumbers, sherd);
+  const records::SherdRecord loser =
+      store::valueOrThrow(sherds::Sherds(projects_.a).get(store::SherdRow{sherd}));
+  if (loser.state == records::SherdState::Numbered) to_number_.push_back(sherd);
+  sherds::setNumber(projects_.a, loser, {});
   remember("sherd", sherd, "number", number, "");
 }
 

@@ -6,6 +6,7 @@
 
 #include "archive/bagit.h"
 #include "base/message.h"
+#include "base/text.h"
 #include "catalogue/batches.h"
 #include "catalogue/places.h"
 #include "files/json.h"
@@ -52,7 +53,7 @@ constexpr const char* kContext = R"({
 
 // What may lie in an export, and what it is; of the rest a reader would look for in vain.
 struct Part {
-  const char* path;  ///< a file, or a folder with / at its end
+  const char* path;  ///< a file, a folder with / at its end, or files of a folder: models/*.ply
   const char* text;
 };
 constexpr Part kParts[] = {
@@ -62,12 +63,16 @@ constexpr Part kParts[] = {
     {"sherds.ods", "sherds, contexts and their columns as one spreadsheet"},
     {"sherds/", "one JSON record per sherd (format ostraka-sherd/1, terms in context.jsonld)"},
     {"models/",
-     "closed surfaces: PLY in mm with z up, coloured; GLB in metres with y up,\n"
-     "                 simplified (nearly all of it by less than 0.05 mm), with the\n"
-     "                 photographs as texture and a mask of the texels that were filled in;\n"
-     "                 OBJ in mm with z up, the surface of the GLB with its photographs as\n"
-     "                 MTL and PNG, or coloured where there are none; models that were\n"
-     "                 simplified further state their deviation in the file"},
+     "closed surfaces; a model that was simplified further than this list says\n"
+     "                 states its deviation in its file"},
+    {"models/*.ply", "in mm with z up, coloured"},
+    {"models/*.glb",
+     "in metres with y up, simplified (nearly all of it by less than 0.05 mm), with\n"
+     "                 the photographs as texture and a mask of the texels that were filled\n"
+     "                 in, or coloured where there are none"},
+    {"models/*.obj",
+     "in mm with z up, the surface of the GLB with its photographs as MTL and PNG,\n"
+     "                 or coloured where there are none"},
     {"images/", "a picture of each model"},
     {"photographs/", "the photographs that the models were made from, unchanged"},
     {"drawings/", "drawings for print"},
@@ -89,10 +94,14 @@ std::string listOf(const std::vector<archive::BagFile>& exported) {
   std::string text = "Potsherds, measured in 3D\n=========================\n\n";
   for (const Part& part : kParts) {
     const std::string path = std::string("data/") + part.path;
-    const auto begins = [&](const archive::BagFile& file) {
-      return path.ends_with('/') ? file.path.starts_with(path) : file.path == path;
+    const std::size_t any = path.find('*');
+    const auto is_there = [&](const archive::BagFile& file) {
+      return any != std::string::npos ? file.path.starts_with(path.substr(0, any)) &&
+                                            file.path.ends_with(path.substr(any + 1))
+             : path.ends_with('/') ? file.path.starts_with(path)
+                                   : file.path == path;
     };
-    if (!std::any_of(exported.begin(), exported.end(), begins)) continue;
+    if (!std::any_of(exported.begin(), exported.end(), is_there)) continue;
     std::string name = part.path;
     name.resize(17, ' ');
     text += name + part.text + "\n";
@@ -105,15 +114,21 @@ std::string listOf(const std::vector<archive::BagFile>& exported) {
 
 // What nobody who measures on these models may overlook.
 std::string readMe(const Catalogue& catalogue, const std::set<store::BatchRow>& batches,
-                   const std::vector<archive::BagFile>& exported) {
+                   const Content& exported) {
+  std::string text = listOf(exported.files);
+  if (!exported.without_model.empty())
+    text +=
+        "\nSherds without a model\n"
+        "----------------------\n" +
+        joined(exported.without_model, "\n") + "\n";
   std::string doubts;
   for (const store::BatchRow row : batches) {
     const records::BatchRecord batch = valueOrThrow(Batches(catalogue).get(row));
     if (!batch.scale_doubts.empty())
       doubts += batch.number + ": " + linesOf(batch.scale_doubts) + "\n";
   }
-  if (doubts.empty()) return listOf(exported);
-  return listOf(exported) +
+  if (doubts.empty()) return text;
+  return text +
          "\nMeasurements in doubt\n"
          "---------------------\n"
          "The models and measurements of these batches may be wrong (in sherds.csv the\n"
@@ -336,8 +351,7 @@ json jsonOf(const archive::BagReader& bag, const std::string& path) {
 Result<std::vector<MetadataFile>> metadataOf(const Catalogue& catalogue,
                                              const std::vector<records::SherdRecord>& sherds,
                                              const records::ProjectRecord& project,
-                                             const std::string& program,
-                                             const std::vector<archive::BagFile>& exported) {
+                                             const std::string& program, const Content& exported) {
   std::set<store::ContextRow> contexts;
   std::set<store::BatchRow> batches;
   for (const records::SherdRecord& sherd : sherds) {
@@ -369,7 +383,7 @@ Result<std::vector<MetadataFile>> metadataOf(const Catalogue& catalogue,
     };
     add("metadata/project.json", dublin_core);
     add("metadata/places.json", placesJson(catalogue, contexts));
-    add("metadata/batches.json", valueOrThrow(batchesJson(catalogue, batches, exported)));
+    add("metadata/batches.json", valueOrThrow(batchesJson(catalogue, batches, exported.files)));
     add("metadata/vocabularies.json", valueOrThrow(vocabulariesJson(catalogue, sherds)));
     files.push_back({"context.jsonld", kContext});
     files.push_back({"README.txt", readMe(catalogue, batches, exported)});

@@ -15,14 +15,17 @@ namespace ostraka::metadata {
 struct MetadataFile {
   std::string path, text;
 };
+/// What README.txt tells of an export.
+struct Content {
+  const std::vector<archive::BagFile>& files;     ///< so far
+  const std::vector<std::string>& without_model;  ///< names of sherds
+};
 /// What travels beside the records: metadata/project.json (Dublin Core), metadata/places.json,
-/// metadata/batches.json, metadata/vocabularies.json, context.jsonld and README.txt. exported: the
-/// files so far, which README.txt lists.
+/// metadata/batches.json, metadata/vocabularies.json, context.jsonld and README.txt.
 Result<std::vector<MetadataFile>> metadataOf(const catalogue::Catalogue& catalogue,
                                              const std::vector<records::SherdRecord>& sherds,
                                              const records::ProjectRecord& project,
-                                             const std::string& program,
-                                             const std::vector<archive::BagFile>& exported);
+                                             const std::string& program, const Content& exported);
 
 /// Persons, sites, trenches, contexts, bags and batches with their photographs, scans and decisions
 /// of metadata/, with their ids, and terms of vocabularies, into a catalogue that does not have

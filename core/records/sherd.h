@@ -120,6 +120,7 @@ struct Term {
   std::string term;                           ///< as stored: rim
   std::map<std::string, std::string> labels;  ///< language -> word
   std::string uri;
+  bool operator==(const Term&) const = default;
 };
 /// That `typed` is none of these, with the first of them in each language that has labels.
 Message notATerm(const std::string& typed, const std::vector<Term>& vocabulary);

@@ -96,14 +96,9 @@ Taken takenBy(store::Database& database, const std::string& number) {
   return taken;
 }
 
-void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord& sherd,
-               const std::string& number) {
+void giveNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord& sherd,
+                const std::string& number) {
   store::Database& database = catalogue.database();
-  if (number.empty()) {
-    database.run("UPDATE sherd SET number = '', number_sort = ?, state = 'draft' WHERE row = ?",
-                 kBehindAllNumbers, sherd.row);
-    return;
-  }
   const Taken taken = takenBy(database, number);
   if (taken.sherd && (taken.sherd != sherd.row || taken.slug_only))
     store::refuse(message("The number %1 was assigned before; numbers are never reused.", number),
@@ -114,6 +109,19 @@ void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord
                  store::uniqueKey(store::slug(number)), number, sherd.row, catalogue.now(),
                  counted.counter, counted.n);
   }
+}
+
+void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord& sherd,
+               const std::string& number) {
+  store::Database& database = catalogue.database();
+  if (number.empty()) {
+    database.run(
+        "UPDATE sherd SET number = '', number_sort = ?, state = CASE state WHEN 'numbered' THEN "
+        "'draft' ELSE state END WHERE row = ?",
+        kBehindAllNumbers, sherd.row);
+    return;
+  }
+  giveNumber(catalogue, sherd, number);
   database.run("UPDATE sherd SET number = ?, number_sort = ?, state = 'numbered' WHERE row = ?",
                number, store::sortKey(number), sherd.row);
 }

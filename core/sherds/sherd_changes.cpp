@@ -66,7 +66,7 @@ class Examination {
     const std::string& typed = change.shown.change.value;
     change.shown.old_value = textOf(sherd, field);
     if (!holdsExpected(sherd, change.shown.change))
-      refuse(message("The field %1 was changed meanwhile; nothing was undone or redone.", field));
+      throw store::Refused(Error::changedMeanwhile(field));
     std::string& value = change.shown.new_value;
     value = store::valueOrThrow(store::checkedText(typed));
     if (field.starts_with("extra.") && field.size() > 6) return;

@@ -44,7 +44,11 @@ struct Taken {
   bool slug_only = false;
 };
 Taken takenBy(store::Database& database, const std::string& number);
-/// Writes number, state and sort key of the sherd, and that the number is given. Throws Refused.
+/// Writes that the number is the sherd's for ever. Throws Refused where it is another's.
+void giveNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord& sherd,
+                const std::string& number);
+/// Gives it, and writes number, state and sort key of the sherd; empty: its number is taken away,
+/// and given to no other. Throws Refused.
 void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord& sherd,
                const std::string& number);
 

@@ -1,5 +1,6 @@
-// What a catalogue's history says of rows that came from an older backup.
+// What a catalogue's history says of rows that came from an older backup; whose each number is.
 
+#include "catalogue/history.h"
 #include "catalogue/search.h"
 #include "records/sherd.h"
 #include "sherds/sherd_changes.h"
@@ -85,6 +86,30 @@ bool changeTogether(catalogue::Catalogue& repaired, const RepairedRow& row,
   return isDone(sherds::SherdChanges(repaired).apply(fields, {by, "repair", {}}));
 }
 
+// Each number is that of one sherd: of the one to which it was given, else of the first.
+void settleNumbers(catalogue::Catalogue& repaired, RepairReport& report) {
+  store::Database& database = repaired.database();
+  for (const store::SherdRow& row :
+       database.sql("SELECT row FROM sherd WHERE number <> '' ORDER BY row")
+           .all<store::SherdRow>()) {
+    const auto number =
+        database.sql("SELECT number FROM sherd WHERE row = ?", row).one<std::string>();
+    const sherds::Taken taken = sherds::takenBy(database, number);
+    if (taken.sherd == row) continue;
+    const records::SherdRecord sherd = store::valueOrThrow(sherds::Sherds(repaired).get(row));
+    if (!taken.sherd) {
+      sherds::giveNumber(repaired, sherd, number);
+      continue;
+    }
+    sherds::setNumber(repaired, sherd, {});
+    catalogue::remember(repaired, {{}, "repair", {}}, "sherd", row.value, "number", number, {});
+    catalogue::searchAnew(database, row);
+    report.rows.push_back(
+        {"sherd", row.value, number, "number", From::Nowhere,
+         "sherd " + std::to_string(taken.sherd.value) + " (" + taken.number + ")"});
+  }
+}
+
 }  // namespace
 
 Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_known,
@@ -111,18 +136,7 @@ Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_kno
   });
   if (!done) return done;
   report.rows.insert(report.rows.end(), unknown.begin(), unknown.end());
-  return database.inTransaction([&] {
-    const auto numberless =
-        database
-            .sql(
-                "SELECT row FROM sherd WHERE number <> '' AND row NOT IN (SELECT sherd FROM "
-                "given_number)")
-            .all<store::SherdRow>();
-    for (const store::SherdRow& row : numberless) {
-      const records::SherdRecord sherd = store::valueOrThrow(sherds::Sherds(repaired).get(row));
-      sherds::setNumber(repaired, sherd, sherd.number);
-    }
-  });
+  return database.inTransaction([&] { settleNumbers(repaired, report); });
 }
 
 }  // namespace ostraka::upkeep

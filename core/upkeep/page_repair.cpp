@@ -65,9 +65,10 @@ std::uint32_t pageNumberAt(const Page& page, std::size_t at) {
          std::uint32_t{page[at + 2]} << 8 | page[at + 3];
 }
 
-// Pages come as the frames hold them, the damaged ones too, which are then repaired as all others:
-// what the file holds of them is older, and looks whole.
-Result<void> putDamagedWalInto(const fs::path& path, PageRepair& repair) {
+// SQLite reads no WAL beside a file whose first page is destroyed, though that page may stand in
+// it. Pages come as the frames hold them, the damaged ones too, which are then repaired as all
+// others: what the file holds of them is older, and looks whole.
+Result<void> putWalInto(const fs::path& path, PageRepair& repair) {
   const fs::path wal = path.string() + "-wal";
   std::error_code failed;
   const std::uintmax_t bytes = fs::file_size(wal, failed);
@@ -80,8 +81,7 @@ Result<void> putDamagedWalInto(const fs::path& path, PageRepair& repair) {
         in.read(reinterpret_cast<char*>(to), static_cast<std::streamsize>(count)));
   };
   const store::WalContent content = store::readWal(read, static_cast<std::int64_t>(bytes));
-  if (!content.damaged) return {};
-  repair.wal_damaged = true;
+  repair.wal_damaged = content.damaged;
   PageFile file(path, std::ios::in | std::ios::out);
   const std::size_t most = file.pages() + content.frames.size();
   for (const store::WalFrame& frame : content.frames) {
@@ -114,7 +114,7 @@ std::vector<std::uint32_t> schemaPages(const Page& root) {
 
 Result<PageRepair> repairPages(const fs::path& path, std::span<const fs::path> backups) {
   PageRepair repair;
-  if (Result<void> put = putDamagedWalInto(path, repair); !put) return put.error();
+  if (Result<void> put = putWalInto(path, repair); !put) return put.error();
   PageFile file(path, std::ios::in | std::ios::out);
   std::uint32_t pages = file.pages();
   for (std::uint32_t number = 1; number <= pages; ++number) {

@@ -17,9 +17,10 @@ struct PageRepair {
   bool wal_damaged = false;
   int wal_pages_lost = 0;  ///< of a damaged WAL, those whose numbers are not known either
 };
-/// Repairs in place what the checksums prove, so pass a copy. A damaged WAL beside the file is
-/// merged into it and removed; an intact one is left to SQLite. Missing pages at the file's end are
-/// added and count as lost. Errors: the file cannot be read or written.
+/// Repairs in place what the checksums prove, so pass a copy. The catalogue's pages are those of
+/// the file under those that its WAL holds of saved transactions, which is merged into the file and
+/// removed. Missing pages at the file's end are added and count as lost. Errors: the file cannot be
+/// read or written.
 Result<PageRepair> repairPages(const std::filesystem::path& file,
                                std::span<const std::filesystem::path> backups);
 

@@ -131,7 +131,9 @@ class Repair {
       if (!whole) return whole.error();
       provable = *whole;
     }
-    if (provable && pages->by_bit + pages->by_backup == 0 && !pages->wal_damaged && !foreign_wal)
+    // A first page that stands whole in the WAL alone keeps SQLite from reading it.
+    if (provable && pages->by_bit + pages->by_backup == 0 && !pages->wal_damaged &&
+        store::checkHeader(file_))
       return report_;
     if (!provable)
       if (Result<void> made = makeFrom(copy->path(), *pages, *fresh); !made) return made.error();
@@ -186,8 +188,7 @@ class Repair {
     return catalogue.checkIntegrity();
   }
 
-  // Empty where the file says nothing, or is not ours. Its WAL is left to be read over the pages
-  // that come from the backup.
+  // Empty where the file says nothing, or is not ours.
   std::string projectOf(const fs::path& file) const {
     const Result<catalogue::Catalogue> catalogue = opened(file, store::Database::Mode::ReadOnly);
     if (!catalogue || !store::checkSchema(catalogue->database())) return {};
@@ -214,27 +215,20 @@ class Repair {
   Result<void> makeFrom(const fs::path& damaged, const PageRepair& pages,
                         store::PartialFile& fresh) {
     if (Result<void> found = findBase(damaged); !found) return found;
-    if (base_.empty())
-      return Error{
-          ErrorCode::Damaged,
-          message("The catalogue is damaged, and none of its backups is intact; copy one from an "
-                  "archive or another disk into the folder backups, then repair it again."),
-          file_.string()};
+    const Error needs_backup = {
+        ErrorCode::Damaged,
+        message("The catalogue is damaged, and none of its backups is intact; copy one from an "
+                "archive or another disk into the folder backups, then repair it again."),
+        file_.string()};
+    // Where each page is whole, each row can be read.
+    if (base_.empty() && report_.pages_lost > 0) return needs_backup;
     report_.backup = base_;
-    // The backup itself stays as it is: an older one is brought to this program's schema first.
     Result<store::PartialFile> base = store::PartialFile::beside(file_);
     if (!base) return base.error();
-    {
-      const Result<catalogue::Catalogue> original = opened(base_, store::Database::Mode::ReadOnly);
-      if (!original) return original.error();
-      if (Result<void> copied =
-              original->database().asResult([&] { original->database().copyTo(base->path()); });
-          !copied)
-        return copied;
-    }
-    if (Result<void> current = bringUpToDate(base->path()); !current) return current;
+    if (Result<void> ready = makeBase(base->path()); !ready) return ready;
     const Result<bool> rows = collect(damaged, pages, base->path(), fresh.path());
     if (!rows) return rows.error();
+    if (!*rows && base_.empty()) return needs_backup;
     report_.all_from_backup = !*rows;
     if (!*rows) {
       report_.rows.clear();
@@ -250,8 +244,19 @@ class Repair {
     return checkPaths(*made);
   }
 
-  Result<void> bringUpToDate(const fs::path& file) const {
-    Result<catalogue::Catalogue> catalogue = opened(file, store::Database::Mode::ReadWrite);
+  // The backup itself stays as it is: an older one is brought to this program's schema first.
+  // Without any it is an empty catalogue.
+  Result<void> makeBase(const fs::path& file) const {
+    if (!base_.empty()) {
+      const Result<catalogue::Catalogue> original = opened(base_, store::Database::Mode::ReadOnly);
+      if (!original) return original.error();
+      if (Result<void> copied =
+              original->database().asResult([&] { original->database().copyTo(file); });
+          !copied)
+        return copied;
+    }
+    const Result<catalogue::Catalogue> catalogue = opened(
+        file, base_.empty() ? store::Database::Mode::Create : store::Database::Mode::ReadWrite);
     if (!catalogue) return catalogue.error();
     return store::migrate(catalogue->database(), store::migrations(),
                           []() -> Result<void> { return {}; });
@@ -301,7 +306,7 @@ class Repair {
         {"photograph", "path"}, {"person", "name"}};
     for (RepairedRow& row : report_.rows) {
       const auto name = names.find(row.table);
-      if (name == names.end() || row.row == 0) continue;
+      if (name == names.end() || row.row == 0 || !row.name.empty()) continue;
       store::Statement found =
           database.sql("SELECT " + name->second + " FROM " + row.table + " WHERE row = ?", row.row);
       found.read(row.name);
@@ -416,7 +421,8 @@ Message RepairedRow::words(const std::string& backup) const {
   if (row > 0) what += " " + std::to_string(row);
   if (!name.empty()) what += " (" + name + ")";
   if (!field.empty()) what += ", " + field;
-  return from == From::Backup    ? message("%1: from %2", what, backup)
+  return !owner.empty()          ? message("%1: not restored; it belongs to %2", what, owner)
+         : from == From::Backup  ? message("%1: from %2", what, backup)
          : from == From::History ? message("%1: from the history", what)
                                  : message("%1: not restored", what);
 }

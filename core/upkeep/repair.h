@@ -22,6 +22,7 @@ struct RepairedRow {
   std::string name;   ///< number, code or path; empty where none is known
   std::string field;  ///< of which the last change is not restored
   From from = From::Nowhere;
+  std::string owner = {};  ///< of the number `name`, which this sherd has lost; else empty
 
   /// What it is, and where it came from; backup: its file.
   Message words(const std::string& backup) const;
@@ -38,13 +39,14 @@ struct RepairReport {
 };
 
 /// Makes a damaged catalogue whole: pages that their own checksums prove, then row by row from the
-/// whole backup of this project whose history goes furthest, and the history. Writes the new
-/// catalogue beside it, checks it, backs it up, keeps the damaged file and renames. Nobody may have
-/// the project open, and nobody can open it in the meantime. A repair that was killed is completed
-/// by the next one. A whole catalogue is left as it is; a backup that was put in its place loses
-/// the WAL of the file that it replaced, which is kept as `damaged`-wal. Errors: a newer version,
-/// as by opening; in use, no whole backup where one is needed, CannotWrite, Cancelled; then
-/// everything is as it was.
+/// whole backup of this project whose history goes furthest, and the history. Of two sherds with
+/// one number, the one to which it was given keeps it; the other loses its number and nothing else.
+/// Writes the new catalogue beside it, checks it, backs it up, keeps the damaged file and renames.
+/// Nobody may have the project open, and nobody can open it in the meantime. A repair that was
+/// killed is completed by the next one. A whole catalogue is left as it is; a backup that was put
+/// in its place loses the WAL of the file that it replaced, which is kept as `damaged`-wal. Errors:
+/// a newer version, as by opening; in use, no whole backup where a page is lost, CannotWrite,
+/// Cancelled; then everything is as it was.
 Result<RepairReport> repairCatalogue(const std::filesystem::path& project, Progress& progress,
                                      std::stop_token stop,
                                      const catalogue::Catalogue::Clock& clock = {});

@@ -349,6 +349,7 @@ TEST_F(CatalogueCommand, NamesTheFormsWithoutAnyFile) {
   ASSERT_EQ(run(import("sherds.csv") + "--enter"), 1);
   EXPECT_EQ(run("export " + at("p") + " -o " + at("both") + " --forms csv,ply,glb"), 0);
   EXPECT_EQ(said_["forms_without_file"], nlohmann::json({"glb", "ply"}));
+  EXPECT_EQ(said_["without_model"].size(), said_["sherds"].get<std::size_t>());
   EXPECT_EQ(run("export " + at("p") + " -o " + at("none") + " --forms ply,glb"), 1);
   const std::string told = words("export " + at("p") + " -o " + at("once") + " --forms csv,ply");
   EXPECT_NE(told.find("No files in these formats, since the sherds have none: ply."),

@@ -2,6 +2,8 @@
 
 #include <QFileInfo>
 #include <QLocale>
+#include <algorithm>
+#include <span>
 
 #include "ui/export/export_choices.h"
 #include "ui/frame/project_session.h"
@@ -16,6 +18,16 @@ namespace {
 constexpr double kBytesPerSecond = 60e6;
 constexpr double kSecondsPerDrawing = 2;  // of a sherd of 60 mm
 constexpr double kSecondsPerLighter = 3;  // likewise
+constexpr std::size_t kMostNames = 8;     // of sherds, in a line
+
+QString modellessWords(const std::vector<std::string>& names) {
+  QStringList shown;
+  for (const std::string& name : std::span(names).first(std::min(names.size(), kMostNames)))
+    shown << QString::fromStdString(name);
+  if (names.size() > kMostNames) shown << QStringLiteral("…");
+  return ExportModel::tr("%n of them without a model: %1", nullptr, static_cast<int>(names.size()))
+      .arg(shown.join(QStringLiteral(", ")));
+}
 
 }  // namespace
 
@@ -110,8 +122,7 @@ QString ExportModel::sizeText() const {
   QString text =
       tr("%n sherd(s), %1 files, %2, %3", nullptr, size_->sherds)
           .arg(locale.toString(size_->files), locale.formattedDataSize(size_->bytes), time);
-  if (size_->without_model > 0)
-    text += "\n" + tr("%n of them without a model", nullptr, size_->without_model);
+  if (!size_->without_model.empty()) text += "\n" + modellessWords(size_->without_model);
   const bool before = state_ == State::Choosing || state_ == State::Failed;
   if (before && QFileInfo::exists(choices_->target()))
     text += "\n" + tr("A folder with this name already exists; choose another name.");
@@ -133,7 +144,10 @@ QString ExportModel::closingLine() const {
 }
 
 QStringList ExportModel::warnings() const {
-  return done_ ? listOf(done_->warnings) : QStringList();
+  if (!done_) return {};
+  QStringList warnings = listOf(done_->warnings);
+  if (!done_->without_model.empty()) warnings << modellessWords(done_->without_model);
+  return warnings;
 }
 
 void ExportModel::start() {

@@ -1,5 +1,7 @@
 #include "ui/pairs/review_commands.h"
 
+#include "ui/words/sentence.h"
+
 namespace ostraka::ui {
 
 DecideCommand::DecideCommand(PairReview& review, decisions::PairDecision decision,
@@ -16,8 +18,20 @@ std::string DecideCommand::person() const {
   return review_->person().isEmpty() ? decision_.by : review_->person().toStdString();
 }
 
+Result<void> DecideCommand::checkUnchanged() {
+  const auto now = decisions::replacedBy(decision_, output_);
+  if (!now) return now.error();
+  if (!replaced_) replaced_ = *now;
+  if (!decisions::equivalent(*now, *replaced_)) return Error::changedMeanwhile("pair");
+  return {};
+}
+
 void DecideCommand::redo() {
   if (!review_ || !written_.empty()) return;
+  if (const Result<void> unchanged = checkUnchanged(); !unchanged) {
+    emit review_->failed(sentenceOf(unchanged.error()));
+    return setObsolete(true);
+  }
   decision_.by = person();
   decisions::PairDecision written = decision_;
   if (review_->write(output_, written))

@@ -7,7 +7,8 @@
 namespace ostraka::ui {
 
 /// A decision; undone by a withdrawal, which is a new row behind it. Nothing is ever removed. Both
-/// stand in the file of its batch, whichever is shown by then.
+/// stand in the file of its batch, whichever is shown by then. It is done again only where the same
+/// holds as before it was done first.
 class DecideCommand final : public QUndoCommand {
  public:
   DecideCommand(PairReview& review, decisions::PairDecision decision, const QString& text);
@@ -16,12 +17,14 @@ class DecideCommand final : public QUndoCommand {
 
  private:
   std::string person() const;
+  Result<void> checkUnchanged();
 
   QPointer<PairReview> review_;
   decisions::PairDecision decision_;
   std::filesystem::path output_;
   Trial before_;  ///< what was in hand
   std::weak_ptr<const review::LivePairs> live_;
+  std::optional<decisions::Decisions> replaced_;  ///< by it; none: not written yet
   std::string written_;  ///< id of the decision in the file; empty: taken back, or not yet there
 };
 

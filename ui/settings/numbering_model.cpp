@@ -1,7 +1,6 @@
 #include "ui/settings/numbering_model.h"
 
 #include <QDate>
-#include <QUndoStack>
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -12,7 +11,7 @@
 #include "records/numbering.h"
 #include "sherds/numbers.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/saved_command.h"
+#include "ui/frame/saved_value.h"
 #include "ui/jobs/when_done.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -103,15 +102,17 @@ void NumberingModel::setSession(ProjectSession* session) {
 
 void NumberingModel::read() {
   held_ = {};
-  if (session_ != nullptr) {
-    const catalogue::Catalogue& rows = session_->project().catalogue();
-    if (const auto project = catalogue::Settings(rows).project())
-      held_.scheme = QString::fromStdString(project->numbering);
-    held_.first = settingIn(*session_, kFirst, 1);
-    held_.last = settingIn(*session_, kLast, kLastNumber);
-  }
+  if (session_ != nullptr)
+    if (const Result<Numbering> numbering = stored()) held_ = *numbering;
   wanted_ = held_;
   follow();
+}
+
+Result<NumberingModel::Numbering> NumberingModel::stored() const {
+  const auto project = catalogue::Settings(session_->project().catalogue()).project();
+  if (!project) return project.error();
+  return Numbering{QString::fromStdString(project->numbering), settingIn(*session_, kFirst, 1),
+                   settingIn(*session_, kLast, kLastNumber)};
 }
 
 void NumberingModel::setScheme(const QString& scheme) {
@@ -164,37 +165,32 @@ void NumberingModel::follow() {
   emit changed();
 }
 
-Result<void> NumberingModel::hold(const Numbering& numbering) {
-  catalogue::Catalogue& rows = session_->project().catalogue();
-  const records::Provenance provenance = session_->provenance();
-  const Result<void> done = rows.together([&]() -> Result<void> {
-    Result<records::ProjectRecord> project = catalogue::Settings(rows).project();
-    if (!project) return project.error();
-    project->numbering = numbering.scheme.toStdString();
-    if (Result<void> set = catalogue::Settings(rows).setProject(*project, provenance); !set)
-      return set;
-    for (const auto& [key, value] :
-         {std::pair(kFirst, numbering.first), std::pair(kLast, numbering.last)})
-      if (Result<void> set = catalogue::Settings(rows).setValue(key, std::to_string(value)); !set)
-        return set;
-    return {};
-  });
-  if (!done) return done;
-  read();
-  session_->tellSherdsChanged();  // the next numbers are others now
+Result<void> NumberingModel::store(const Numbering& numbering,
+                                   const records::Provenance& provenance) {
+  catalogue::Settings settings(session_->project().catalogue());
+  Result<records::ProjectRecord> project = settings.project();
+  if (!project) return project.error();
+  project->numbering = numbering.scheme.toStdString();
+  if (Result<void> set = settings.setProject(*project, provenance); !set) return set;
+  for (const auto& [key, value] :
+       {std::pair(kFirst, numbering.first), std::pair(kLast, numbering.last)})
+    if (Result<void> set = settings.setValue(key, std::to_string(value)); !set) return set;
   return {};
 }
 
 QString NumberingModel::apply() {
   if (!canApply()) return refusal_;
-  const Numbering before = held_, after = wanted_;
-  if (const Result<void> done = hold(after); !done) return sentenceOf(done.error());
-  const auto saves = [this](const Numbering& numbering) {
-    return [this, numbering] { return hold(numbering); };
+  const auto shown = [this] {
+    read();
+    session_->tellSherdsChanged();  // the next numbers are others now
   };
-  session_->undo().push(
-      new SavedCommand(tr("change the numbering"), saves(after), saves(before), *session_));
-  return {};
+  const SavedValue<Numbering> numbering = {
+      "numbering", [this] { return stored(); },
+      [this](const Numbering& wanted, const records::Provenance& by) { return store(wanted, by); },
+      shown};
+  const Result<void> done =
+      saveValue(*session_, tr("change the numbering"), numbering, Numbering(wanted_));
+  return done ? QString() : sentenceOf(done.error());
 }
 
 void NumberingModel::lookAgain() {

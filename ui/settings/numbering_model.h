@@ -8,6 +8,10 @@
 #include "base/result.h"
 #include "ui/jobs/job.h"
 
+namespace ostraka::records {
+struct Provenance;
+}  // namespace ostraka::records
+
 namespace ostraka::ui {
 
 class ProjectSession;
@@ -55,7 +59,8 @@ class NumberingModel final : public QObject {
   void gapsChanged();
 
  private:
-  Result<void> hold(const Numbering& numbering);
+  Result<Numbering> stored() const;
+  Result<void> store(const Numbering& numbering, const records::Provenance& provenance);
   void read();
   void follow();
   void lookForGaps();

@@ -7,7 +7,7 @@
 
 #include "catalogue/settings.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/saved_command.h"
+#include "ui/frame/saved_value.h"
 #include "ui/look/look.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/words/sentence.h"
@@ -44,41 +44,46 @@ void RightsEdit::setSession(ProjectSession* session) {
 
 void RightsEdit::showRights() {
   if (!session_) return;
-  const Result<records::ProjectRecord> record =
-      catalogue::Settings(session_->project().catalogue()).project();
-  if (!record) return told_->setText(sentenceOf(record.error()));
-  held_ = {QString::fromStdString(record->licence), QString::fromStdString(record->rights_holder)};
+  const Result<Rights> rights = rightsIn(*session_);
+  if (!rights) return told_->setText(sentenceOf(rights.error()));
+  held_ = *rights;
   licence_->setText(held_.licence);
   holder_->setText(held_.holder);
 }
 
-Result<void> RightsEdit::hold(const Rights& rights) {
-  if (!session_) return {};
-  Result<records::ProjectRecord> record =
-      catalogue::Settings(session_->project().catalogue()).project();
+Result<RightsEdit::Rights> RightsEdit::rightsIn(ProjectSession& session) {
+  const Result<records::ProjectRecord> record =
+      catalogue::Settings(session.project().catalogue()).project();
+  if (!record) return record.error();
+  return Rights{QString::fromStdString(record->licence),
+                QString::fromStdString(record->rights_holder)};
+}
+
+Result<void> RightsEdit::setRights(ProjectSession& session, const Rights& rights,
+                                   const records::Provenance& provenance) {
+  catalogue::Settings settings(session.project().catalogue());
+  Result<records::ProjectRecord> record = settings.project();
   if (!record) return record.error();
   record->licence = rights.licence.toStdString();
   record->rights_holder = rights.holder.toStdString();
-  if (Result<void> done = catalogue::Settings(session_->project().catalogue())
-                              .setProject(*record, session_->provenance());
-      !done)
-    return done;
-  showRights();
-  return {};
+  return settings.setProject(*record, provenance);
 }
 
 void RightsEdit::save() {
   if (!session_) return;
-  const Rights before = held_, after{licence_->text().trimmed(), holder_->text().trimmed()};
-  if (before == after) return;
-  if (const Result<void> done = hold(after); !done) return told_->setText(sentenceOf(done.error()));
-  const QPointer<RightsEdit> edit(this);
-  const auto saves = [edit](const Rights& rights) {
-    return [edit, rights] { return edit ? edit->hold(rights) : Result<void>(); };
+  const Rights typed{licence_->text().trimmed(), holder_->text().trimmed()};
+  if (typed == held_) return;
+  const auto shown = [edit = QPointer<RightsEdit>(this)] {
+    if (edit) edit->showRights();
   };
-  session_->undo().push(
-      new SavedCommand(tr("change the rights"), saves(after), saves(before), *session_));
-  told_->setText(tr("Saved."));
+  const SavedValue<Rights> rights = {
+      "rights", [&session = *session_] { return rightsIn(session); },
+      [&session = *session_](const Rights& wanted, const records::Provenance& by) {
+        return setRights(session, wanted, by);
+      },
+      shown};
+  const Result<void> done = saveValue(*session_, tr("change the rights"), rights, typed);
+  told_->setText(done ? tr("Saved.") : sentenceOf(done.error()));
 }
 
 }  // namespace ostraka::ui

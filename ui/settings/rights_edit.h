@@ -7,6 +7,10 @@
 class QLabel;
 class QLineEdit;
 
+namespace ostraka::records {
+struct Provenance;
+}  // namespace ostraka::records
+
 namespace ostraka::ui {
 
 class ProjectSession;
@@ -28,7 +32,9 @@ class RightsEdit final : public QWidget {
   };
   void save();
   void showRights();
-  Result<void> hold(const Rights& rights);
+  static Result<Rights> rightsIn(ProjectSession& session);
+  static Result<void> setRights(ProjectSession& session, const Rights& rights,
+                                const records::Provenance& provenance);
 
   QPointer<ProjectSession> session_;
   Rights held_;  ///< in the catalogue

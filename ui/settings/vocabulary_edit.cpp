@@ -10,7 +10,7 @@
 
 #include "catalogue/settings.h"
 #include "ui/frame/project_session.h"
-#include "ui/frame/saved_command.h"
+#include "ui/frame/saved_value.h"
 #include "ui/frame/term_words.h"
 #include "ui/look/look.h"
 #include "ui/widgets/form_rows.h"
@@ -108,35 +108,32 @@ std::vector<records::Term> VocabularyEdit::written() const {
   return terms;
 }
 
-Result<void> VocabularyEdit::hold(const QString& vocabulary,
-                                  const std::vector<records::Term>& terms) {
-  if (Result<void> done =
-          catalogue::Settings(session_->project().catalogue())
-              .setVocabulary(vocabulary.toStdString(), terms, session_->provenance());
-      !done)
-    return done;
-  session_->tellVocabulariesChanged();
-  keepDraft();
-  drafts_.remove(vocabulary);
-  showTerms();
-  return {};
-}
-
 void VocabularyEdit::save() {
   if (!session_) return;
   const QString vocabulary = which_->currentData().toString();
-  const std::vector<records::Term> before = held_, after = written();
-  const bool same = std::equal(before.begin(), before.end(), after.begin(), after.end(),
+  const std::vector<records::Term> after = written();
+  const bool same = std::equal(held_.begin(), held_.end(), after.begin(), after.end(),
                                [](const auto& a, const auto& b) { return a.term == b.term; });
   if (same) return;
-  if (const Result<void> done = hold(vocabulary, after); !done)
-    return told_->setText(sentenceOf(done.error()));
-  const auto saves = [this, vocabulary](const std::vector<records::Term>& terms) {
-    return [this, vocabulary, terms] { return hold(vocabulary, terms); };
+  const std::string name = vocabulary.toStdString();
+  const auto shown = [this, vocabulary] {
+    session_->tellVocabulariesChanged();
+    keepDraft();
+    drafts_.remove(vocabulary);
+    showTerms();
   };
-  session_->undo().push(
-      new SavedCommand(tr("change the vocabulary"), saves(after), saves(before), *session_));
-  told_->setText(tr("Saved."));
+  const SavedValue<std::vector<records::Term>> terms = {
+      name,
+      [&session = *session_, name] {
+        return catalogue::Settings(session.project().catalogue()).vocabulary(name);
+      },
+      [&session = *session_, name](const std::vector<records::Term>& wanted,
+                                   const records::Provenance& by) {
+        return catalogue::Settings(session.project().catalogue()).setVocabulary(name, wanted, by);
+      },
+      shown};
+  const Result<void> done = saveValue(*session_, tr("change the vocabulary"), terms, after);
+  told_->setText(done ? tr("Saved.") : sentenceOf(done.error()));
 }
 
 }  // namespace ostraka::ui

@@ -30,7 +30,6 @@ class VocabularyEdit final : public QWidget {
   void showTerms();
   void keepDraft();
   void save();
-  Result<void> hold(const QString& vocabulary, const std::vector<records::Term>& terms);
   std::vector<records::Term> written() const;
 
   QPointer<ProjectSession> session_;

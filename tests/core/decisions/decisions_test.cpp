@@ -107,6 +107,33 @@ TEST_F(DecisionsOf, ANewPairReplacesAllThatWasSaidAboutItsTwoScans) {
   EXPECT_EQ(standingPlaces(), (std::vector<int>{3, 4}));
 }
 
+// Another window may have decided about what would hold again.
+TEST_F(DecisionsOf, AWithdrawalBringsBackNothingThatContradictsALaterDecision) {
+  append(pair(1, 1));
+  PairDecision undo;
+  undo.kind = DecisionKind::Withdraw;
+  undo.by = "AP";
+  undo.replaces = {append(pair(1, 2)).id};
+  append(pair(2, 1));  // of back 1 nothing was said any more
+  const Result<PairDecision> refused = appendDecision(out_, undo);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().what,
+            "The field pair was changed meanwhile; nothing was undone or redone.");
+  EXPECT_EQ(standingPlaces(), (std::vector<int>{2, 3}));
+}
+
+TEST_F(DecisionsOf, WhatADecisionReplacesIsToldBeforeItIsAppended) {
+  append(pair(1, 1));
+  append(pair(2, 2));
+  append(pair(3, 3));
+  const Decisions replaced = *replacedBy(pair(1, 2), out_);
+  EXPECT_EQ(placesOf(replaced), (std::vector<int>{1, 2}));
+  EXPECT_TRUE(equivalent(replaced, {pair(2, 2), pair(1, 1)})) << "in any order";
+  EXPECT_FALSE(equivalent(replaced, {pair(1, 1)}));
+  EXPECT_FALSE(equivalent(replaced, {pair(1, 1), pair(3, 3)}));
+  EXPECT_EQ(append(pair(1, 2)).replaces.size(), 2u);
+}
+
 TEST_F(DecisionsOf, AWithdrawalBringsBackWhatWasReplacedAndLosesNothing) {
   append(pair(1, 2));
   append(pair(2, 1));

@@ -418,7 +418,7 @@ TEST_F(Export, TheNumberOfFilesIsKnownBeforeAndTheirSizeWithinATenth) {
           exportFolder(catalogue(), project_->folder(), rows, options, quiet, {});
       ASSERT_TRUE(done) << done.error().sentence();
       EXPECT_EQ(size->sherds, 3);
-      EXPECT_EQ(size->without_model, 0);
+      EXPECT_TRUE(size->without_model.empty());
       EXPECT_EQ(size->files, done->files) << i;
       int lie_there = 0;
       for (const fs::directory_entry& entry : fs::recursive_directory_iterator(options.target))
@@ -426,6 +426,11 @@ TEST_F(Export, TheNumberOfFilesIsKnownBeforeAndTheirSizeWithinATenth) {
       EXPECT_EQ(done->files, lie_there) << i;
       // README.txt lists what is there, and nothing else.
       const std::string read_me = *readFile(options.target / "data/README.txt");
+      for (const auto& [form, part] : {std::pair(Form::Ply, "models/*.ply"),
+                                       {Form::Glb, "models/*.glb"},
+                                       {Form::Obj, "models/*.obj"}})
+        EXPECT_EQ(read_me.find(part) != std::string::npos, choices[i].contains(form))
+            << i << ": " << part;
       for (const char* part : {"sherds.csv", "sherds.ods", "sherds/", "models/", "images/",
                                "photographs/", "drawings/", "views/"})
         EXPECT_EQ(read_me.find("\n" + std::string(part)) != std::string::npos,

@@ -41,6 +41,31 @@ TEST_F(RefusedExport, TakesNothingAlongFromOutsideTheProject) {
   EXPECT_FALSE(exchange::modelOf(*sherds::Sherds(catalogue()).get(rows[2]), project_->folder()));
 }
 
+TEST_F(RefusedExport, NamesTheSherdsOfWhichItHasNoModel) {
+  catalogue().database().run("UPDATE sherd SET model_path = '' WHERE row = ?", rows[0]);
+  fs::remove(modelOf(1));
+  const std::vector<std::string> without = {"ARM1-T3-0012-0001", "ARM1-T3-0012-0002"};
+  const auto sizeOf = [&](std::set<Form> forms) {
+    ExportOptions options;
+    options.forms = std::move(forms);
+    return *sizeOfExport(catalogue(), project_->folder(), rows, options, {});
+  };
+  EXPECT_EQ(sizeOf({Form::Csv, Form::Ply}).without_model, without);
+  const Result<Exported> exported = exportTo("out", {Form::Csv, Form::Ply});
+  ASSERT_TRUE(exported) << exported.error().sentence();
+  EXPECT_EQ(exported->without_model, without);
+  EXPECT_THAT(*readFile(folder_.path() / "out/data/README.txt"),
+              testing::HasSubstr("\nSherds without a model\n----------------------\n"
+                                 "ARM1-T3-0012-0001\nARM1-T3-0012-0002\n"));
+  // Nobody asked for one.
+  EXPECT_TRUE(sizeOf({Form::Csv}).without_model.empty());
+  const Result<Exported> table = exportTo("table", {Form::Csv});
+  ASSERT_TRUE(table) << table.error().sentence();
+  EXPECT_TRUE(table->without_model.empty());
+  EXPECT_THAT(*readFile(folder_.path() / "table/data/README.txt"),
+              testing::Not(testing::HasSubstr("without a model")));
+}
+
 TEST_F(RefusedExport, NamesTheValueThatNoFileCanHold) {
   catalogue().database().script("UPDATE sherd_measure SET weight = 9e999 WHERE sherd = 1");
   for (const Form form : {Form::Csv, Form::Ods}) {

@@ -131,6 +131,20 @@ class ExportScreenTest : public QObject {
     QTRY_VERIFY(child<QLabel>("size")->text().startsWith("2 sherd(s)"));
   }
 
+  void whichSherdsHaveNoModelIsSaidBeforeAndAfter() {
+    sample_->giveModel(1);
+    screen_->takeChosen(
+        QString("rows:%1,%2").arg(sample_->sherds()[0].value).arg(sample_->sherds()[1].value));
+    const QString words = "1 of them without a model: ARM1-T3-0012-0001";
+    QTRY_VERIFY(child<QLabel>("size")->text().endsWith("\n" + words));
+    toFolder("out");
+    QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
+    QCOMPARE(screen_->model().warnings(), QStringList(words));
+  }
+
   void escStopsAnExportAndTheFootTellsOfIt() {
     toFolder("stopped");
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());

@@ -24,8 +24,6 @@ class PairReviewTest : public ReviewModel {
   void cleanup() { close(); }
   void theMostDoubtfulIsInHandWithItsReason();
   void anotherCandidateIsAcceptedAndTheOthersFollow();
-  void undoIsAWithdrawalAndRedoADecisionAgain();
-  void whoTakesADecisionBackIsNamed();
   void whatIsDoneAgainIsComputedAlready();
   void nothingIsDecidedBeforeItIsShown();
   void nobodyDecidesNothing();
@@ -80,37 +78,6 @@ void PairReviewTest::anotherCandidateIsAcceptedAndTheOthersFollow() {
            QStringLiteral("Its back 1 was given to front 1: is back 2 the right one now?"));
   shown().accept();
   QCOMPARE(review_->waiting(), 0);
-}
-
-void PairReviewTest::undoIsAWithdrawalAndRedoADecisionAgain() {
-  review_->select(0);
-  review_->hand().choose(1);
-  shown().accept();
-  QVERIFY2(undo_->undoText().contains("front 1"), qPrintable(undo_->undoText()));
-  undo_->undo();
-  QCOMPARE(cardOf(0).back, 1);
-  QCOMPARE(review_->hand().front(), 0);
-  QCOMPARE(onDisk().size(), std::size_t{2});
-  QCOMPARE(onDisk()[1].kind, DecisionKind::Withdraw);
-  undo_->redo();
-  QCOMPARE(cardOf(0).back, 0);
-  QCOMPARE(onDisk().size(), std::size_t{3});
-  QCOMPARE(onDisk()[2].kind, DecisionKind::Pair);
-}
-
-// One decides; another sits down and takes it back.
-void PairReviewTest::whoTakesADecisionBackIsNamed() {
-  shown().accept();
-  review_->setPerson("MH");
-  undo_->undo();
-  undo_->redo();
-  review_->setPerson({});
-  undo_->undo();
-  QCOMPARE(onDisk().size(), std::size_t{4});
-  QCOMPARE(onDisk()[0].by, std::string("AP"));
-  QCOMPARE(onDisk()[1].by, std::string("MH"));
-  QCOMPARE(onDisk()[2].by, std::string("MH"));
-  QCOMPARE(onDisk()[3].by, std::string("MH"));  // nobody has said another name since
 }
 
 void PairReviewTest::whatIsDoneAgainIsComputedAlready() {

@@ -97,6 +97,77 @@ class NumberingTest : public QObject {
              std::string("{site}/{context}.{n:03}"));
   }
 
+  // By a merge, the command line or another window.
+  void whatAnotherWroteSinceIsNeitherUndoneNorRedone() {
+    RightsEdit rights;
+    NumberingEdit numbering;
+    VocabularyEdit vocabulary;
+    rights.setSession(session_.get());
+    numbering.setSession(session_.get());
+    vocabulary.setSession(session_.get());
+    const QSignalSpy refused(session_.get(), &ProjectSession::stepRefused);
+    const auto expectRefusedFor = [&](const QString& field) {
+      QCOMPARE(refused.last()[0].toString(),
+               QStringLiteral("The field %1 was changed meanwhile; nothing was undone or redone.")
+                   .arg(field));
+      QCOMPARE(session_->undo().count(), 0);
+    };
+    catalogue::Settings settings(rows());
+
+    auto* licence = rights.findChild<QLineEdit*>("licence");
+    QTest::keyClicks(licence, "CC-BY-4.0");
+    QTest::keyClick(licence, Qt::Key_Return);
+    records::ProjectRecord project = *settings.project();
+    project.title = "Another title";
+    QVERIFY(settings.setProject(project, {}).has_value());
+    session_->undo().undo();  // the title is no part of the step
+    QCOMPARE(refused.count(), 0);
+    QCOMPARE(settings.project()->title, std::string("Another title"));
+    project = *settings.project();
+    project.licence = "ODbL-1.0";
+    QVERIFY(settings.setProject(project, {}).has_value());
+    session_->undo().redo();
+    QCOMPARE(settings.project()->licence, std::string("ODbL-1.0"));
+    expectRefusedFor("rights");
+
+    auto* scheme = numbering.findChild<QLineEdit*>("numberingScheme");
+    scheme->selectAll();
+    QTest::keyClicks(scheme, "{site}/{context}.{n:03}");
+    numbering.findChild<QPushButton*>("numberingApply")->click();
+    project = *settings.project();
+    project.numbering = "{site}_{context}_{n}";
+    QVERIFY(settings.setProject(project, {}).has_value());
+    session_->undo().undo();
+    QCOMPARE(settings.project()->numbering, std::string("{site}_{context}_{n}"));
+    expectRefusedFor("numbering");
+
+    auto* which = vocabulary.findChild<QComboBox*>("vocabularyWhich");
+    which->setCurrentIndex(which->findData("firing"));
+    vocabulary.findChild<QPlainTextEdit*>("vocabularyTerms")->setPlainText("oxidised");
+    vocabulary.findChild<QPushButton*>("vocabularySave")->click();
+    QVERIFY(settings.setVocabulary("firing", {{"oxidised", {}, {}}, {"smoked", {}, {}}}, {})
+                .has_value());
+    session_->undo().undo();
+    QCOMPARE(settings.vocabulary("firing")->back().term, std::string("smoked"));
+    expectRefusedFor("firing");
+  }
+
+  // What the page showed as it was opened is older.
+  void undoPutsBackWhatStoodThereAtTheTimeOfTheStep() {
+    RightsEdit edit;
+    edit.setSession(session_.get());
+    catalogue::Settings settings(rows());
+    records::ProjectRecord project = *settings.project();
+    project.licence = "ODbL-1.0";
+    QVERIFY(settings.setProject(project, {}).has_value());
+    auto* licence = edit.findChild<QLineEdit*>("licence");
+    QTest::keyClicks(licence, "CC-BY-4.0");
+    QTest::keyClick(licence, Qt::Key_Return);
+    QCOMPARE(settings.project()->licence, std::string("CC-BY-4.0"));
+    session_->undo().undo();
+    QCOMPARE(settings.project()->licence, std::string("ODbL-1.0"));
+  }
+
   void whatCannotBeIsRefusedInASentence() {
     NumberingEdit edit;
     edit.setSession(session_.get());

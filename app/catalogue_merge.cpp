@@ -124,6 +124,13 @@ void addCatalogueMerge(CLI::App& catalogue, Command& chosen) {
       "merge", "Bring what project B holds into project A; B is only read");
   const auto arguments = std::make_shared<MergeArguments>();
   workOf(*command, chosen, arguments, runMerge);
+  command->footer(
+      "For example, to see what would come from another laptop, and then bring it:\n"
+      "  ostraka catalogue merge Hill Hill-laptop --dry-run\n"
+      "  ostraka catalogue merge Hill Hill-laptop --settle choices.json\n"
+      "choices.json has a choice for the id of each conflict that the first command lists:\n"
+      "  [{\"id\": \"sherd/UUID/ware\", \"take\": \"b\"},\n"
+      "   {\"id\": \"number/UUID\", \"number\": \"ARM1-T3-0012-0099\"}]");
   command->add_option("A", arguments->a, "Folder of the project that is changed")
       ->required()
       ->check(CLI::ExistingDirectory);

@@ -394,6 +394,76 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>πινελιές σε μάσκες</translation>
     </message>
+    <message>
+      <source>entered</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>καταχώριση</translation>
+    </message>
+    <message>
+      <source>excavated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ανασκαφή</translation>
+    </message>
+    <message>
+      <source>measured by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μετρημένα με το χέρι</translation>
+    </message>
+    <message>
+      <source>centre of mass x, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κέντρο μάζας x, mm</translation>
+    </message>
+    <message>
+      <source>centre of mass y, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κέντρο μάζας y, mm</translation>
+    </message>
+    <message>
+      <source>centre of mass z, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κέντρο μάζας z, mm</translation>
+    </message>
+    <message>
+      <source>model file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αρχείο μοντέλου</translation>
+    </message>
+    <message>
+      <source>picture file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αρχείο εικόνας</translation>
+    </message>
+    <message>
+      <source>drawing file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αρχείο σχεδίου</translation>
+    </message>
+    <message>
+      <source>sherds written on the bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>όστρακα κατά τη σακούλα</translation>
+    </message>
+    <message>
+      <source>column of the CSV</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>στήλη του CSV</translation>
+    </message>
+    <message>
+      <source>column</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>στήλη</translation>
+    </message>
+    <message>
+      <source>unit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μονάδα</translation>
+    </message>
+    <message>
+      <source>meaning</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σημασία</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -545,26 +615,20 @@
 </context>
 <context>
     <name>Time</name>
-    <message numerus="yes">
-      <source>%n s left</source>
+    <message>
+      <source>less than a minute left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>απομένει %n δ</numerusform>
-        <numerusform>απομένουν %n δ</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
-      <source>%n min left</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>απομένει %n λεπτό</numerusform>
-        <numerusform>απομένουν %n λεπτά</numerusform>
-      </translation>
+      <translation>λιγότερο από ένα λεπτό ακόμη</translation>
     </message>
     <message>
-      <source>%1 h %2 min left</source>
+      <source>about %1 min left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>απομένουν %1 ώρες %2 λεπτά</translation>
+      <translation>περίπου %1 λεπτά ακόμη</translation>
+    </message>
+    <message>
+      <source>about %1 h left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>περίπου %1 ώρες ακόμη</translation>
     </message>
 </context>
 <context>
@@ -1634,6 +1698,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακοπή</translation>
     </message>
+    <message>
+      <source>Keep the photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διατήρηση των φωτογραφιών</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1827,11 +1896,6 @@
       <translation>Για νέα φωτογράφιση: %1. Τοποθετήστε τα με άλλα και γράψτε τους αριθμούς τους (N) αφού φωτογραφηθούν οι μπροστινές όψεις.</translation>
     </message>
     <message>
-      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι φωτογραφίες αυτής της όψης δεν έχουν κανένα πρόβλημα. Πατήστε ξανά «Φωτογράφιση ξανά» για να μπουν όλες στην άκρη και να ληφθούν νέες.</translation>
-    </message>
-    <message>
       <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φαίνονται ετικέτες περισσότερων σακουλών: %1. Αφήστε μόνο αυτήν των οστράκων εδώ.</translation>
@@ -1966,6 +2030,16 @@
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Το περιστρεφόμενο τραπέζι είναι ακίνητο. Οι αποθηκευμένες φωτογραφίες διατηρούνται.</translation>
+    </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Space or Esc keeps them; R once more puts all of them aside and takes new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι φωτογραφίες αυτής της όψης δεν έχουν κανένα πρόβλημα. Το Διάστημα ή το Esc τις διατηρεί· ένα ακόμη R τις βάζει όλες στην άκρη και λαμβάνει νέες.</translation>
+    </message>
+    <message>
+      <source>Keep the photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διατήρηση των φωτογραφιών</translation>
     </message>
 </context>
 <context>
@@ -2352,14 +2426,6 @@
       <translation>%1 %</translation>
     </message>
     <message numerus="yes">
-      <source>%1, %n second(s) left</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1, μένει %n δευτερόλεπτο</numerusform>
-        <numerusform>%1, μένουν %n δευτερόλεπτα</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s), %1, manifest checked</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -2422,11 +2488,6 @@
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>πλαίσιο:0012</translation>
-    </message>
-    <message>
-      <source>Tables (CSV), for spreadsheets</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Πίνακες (CSV), για λογιστικά φύλλα</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
@@ -2500,11 +2561,6 @@
       <source>1 : 2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>1 : 2</translation>
-    </message>
-    <message>
-      <source>Tables (ODS): LibreOffice, Excel</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Πίνακες (ODS): LibreOffice, Excel</translation>
     </message>
     <message>
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
@@ -2591,6 +2647,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>για τηλέφωνο, έως 1 MB</translation>
     </message>
+    <message>
+      <source>Tables (CSV): English headings, decimal points</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πίνακες (CSV): αγγλικές επικεφαλίδες, τελεία</translation>
+    </message>
+    <message>
+      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πίνακες (ODS) στη γλώσσα σας: LibreOffice, Excel</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2604,11 +2670,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>rim T3 πάχος&gt;6</translation>
     </message>
-    <message>
-      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι λέξεις αναζητούνται παντού· ισχύουν και τα ware:grey, πάχος&gt;6, -burnt, σημείωση:*.</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2621,6 +2682,11 @@
       <source>Remove the condition %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αφαίρεση του όρου %1</translation>
+    </message>
+    <message>
+      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, entered&gt;=2026-07-01, -burnt, note:* also work.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι λέξεις αναζητούνται παντού· ισχύουν και τα ware:grey, πάχος&gt;6, καταχώριση&gt;=2026-07-01, -burnt, σημείωση:*.</translation>
     </message>
 </context>
 <context>
@@ -4634,6 +4700,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Έγιναν %1 από %2 στάσεις</translation>
     </message>
+    <message>
+      <source>%1 of %2 calibration photographs taken</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Λήφθηκαν %1 από %2 φωτογραφίες βαθμονόμησης</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ViewOverlay</name>
@@ -6433,11 +6504,6 @@
       <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το φίλτρο δεν γνωρίζει πεδίο '%1'· βάλτε τη λέξη σε εισαγωγικά για να αναζητηθεί όπως είναι.</translation>
-    </message>
-    <message>
-      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μόνο μετρήσεις συγκρίνονται με &lt; και &gt;· γράψτε %1:value.</translation>
     </message>
     <message>
       <source>The filter is not valid text.</source>
@@ -9924,6 +9990,11 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: δεν αποκαταστάθηκε· ανήκει στο %2</translation>
     </message>
+    <message>
+      <source>Only measurements and days accept &lt; and &gt;; write %1:value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μόνο μετρήσεις και ημέρες συγκρίνονται με &lt; και &gt;· γράψτε %1:value.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10448,19 +10519,34 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Screen</name>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Λήψη παρτίδας</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::PlateScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Παρτίδα</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::NoBatchYet</name>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Λήψη παρτίδας</translation>
+    </message>
+    <message>
+      <source>Show the queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εμφάνιση της ουράς</translation>
+    </message>
+    <message>
+      <source>%1 is in the queue; its results appear here when it is processed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 είναι στην ουρά· τα αποτελέσματά του εμφανίζονται εδώ μόλις υποβληθεί σε επεξεργασία.</translation>
+    </message>
+    <message>
+      <source>%1 could not be processed; the queue says why.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η επεξεργασία του %1 δεν ήταν δυνατή· η ουρά λέει γιατί.</translation>
     </message>
 </context>
 </TS>

@@ -12,23 +12,6 @@
     </message>
 </context>
 <context>
-    <name>Time</name>
-    <message numerus="yes">
-      <source>%n s left</source>
-      <translation>
-        <numerusform>%n s left</numerusform>
-        <numerusform>%n s left</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
-      <source>%n min left</source>
-      <translation>
-        <numerusform>%n min left</numerusform>
-        <numerusform>%n min left</numerusform>
-      </translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::BatchQueue</name>
     <message numerus="yes">
       <source>%n sherd(s), all sure</source>
@@ -193,13 +176,6 @@
       <translation>
         <numerusform>%n sherd, %1 files, %2, %3</numerusform>
         <numerusform>%n sherds, %1 files, %2, %3</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
-      <source>%1, %n second(s) left</source>
-      <translation>
-        <numerusform>%1, %n second left</numerusform>
-        <numerusform>%1, %n seconds left</numerusform>
       </translation>
     </message>
     <message numerus="yes">

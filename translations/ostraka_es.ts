@@ -394,6 +394,76 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>trazos en máscaras</translation>
     </message>
+    <message>
+      <source>entered</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>registrado</translation>
+    </message>
+    <message>
+      <source>excavated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>excavado</translation>
+    </message>
+    <message>
+      <source>measured by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>medido a mano</translation>
+    </message>
+    <message>
+      <source>centre of mass x, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>centro de masa x, mm</translation>
+    </message>
+    <message>
+      <source>centre of mass y, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>centro de masa y, mm</translation>
+    </message>
+    <message>
+      <source>centre of mass z, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>centro de masa z, mm</translation>
+    </message>
+    <message>
+      <source>model file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>archivo del modelo</translation>
+    </message>
+    <message>
+      <source>picture file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>archivo de la imagen</translation>
+    </message>
+    <message>
+      <source>drawing file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>archivo del dibujo</translation>
+    </message>
+    <message>
+      <source>sherds written on the bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fragmentos según la bolsa</translation>
+    </message>
+    <message>
+      <source>column of the CSV</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>columna del CSV</translation>
+    </message>
+    <message>
+      <source>column</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>columna</translation>
+    </message>
+    <message>
+      <source>unit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unidad</translation>
+    </message>
+    <message>
+      <source>meaning</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>significado</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -545,26 +615,20 @@
 </context>
 <context>
     <name>Time</name>
-    <message numerus="yes">
-      <source>%n s left</source>
+    <message>
+      <source>less than a minute left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>queda %n s</numerusform>
-        <numerusform>quedan %n s</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
-      <source>%n min left</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>queda %n min</numerusform>
-        <numerusform>quedan %n min</numerusform>
-      </translation>
+      <translation>queda menos de un minuto</translation>
     </message>
     <message>
-      <source>%1 h %2 min left</source>
+      <source>about %1 min left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>quedan %1 h %2 min</translation>
+      <translation>quedan unos %1 min</translation>
+    </message>
+    <message>
+      <source>about %1 h left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>quedan unas %1 h</translation>
     </message>
 </context>
 <context>
@@ -1634,6 +1698,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parar</translation>
     </message>
+    <message>
+      <source>Keep the photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Conservar las fotos</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1827,11 +1896,6 @@
       <translation>Por fotografiar de nuevo: %1. Colóquelos con otros y escriba sus números (N) cuando estén tomados los anversos.</translation>
     </message>
     <message>
-      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las fotos de esta cara no tienen ningún problema. Pulse otra vez «Fotografiar otra vez» para apartarlas todas y hacer otras.</translation>
-    </message>
-    <message>
       <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se ven etiquetas de varias bolsas: %1. Deje solo la de estos fragmentos.</translation>
@@ -1966,6 +2030,16 @@
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>La mesa giratoria está parada. Las fotos guardadas se conservan.</translation>
+    </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Space or Esc keeps them; R once more puts all of them aside and takes new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las fotos de esta cara no tienen ningún problema. Espacio o Esc las conserva; otra vez R las aparta todas y hace otras.</translation>
+    </message>
+    <message>
+      <source>Keep the photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Conservar las fotos</translation>
     </message>
 </context>
 <context>
@@ -2352,14 +2426,6 @@
       <translation>%1 %</translation>
     </message>
     <message numerus="yes">
-      <source>%1, %n second(s) left</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1, queda %n segundo</numerusform>
-        <numerusform>%1, quedan %n segundos</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s), %1, manifest checked</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -2422,11 +2488,6 @@
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>contexto:0012</translation>
-    </message>
-    <message>
-      <source>Tables (CSV), for spreadsheets</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablas (CSV), para hojas de cálculo</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
@@ -2500,11 +2561,6 @@
       <source>1 : 2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>1 : 2</translation>
-    </message>
-    <message>
-      <source>Tables (ODS): LibreOffice, Excel</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablas (ODS): LibreOffice, Excel</translation>
     </message>
     <message>
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
@@ -2591,6 +2647,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>para un teléfono, hasta 1 MB</translation>
     </message>
+    <message>
+      <source>Tables (CSV): English headings, decimal points</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablas (CSV): encabezados en inglés, punto decimal</translation>
+    </message>
+    <message>
+      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablas (ODS) en su idioma: LibreOffice, Excel</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2604,11 +2670,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>rim T3 grosor&gt;6</translation>
     </message>
-    <message>
-      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Las palabras se buscan en todas partes; también sirven ware:grey, grosor&gt;6, -burnt, nota:*.</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2621,6 +2682,11 @@
       <source>Remove the condition %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Quitar la condición %1</translation>
+    </message>
+    <message>
+      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, entered&gt;=2026-07-01, -burnt, note:* also work.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las palabras se buscan en todas partes; también sirven ware:grey, grosor&gt;6, registrado&gt;=2026-07-01, -burnt, nota:*.</translation>
     </message>
 </context>
 <context>
@@ -4634,6 +4700,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 de %2 posiciones hechas</translation>
     </message>
+    <message>
+      <source>%1 of %2 calibration photographs taken</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 de %2 fotos de calibración hechas</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ViewOverlay</name>
@@ -6433,11 +6504,6 @@
       <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El filtro no conoce ningún campo '%1'; ponga la palabra entre comillas para buscarla tal cual.</translation>
-    </message>
-    <message>
-      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Solo las medidas admiten &lt; y &gt;; escriba %1:value.</translation>
     </message>
     <message>
       <source>The filter is not valid text.</source>
@@ -9924,6 +9990,11 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: no restaurado; pertenece a %2</translation>
     </message>
+    <message>
+      <source>Only measurements and days accept &lt; and &gt;; write %1:value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Solo las medidas y los días admiten &lt; y &gt;; escriba %1:value.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10448,19 +10519,34 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Screen</name>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Capturar una tanda</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::PlateScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tanda</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::NoBatchYet</name>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Capturar una tanda</translation>
+    </message>
+    <message>
+      <source>Show the queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mostrar la cola</translation>
+    </message>
+    <message>
+      <source>%1 is in the queue; its results appear here when it is processed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 está en la cola; sus resultados aparecen aquí cuando se haya procesado.</translation>
+    </message>
+    <message>
+      <source>%1 could not be processed; the queue says why.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se pudo procesar %1; la cola dice por qué.</translation>
     </message>
 </context>
 </TS>

@@ -394,6 +394,76 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>traits sur les masques</translation>
     </message>
+    <message>
+      <source>entered</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>saisi</translation>
+    </message>
+    <message>
+      <source>excavated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fouillé</translation>
+    </message>
+    <message>
+      <source>measured by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>mesuré à la main</translation>
+    </message>
+    <message>
+      <source>centre of mass x, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>centre de masse x, mm</translation>
+    </message>
+    <message>
+      <source>centre of mass y, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>centre de masse y, mm</translation>
+    </message>
+    <message>
+      <source>centre of mass z, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>centre de masse z, mm</translation>
+    </message>
+    <message>
+      <source>model file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fichier du modèle</translation>
+    </message>
+    <message>
+      <source>picture file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fichier de l&apos;image</translation>
+    </message>
+    <message>
+      <source>drawing file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fichier du dessin</translation>
+    </message>
+    <message>
+      <source>sherds written on the bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>tessons indiqués sur le sac</translation>
+    </message>
+    <message>
+      <source>column of the CSV</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>colonne du CSV</translation>
+    </message>
+    <message>
+      <source>column</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>colonne</translation>
+    </message>
+    <message>
+      <source>unit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>unité</translation>
+    </message>
+    <message>
+      <source>meaning</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>signification</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -545,26 +615,20 @@
 </context>
 <context>
     <name>Time</name>
-    <message numerus="yes">
-      <source>%n s left</source>
+    <message>
+      <source>less than a minute left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>encore %n s</numerusform>
-        <numerusform>encore %n s</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
-      <source>%n min left</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>encore %n min</numerusform>
-        <numerusform>encore %n min</numerusform>
-      </translation>
+      <translation>moins d&apos;une minute restante</translation>
     </message>
     <message>
-      <source>%1 h %2 min left</source>
+      <source>about %1 min left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>encore %1 h %2 min</translation>
+      <translation>environ %1 min restantes</translation>
+    </message>
+    <message>
+      <source>about %1 h left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>environ %1 h restantes</translation>
     </message>
 </context>
 <context>
@@ -1634,6 +1698,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Arrêter</translation>
     </message>
+    <message>
+      <source>Keep the photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Garder les photos</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1827,11 +1896,6 @@
       <translation>À rephotographier : %1. Posez-les avec d'autres et tapez leurs numéros (N) une fois les faces avant prises.</translation>
     </message>
     <message>
-      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les photos de cette face n'ont aucun défaut. Demandez encore une fois « Photographier de nouveau » pour les mettre toutes de côté et en prendre d'autres.</translation>
-    </message>
-    <message>
       <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les étiquettes de plusieurs sacs sont visibles : %1. Ne laissez que celle de ces tessons.</translation>
@@ -1966,6 +2030,16 @@
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>La table tournante est arrêtée. Les photos enregistrées sont conservées.</translation>
+    </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Space or Esc keeps them; R once more puts all of them aside and takes new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photos de cette face n&apos;ont aucun défaut. Espace ou Échap les garde ; R encore une fois les met toutes de côté et en prend d&apos;autres.</translation>
+    </message>
+    <message>
+      <source>Keep the photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Garder les photos</translation>
     </message>
 </context>
 <context>
@@ -2352,14 +2426,6 @@
       <translation>%1 %</translation>
     </message>
     <message numerus="yes">
-      <source>%1, %n second(s) left</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1, encore %n seconde</numerusform>
-        <numerusform>%1, encore %n secondes</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s), %1, manifest checked</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -2422,11 +2488,6 @@
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>contexte:0012</translation>
-    </message>
-    <message>
-      <source>Tables (CSV), for spreadsheets</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tableaux (CSV), pour les tableurs</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
@@ -2500,11 +2561,6 @@
       <source>1 : 2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>1 : 2</translation>
-    </message>
-    <message>
-      <source>Tables (ODS): LibreOffice, Excel</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tableaux (ODS) : LibreOffice, Excel</translation>
     </message>
     <message>
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
@@ -2591,6 +2647,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>pour un téléphone, jusqu’à 1 Mo</translation>
     </message>
+    <message>
+      <source>Tables (CSV): English headings, decimal points</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tableaux (CSV) : en-têtes anglais, point décimal</translation>
+    </message>
+    <message>
+      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tableaux (ODS) dans votre langue : LibreOffice, Excel</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2604,11 +2670,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>rim T3 épaisseur&gt;6</translation>
     </message>
-    <message>
-      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les mots sont cherchés partout ; ware:grey, épaisseur&gt;6, -burnt, remarque:* fonctionnent aussi.</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2621,6 +2682,11 @@
       <source>Remove the condition %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enlever la condition %1</translation>
+    </message>
+    <message>
+      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, entered&gt;=2026-07-01, -burnt, note:* also work.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les mots sont cherchés partout ; ware:grey, épaisseur&gt;6, saisi&gt;=2026-07-01, -burnt, remarque:* fonctionnent aussi.</translation>
     </message>
 </context>
 <context>
@@ -4634,6 +4700,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 positions sur %2 sont faites</translation>
     </message>
+    <message>
+      <source>%1 of %2 calibration photographs taken</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 photos d&apos;étalonnage sur %2 prises</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ViewOverlay</name>
@@ -6433,11 +6504,6 @@
       <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le filtre ne connaît pas de champ '%1' ; mettez le mot entre guillemets pour le chercher tel quel.</translation>
-    </message>
-    <message>
-      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Seules les mesures acceptent &lt; et &gt; ; écrivez %1:value.</translation>
     </message>
     <message>
       <source>The filter is not valid text.</source>
@@ -9924,6 +9990,11 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 : non restauré ; appartient à %2</translation>
     </message>
+    <message>
+      <source>Only measurements and days accept &lt; and &gt;; write %1:value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seuls les mesures et les jours acceptent &lt; et &gt; ; écrivez %1:value.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10448,19 +10519,34 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Screen</name>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Photographier un lot</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::PlateScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lot</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::NoBatchYet</name>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photographier un lot</translation>
+    </message>
+    <message>
+      <source>Show the queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Afficher la file</translation>
+    </message>
+    <message>
+      <source>%1 is in the queue; its results appear here when it is processed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est dans la file ; ses résultats apparaissent ici une fois le traitement terminé.</translation>
+    </message>
+    <message>
+      <source>%1 could not be processed; the queue says why.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 n&apos;a pas pu être traité ; la file dit pourquoi.</translation>
     </message>
 </context>
 </TS>

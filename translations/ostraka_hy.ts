@@ -394,6 +394,76 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>վրձնահարվածներ դիմակների վրա</translation>
     </message>
+    <message>
+      <source>entered</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>գրանցում</translation>
+    </message>
+    <message>
+      <source>excavated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պեղում</translation>
+    </message>
+    <message>
+      <source>measured by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ձեռքով չափված</translation>
+    </message>
+    <message>
+      <source>centre of mass x, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>զանգվածի կենտրոն x, mm</translation>
+    </message>
+    <message>
+      <source>centre of mass y, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>զանգվածի կենտրոն y, mm</translation>
+    </message>
+    <message>
+      <source>centre of mass z, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>զանգվածի կենտրոն z, mm</translation>
+    </message>
+    <message>
+      <source>model file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մոդելի ֆայլ</translation>
+    </message>
+    <message>
+      <source>picture file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատկերի ֆայլ</translation>
+    </message>
+    <message>
+      <source>drawing file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>գծագրի ֆայլ</translation>
+    </message>
+    <message>
+      <source>sherds written on the bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>բեկորներ ըստ տոպրակի</translation>
+    </message>
+    <message>
+      <source>column of the CSV</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>CSV-ի սյունակ</translation>
+    </message>
+    <message>
+      <source>column</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սյունակ</translation>
+    </message>
+    <message>
+      <source>unit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>միավոր</translation>
+    </message>
+    <message>
+      <source>meaning</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նշանակություն</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -545,26 +615,20 @@
 </context>
 <context>
     <name>Time</name>
-    <message numerus="yes">
-      <source>%n s left</source>
+    <message>
+      <source>less than a minute left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>մնաց %n վ</numerusform>
-        <numerusform>մնաց %n վ</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
-      <source>%n min left</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>մնաց %n րոպե</numerusform>
-        <numerusform>մնաց %n րոպե</numerusform>
-      </translation>
+      <translation>մնացել է մեկ րոպեից քիչ</translation>
     </message>
     <message>
-      <source>%1 h %2 min left</source>
+      <source>about %1 min left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մնաց %1 ժ %2 րոպե</translation>
+      <translation>մնացել է մոտ %1 րոպե</translation>
+    </message>
+    <message>
+      <source>about %1 h left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մնացել է մոտ %1 ժամ</translation>
     </message>
 </context>
 <context>
@@ -1634,6 +1698,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կանգնեցնել</translation>
     </message>
+    <message>
+      <source>Keep the photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել լուսանկարները</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1827,11 +1896,6 @@
       <translation>Նորից լուսանկարելու՝ %1։ Դրեք դրանք մյուսների հետ և մուտքագրեք նրանց համարները (N), երբ առջևի երեսները լուսանկարված են։</translation>
     </message>
     <message>
-      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս երեսի լուսանկարներում սխալ չկա։ Եվս մեկ անգամ ընտրեք «Լուսանկարել կրկին», որպեսզի բոլորը մի կողմ դրվեն և նորերն արվեն։</translation>
-    </message>
-    <message>
       <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երևում են մի քանի տոպրակի պիտակներ՝ %1։ Թողեք միայն այս բեկորներինը։</translation>
@@ -1966,6 +2030,16 @@
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Պտտվող սեղանը կանգնած է։ Պահված լուսանկարները մնում են։</translation>
+    </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Space or Esc keeps them; R once more puts all of them aside and takes new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս երեսի լուսանկարներում սխալ չկա։ Բացատը կամ Esc-ը պահում է դրանք. ևս մեկ անգամ R-ը բոլորը մի կողմ է դնում և նորերն է անում։</translation>
+    </message>
+    <message>
+      <source>Keep the photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել լուսանկարները</translation>
     </message>
 </context>
 <context>
@@ -2352,14 +2426,6 @@
       <translation>%1 %</translation>
     </message>
     <message numerus="yes">
-      <source>%1, %n second(s) left</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1, մնաց %n վայրկյան</numerusform>
-        <numerusform>%1, մնաց %n վայրկյան</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s), %1, manifest checked</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -2422,11 +2488,6 @@
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>համատեքստ:0012</translation>
-    </message>
-    <message>
-      <source>Tables (CSV), for spreadsheets</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Աղյուսակներ (CSV)՝ էլեկտրոնային աղյուսակների համար</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
@@ -2500,11 +2561,6 @@
       <source>1 : 2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>1 : 2</translation>
-    </message>
-    <message>
-      <source>Tables (ODS): LibreOffice, Excel</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Աղյուսակներ (ODS)՝ LibreOffice, Excel</translation>
     </message>
     <message>
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
@@ -2591,6 +2647,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>հեռախոսի համար, մինչև 1 ՄԲ</translation>
     </message>
+    <message>
+      <source>Tables (CSV): English headings, decimal points</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակներ (CSV)՝ անգլերեն վերնագրեր, տասնորդական կետ</translation>
+    </message>
+    <message>
+      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակներ (ODS) ձեր լեզվով՝ LibreOffice, Excel</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2604,11 +2670,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>rim T3 հաստություն&gt;6</translation>
     </message>
-    <message>
-      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Բառերը փնտրվում են ամենուր. գործում են նաև ware:grey, հաստություն&gt;6, -burnt, նշում:*։</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2621,6 +2682,11 @@
       <source>Remove the condition %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հանել %1 պայմանը</translation>
+    </message>
+    <message>
+      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, entered&gt;=2026-07-01, -burnt, note:* also work.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բառերը փնտրվում են ամենուր. գործում են նաև ware:grey, հաստություն&gt;6, գրանցում&gt;=2026-07-01, -burnt, նշում:*։</translation>
     </message>
 </context>
 <context>
@@ -4634,6 +4700,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արված է %2 դիրքից %1-ը</translation>
     </message>
+    <message>
+      <source>%1 of %2 calibration photographs taken</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2 տրամաչափման լուսանկարից արված է %1-ը</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ViewOverlay</name>
@@ -6433,11 +6504,6 @@
       <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զտիչը '%1' դաշտ չգիտի. բառը դրեք չակերտների մեջ, որ փնտրվի՝ ինչպես կա։</translation>
-    </message>
-    <message>
-      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Միայն չափերն են համեմատվում &lt; և &gt; նշաններով. գրեք %1:value։</translation>
     </message>
     <message>
       <source>The filter is not valid text.</source>
@@ -9924,6 +9990,11 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1. չվերականգնվեց, պատկանում է՝ %2</translation>
     </message>
+    <message>
+      <source>Only measurements and days accept &lt; and &gt;; write %1:value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միայն չափերն ու օրերն են համեմատվում &lt; և &gt; նշաններով. գրեք %1:value։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10448,19 +10519,34 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Screen</name>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Նկարել խմբաքանակ</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::PlateScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակ</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::NoBatchYet</name>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նկարել խմբաքանակ</translation>
+    </message>
+    <message>
+      <source>Show the queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ցույց տալ հերթը</translation>
+    </message>
+    <message>
+      <source>%1 is in the queue; its results appear here when it is processed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը հերթում է. արդյունքները կհայտնվեն այստեղ, երբ այն մշակվի։</translation>
+    </message>
+    <message>
+      <source>%1 could not be processed; the queue says why.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը հնարավոր չեղավ մշակել. հերթն ասում է՝ ինչու։</translation>
     </message>
 </context>
 </TS>

@@ -394,6 +394,76 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>maskelerdeki fırça izleri</translation>
     </message>
+    <message>
+      <source>entered</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kayıt</translation>
+    </message>
+    <message>
+      <source>excavated</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kazı</translation>
+    </message>
+    <message>
+      <source>measured by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>elle ölçülen</translation>
+    </message>
+    <message>
+      <source>centre of mass x, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kütle merkezi x, mm</translation>
+    </message>
+    <message>
+      <source>centre of mass y, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kütle merkezi y, mm</translation>
+    </message>
+    <message>
+      <source>centre of mass z, mm</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>kütle merkezi z, mm</translation>
+    </message>
+    <message>
+      <source>model file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>model dosyası</translation>
+    </message>
+    <message>
+      <source>picture file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>resim dosyası</translation>
+    </message>
+    <message>
+      <source>drawing file</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>çizim dosyası</translation>
+    </message>
+    <message>
+      <source>sherds written on the bag</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>torbada yazan parça sayısı</translation>
+    </message>
+    <message>
+      <source>column of the CSV</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>CSV sütunu</translation>
+    </message>
+    <message>
+      <source>column</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sütun</translation>
+    </message>
+    <message>
+      <source>unit</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>birim</translation>
+    </message>
+    <message>
+      <source>meaning</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>anlam</translation>
+    </message>
 </context>
 <context>
     <name>Job</name>
@@ -543,24 +613,20 @@
 </context>
 <context>
     <name>Time</name>
-    <message numerus="yes">
-      <source>%n s left</source>
+    <message>
+      <source>less than a minute left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n sn kaldı</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
-      <source>%n min left</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n dk kaldı</numerusform>
-      </translation>
+      <translation>bir dakikadan az kaldı</translation>
     </message>
     <message>
-      <source>%1 h %2 min left</source>
+      <source>about %1 min left</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 sa %2 dk kaldı</translation>
+      <translation>yaklaşık %1 dk kaldı</translation>
+    </message>
+    <message>
+      <source>about %1 h left</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>yaklaşık %1 sa kaldı</translation>
     </message>
 </context>
 <context>
@@ -1617,6 +1683,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Durdur</translation>
     </message>
+    <message>
+      <source>Keep the photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğrafları tut</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::CaptureWizard</name>
@@ -1807,11 +1878,6 @@
       <translation>Yeniden fotoğraflanacak: %1. Onları diğerleriyle birlikte koyun ve ön yüzler çekilince numaralarını yazın (N).</translation>
     </message>
     <message>
-      <source>Nothing is wrong with the photographs of this side. Photograph again once more to put all of them aside and take new ones.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bu yüzün fotoğraflarında bir sorun yok. Hepsini bir kenara koyup yenilerini çekmek için bir kez daha «Yeniden çek» deyin.</translation>
-    </message>
-    <message>
       <source>Labels of several bags are in sight: %1. Leave the one of these sherds.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Birkaç torbanın etiketi görünüyor: %1. Yalnız bu parçalarınkini bırakın.</translation>
@@ -1944,6 +2010,16 @@
         <source>The turntable stands still. Saved photographs are kept.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Döner masa duruyor. Kaydedilen fotoğraflar korunur.</translation>
+    </message>
+    <message>
+      <source>Nothing is wrong with the photographs of this side. Space or Esc keeps them; R once more puts all of them aside and takes new ones.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu yüzün fotoğraflarında bir sorun yok. Boşluk ya da Esc onları tutar; bir kez daha R hepsini bir kenara koyup yenilerini çeker.</translation>
+    </message>
+    <message>
+      <source>Keep the photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğrafları tut</translation>
     </message>
 </context>
 <context>
@@ -2325,13 +2401,6 @@
       <translation>%1 %</translation>
     </message>
     <message numerus="yes">
-      <source>%1, %n second(s) left</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%1, %n saniye kaldı</numerusform>
-      </translation>
-    </message>
-    <message numerus="yes">
       <source>%n sherd(s), %1, manifest checked</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>
@@ -2392,11 +2461,6 @@
       <source>context:0012</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>kontekst:0012</translation>
-    </message>
-    <message>
-      <source>Tables (CSV), for spreadsheets</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablolar (CSV), hesap çizelgeleri için</translation>
     </message>
     <message>
       <source>A picture of each model (PNG)</source>
@@ -2469,11 +2533,6 @@
       <source>1 : 2</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>1 : 2</translation>
-    </message>
-    <message>
-      <source>Tables (ODS): LibreOffice, Excel</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablolar (ODS): LibreOffice, Excel</translation>
     </message>
     <message>
       <source>Pictures, masks, poses for COLMAP and OpenMVS</source>
@@ -2560,6 +2619,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>telefon için, en çok 1 MB</translation>
     </message>
+    <message>
+      <source>Tables (CSV): English headings, decimal points</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablolar (CSV): İngilizce başlıklar, ondalık nokta</translation>
+    </message>
+    <message>
+      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tablolar (ODS), sizin dilinizde: LibreOffice, Excel</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2573,11 +2642,6 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>rim T3 kalınlık&gt;6</translation>
     </message>
-    <message>
-      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, -burnt, note:* also work.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sözcükler her yerde aranır; ware:grey, kalınlık&gt;6, -burnt, not:* da olur.</translation>
-    </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2589,6 +2653,11 @@
       <source>Remove the condition %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 koşulunu kaldır</translation>
+    </message>
+    <message>
+      <source>Words are looked for everywhere; ware:grey, thickness&gt;6, entered&gt;=2026-07-01, -burnt, note:* also work.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sözcükler her yerde aranır; ware:grey, kalınlık&gt;6, kayıt&gt;=2026-07-01, -burnt, not:* da olur.</translation>
     </message>
 </context>
 <context>
@@ -4589,6 +4658,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%2 konumdan %1 tamam</translation>
     </message>
+    <message>
+      <source>%1 of %2 calibration photographs taken</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%2 kalibrasyon fotoğrafından %1 tanesi çekildi</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ViewOverlay</name>
@@ -6386,11 +6460,6 @@
       <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Süzgeç '%1' alanını bilmiyor; sözcüğü olduğu gibi aramak için tırnak içine alın.</translation>
-    </message>
-    <message>
-      <source>Only measurements accept &lt; and &gt;; write %1:value.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yalnız ölçüler &lt; ve &gt; ile karşılaştırılır; %1:value yazın.</translation>
     </message>
     <message>
       <source>The filter is not valid text.</source>
@@ -9877,6 +9946,11 @@
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: geri getirilemedi; ait olduğu kayıt: %2</translation>
     </message>
+    <message>
+      <source>Only measurements and days accept &lt; and &gt;; write %1:value.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yalnız ölçüler ve günler &lt; ve &gt; ile karşılaştırılır; %1:value yazın.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10397,19 +10471,34 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::Screen</name>
-    <message>
-        <source>Capture a batch</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Parti çek</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::PlateScreen</name>
     <message>
       <source>Batch</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::NoBatchYet</name>
+    <message>
+        <source>Capture a batch</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parti çek</translation>
+    </message>
+    <message>
+      <source>Show the queue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sırayı göster</translation>
+    </message>
+    <message>
+      <source>%1 is in the queue; its results appear here when it is processed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 sırada; sonuçları işlendiğinde burada görünür.</translation>
+    </message>
+    <message>
+      <source>%1 could not be processed; the queue says why.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 işlenemedi; nedeni sırada yazar.</translation>
     </message>
 </context>
 </TS>

@@ -6,6 +6,8 @@ namespace ostraka {
 namespace {
 
 constexpr double kInstant_s = 0.5;  // a stage this short was found whole from an earlier run
+// Of what this run has to do: the shares of the first stages alone tell little of the others.
+constexpr double kLeastShare = 0.2, kLeast_s = 3;
 
 double seconds(Pace::Clock::duration d) {
   return std::chrono::duration<double>(d).count();
@@ -45,9 +47,9 @@ std::optional<double> Pace::secondsLeft(Clock::time_point now) const {
   if (!stage_begin_) return {};
   const double share = worked_share_ + stage_share_ * stage_done_;
   const double work = worked_seconds_ + seconds(now - *stage_begin_);
-  // Below three seconds or two hundredths the pace is a guess.
-  if (work < 3 || share < 0.02) return {};
-  return std::max(0.0, 1 - share_before_ - stage_share_ * stage_done_) * work / share;
+  const double rest = std::max(0.0, 1 - share_before_ - stage_share_ * stage_done_);
+  if (work < kLeast_s || share <= 0 || share < kLeastShare * (share + rest) - 1e-9) return {};
+  return rest * work / share;
 }
 
 }  // namespace ostraka

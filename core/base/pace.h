@@ -16,7 +16,7 @@ class Pace {
   void skip(Clock::duration idle);
 
   double fraction() const;
-  /// Empty while the pace would be a guess.
+  /// By the time that this run took so far; empty before a fifth of it is done, a guess until then.
   std::optional<double> secondsLeft(Clock::time_point now) const;
 
  private:

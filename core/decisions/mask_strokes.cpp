@@ -133,6 +133,30 @@ StrokesOn strokesOn(const std::vector<MaskStroke>& strokes, batch::Side side, in
   return on;
 }
 
+std::string PaintedPhotograph::name() const {
+  return batch::name(side) + ("/cam" + std::to_string(camera)) + (stop < 10 ? "_pos0" : "_pos") +
+         std::to_string(stop);
+}
+
+PaintedPhotograph paintedOn(const MaskStroke& stroke) {
+  return {stroke.side, stroke.stop, stroke.camera, stroke.photograph};
+}
+
+std::map<PaintedPhotograph, std::vector<MaskStroke>> byPhotograph(
+    const std::vector<MaskStroke>& strokes) {
+  std::map<PaintedPhotograph, std::vector<MaskStroke>> photographs;
+  for (const MaskStroke& s : strokes) photographs[paintedOn(s)].push_back(s);
+  return photographs;
+}
+
+bool goesOn(const std::vector<MaskStroke>& list, const std::vector<MaskStroke>& other) {
+  return list.size() >= other.size() && std::equal(other.begin(), other.end(), list.begin());
+}
+
+std::string hashOf(const std::vector<MaskStroke>& strokes) {
+  return sha256(toJson(strokes).dump());
+}
+
 std::string photographHash(const fs::path& photograph) {
   const Result<std::string> bytes = readFile(photograph);
   return bytes ? sha256(*bytes) : std::string();

@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
+#include <compare>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <opencv2/core/mat.hpp>
 #include <string>
@@ -53,6 +55,24 @@ StrokesOn strokesOn(const std::vector<MaskStroke>& strokes, batch::Side side, in
                     const std::string& photograph_sha256);
 /// Of the file's bytes; empty when it cannot be read.
 std::string photographHash(const std::filesystem::path& photograph);
+
+/// The photograph that a stroke is on. One that was taken again is another one.
+struct PaintedPhotograph {
+  batch::Side side = batch::Side::Front;
+  int stop = 0, camera = 0;
+  std::string sha256;
+  auto operator<=>(const PaintedPhotograph&) const = default;
+  std::string name() const;  ///< as its file is called: front/cam1_pos00
+};
+PaintedPhotograph paintedOn(const MaskStroke& stroke);
+std::map<PaintedPhotograph, std::vector<MaskStroke>> byPhotograph(
+    const std::vector<MaskStroke>& strokes);
+/// The list is the other one, perhaps with more strokes behind it.
+bool goesOn(const std::vector<MaskStroke>& list, const std::vector<MaskStroke>& other);
+std::string hashOf(const std::vector<MaskStroke>& strokes);
+/// Before a photograph's name, the field of the history of a batch that tells which lists of its
+/// strokes, by their hashes, were left for which.
+inline constexpr const char* kStrokesField = "strokes/";
 
 /// mask: 0..255 as in mask/masks.h, of the photograph's size.
 void paintStroke(cv::Mat1b& mask, const MaskStroke& stroke);

@@ -308,7 +308,7 @@ class Exporting {
       put("columns.csv", columnsCsv(with_mark));
     }
     if (options_.forms.contains(Form::Ods))
-      put("sherds.ods", tablesOds(catalogue_, rows, list, named_));
+      put("sherds.ods", tablesOds(catalogue_, rows, list, named_, options_.heading));
   }
 
   void records(const std::vector<records::SherdRecord>& sherds,

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -32,6 +33,9 @@ enum class Form {
 /// What a model may take that a browser or a phone is to open.
 inline constexpr std::size_t kWebBytes = 5'000'000, kPhoneBytes = 1'000'000;
 
+/// What the reader calls a column of sherds.csv or contexts.csv. Any thread may call it.
+using ColumnHeading = std::function<std::string(const std::string& column)>;
+
 struct ExportOptions {
   std::filesystem::path target;  ///< new folder
   std::set<Form> forms = {Form::Csv, Form::Json, Form::Ply, Form::Glb, Form::Pictures};
@@ -41,6 +45,7 @@ struct ExportOptions {
   /// mm on paper per mm; nothing: for each sherd the largest of 1:1 to 1:5 that fits its sheet.
   std::optional<double> drawing_scale = 1;
   drawing::Wording wording;         ///< of the drawings
+  ColumnHeading heading;            ///< in the spreadsheet; none: as in the CSV
   std::string program = "ostraka";  ///< with its version
   /// What a GLB may take, photographs and all. Larger ones get fewer triangles and texels, PLY and
   /// OBJ the same surface; how far it is off is stated in each file. 0: as computed, and the GLB as
@@ -87,7 +92,7 @@ enum class ByteOrderMark { With, Without };  ///< Excel reads UTF-8 only with it
 /// What a table says of a sherd besides its fields: model_file, image_file, drawing_file,
 /// mass_centre_x_mm ...; may be empty.
 using FilesOfSherds = std::map<store::SherdRow, std::map<std::string, std::string>>;
-/// The table alone.
+/// The table alone, for programs: in every language the same headings, decimal points, commas.
 Result<std::string> sherdsCsv(const catalogue::Catalogue& catalogue,
                               std::span<const store::SherdRow> sherds, ByteOrderMark mark,
                               const FilesOfSherds& files = {});
@@ -95,10 +100,11 @@ Result<std::string> contextsCsv(const catalogue::Catalogue& catalogue,
                                 std::span<const store::ContextRow> contexts, ByteOrderMark mark);
 /// What the columns of both mean, and their units.
 std::string columnsCsv(ByteOrderMark mark);
-/// Sherds, contexts and the meanings of the columns as three sheets of an OpenDocument spreadsheet.
+/// Sherds, contexts and the meanings of the columns as three sheets of an OpenDocument spreadsheet,
+/// for people: headings as they call them, numbers as their program shows them.
 Result<std::string> tablesOds(const catalogue::Catalogue& catalogue,
                               std::span<const store::SherdRow> sherds,
                               std::span<const store::ContextRow> contexts,
-                              const FilesOfSherds& files);
+                              const FilesOfSherds& files, const ColumnHeading& heading);
 
 }  // namespace ostraka::exchange

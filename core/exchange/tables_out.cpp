@@ -66,6 +66,8 @@ class TableWriter {
  public:
   virtual ~TableWriter() = default;
   virtual void begin(const std::vector<tables::OdsSheet::Column>& columns) = 0;
+  /// How the reader's table calls a column.
+  virtual std::string headingOf(const std::string& column) const { return column; }
   virtual void row(const std::vector<std::string>& values) = 0;
 };
 
@@ -79,10 +81,16 @@ void writeRow(TableWriter& table, const std::vector<tables::OdsSheet::Column>& c
   table.row(values);
 }
 
-void writeMeanings(TableWriter& table) {
-  table.begin({{"column"}, {"unit"}, {"meaning"}});
-  for (const tables::ColumnMeaning& one : tables::columnMeanings())
-    table.row({one.column, one.unit, one.meaning});
+// `heading`: of a first column, for headings that are not the columns' names; empty: none.
+void writeMeanings(TableWriter& table, const std::string& heading) {
+  std::vector<tables::OdsSheet::Column> columns = {{"column"}, {"unit"}, {"meaning"}};
+  if (!heading.empty()) columns.insert(columns.begin(), {heading});
+  table.begin(columns);
+  for (const tables::ColumnMeaning& one : tables::columnMeanings()) {
+    std::vector<std::string> row = {one.column, one.unit, one.meaning};
+    if (!heading.empty()) row.insert(row.begin(), table.headingOf(one.column));
+    table.row(row);
+  }
 }
 
 void writeSherds(const Catalogue& catalogue, std::span<const store::SherdRow> rows,
@@ -120,7 +128,9 @@ void writeSherds(const Catalogue& catalogue, std::span<const store::SherdRow> ro
                 }
                 values.push_back(std::move(text));
               }
-              values.push_back(store::joinTerms({by_hand.begin(), by_hand.end()}));
+              std::vector<std::string> measured;
+              for (const std::string& column : by_hand) measured.push_back(table.headingOf(column));
+              values.push_back(store::joinTerms(measured));
               const auto add = [&](const char* column) {
                 const auto found = beside.find(column);
                 values.push_back(found == beside.end() ? std::string() : found->second);
@@ -184,15 +194,22 @@ class CsvWriter final : public TableWriter {
 
 class OdsWriter final : public TableWriter {
  public:
-  explicit OdsWriter(std::string name) : name_(std::move(name)) {}
+  OdsWriter(std::string name, const ColumnHeading& heading)
+      : name_(std::move(name)), heading_(heading) {}
   void begin(const std::vector<tables::OdsSheet::Column>& columns) override {
-    sheet.emplace(name_, columns);
+    std::vector<tables::OdsSheet::Column> named = columns;
+    for (tables::OdsSheet::Column& column : named) column.name = headingOf(column.name);
+    sheet.emplace(name_, named);
+  }
+  std::string headingOf(const std::string& column) const override {
+    return heading_ ? heading_(column) : column;
   }
   void row(const std::vector<std::string>& values) override { sheet->row(values); }
   std::optional<tables::OdsSheet> sheet;
 
  private:
   std::string name_;
+  const ColumnHeading& heading_;
 };
 
 }  // namespace
@@ -217,18 +234,18 @@ Result<std::string> contextsCsv(const Catalogue& catalogue, std::span<const stor
 
 std::string columnsCsv(ByteOrderMark mark) {
   CsvWriter table(mark);
-  writeMeanings(table);
+  writeMeanings(table, {});
   return std::move(table.text);
 }
 
 Result<std::string> tablesOds(const Catalogue& catalogue, std::span<const store::SherdRow> sherds,
                               std::span<const store::ContextRow> contexts,
-                              const FilesOfSherds& files) {
+                              const FilesOfSherds& files, const ColumnHeading& heading) {
   return catalogue.database().asResult([&] {
-    OdsWriter first("sherds"), second("contexts"), third("columns");
+    OdsWriter first("sherds", heading), second("contexts", heading), third("columns", heading);
     writeSherds(catalogue, sherds, files, first);
     writeContexts(catalogue, contexts, second);
-    writeMeanings(third);
+    writeMeanings(third, heading ? "heading" : "");
     return valueOrThrow(tables::formatOds(
         {std::move(*first.sheet), std::move(*second.sheet), std::move(*third.sheet)}));
   });

@@ -1,6 +1,9 @@
 #include "intake/settle_batch.h"
 
+#include <algorithm>
+
 #include "catalogue/batches.h"
+#include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "intake/batch_figures.h"
 #include "review/review.h"
@@ -50,6 +53,28 @@ Result<bool> settleByResults(const fs::path& project, const std::string& batch_n
   Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(project);
   if (!catalogue) return catalogue.error();
   return settleByResults(*catalogue, batch_number, project / "results" / batch_number, person);
+}
+
+Result<void> rememberTakenStrokes(const catalogue::Catalogue& catalogue,
+                                  const std::string& batch_number,
+                                  const std::vector<decisions::MaskStroke>& before,
+                                  const std::vector<decisions::MaskStroke>& after,
+                                  const records::Provenance& provenance) {
+  return catalogue.database().inTransaction([&] {
+    const records::BatchRecord batch =
+        store::valueOrThrow(catalogue::Batches(catalogue).byNumber(batch_number));
+    auto now = decisions::byPhotograph(after);
+    for (const auto& [photograph, strokes] : decisions::byPhotograph(before)) {
+      const std::vector<decisions::MaskStroke>& rest = now[photograph];
+      const auto same = std::mismatch(strokes.begin(), strokes.end(), rest.begin(), rest.end());
+      // Each list that there was on the way to this one: the other project may have it still.
+      for (auto end = same.first; end != strokes.end(); ++end)
+        catalogue::remember(catalogue, provenance, "batch", batch.row.value,
+                            decisions::kStrokesField + photograph.name(),
+                            decisions::hashOf({strokes.begin(), std::next(end)}),
+                            decisions::hashOf(rest));
+    }
+  });
 }
 
 }  // namespace ostraka::intake

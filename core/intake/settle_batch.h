@@ -1,9 +1,12 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "decisions/mask_strokes.h"
+#include "records/records.h"
 
 namespace ostraka::intake {
 
@@ -20,5 +23,14 @@ Result<bool> settleByResults(catalogue::Catalogue& catalogue, const std::string&
 /// Opens the project by itself: callable in any thread.
 Result<bool> settleByResults(const std::filesystem::path& project, const std::string& batch_number,
                              const std::string& person);
+
+/// So that a merge does not bring back strokes that a person took away from masks: the history
+/// tells which list of a photograph was left for which. Of a list that only got longer it tells
+/// nothing.
+Result<void> rememberTakenStrokes(const catalogue::Catalogue& catalogue,
+                                  const std::string& batch_number,
+                                  const std::vector<decisions::MaskStroke>& before,
+                                  const std::vector<decisions::MaskStroke>& after,
+                                  const records::Provenance& provenance);
 
 }  // namespace ostraka::intake

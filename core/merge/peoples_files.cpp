@@ -2,7 +2,6 @@
 #include "batch/peoples_files.h"
 
 #include <algorithm>
-#include <compare>
 #include <nlohmann/json.hpp>
 
 #include "base/limits.h"
@@ -55,37 +54,6 @@ Decisions joinedDecisions(Decisions all, const Decisions& theirs,
   return all;
 }
 
-// The photograph that a stroke is on. One that was taken again is another one.
-struct Painted {
-  batch::Side side = batch::Side::Front;
-  int stop = 0, camera = 0;
-  std::string sha256;
-  auto operator<=>(const Painted&) const = default;
-  /// As its file is called: front/cam1_pos00.
-  std::string name() const {
-    return batch::name(side) + ("/cam" + std::to_string(camera)) + (stop < 10 ? "_pos0" : "_pos") +
-           std::to_string(stop);
-  }
-};
-
-Painted paintedOn(const MaskStroke& s) {
-  return {s.side, s.stop, s.camera, s.photograph};
-}
-
-std::map<Painted, Strokes> byPhotograph(const Strokes& strokes) {
-  std::map<Painted, Strokes> photographs;
-  for (const MaskStroke& s : strokes) photographs[paintedOn(s)].push_back(s);
-  return photographs;
-}
-
-bool startsWith(const Strokes& all, const Strokes& first) {
-  return all.size() >= first.size() && std::equal(first.begin(), first.end(), all.begin());
-}
-
-std::string hashOf(const Strokes& strokes) {
-  return sha256(decisions::toJson(strokes).dump());
-}
-
 // How many there are, who painted last, and when.
 Version strokesSeen(const Strokes& strokes) {
   Version version;
@@ -109,23 +77,51 @@ Text joinedLists(const Text& mine, const fs::path& here, const Text& theirs, con
   return text;
 }
 
-// Photograph by photograph: the list holds that goes on where the other ends. Without an ancestor
-// to ask, strokes that one project took away come again; none is lost unless a person settles it.
-template <class Settle>
+// The lists of strokes that a project once had and left, as its history tells.
+class LeftLists {
+ public:
+  template <class Canonical>
+  LeftLists(const std::vector<Event>& events, Canonical canonical) {
+    for (const Event& event : events)
+      if (event.table == "batch" && event.field.starts_with(decisions::kStrokesField))
+        left_.insert(key(canonical(event.row), event.field, event.old_value));
+  }
+  bool has(const std::string& batch, const std::string& photograph, const Strokes& list) const {
+    return left_.contains(
+        key(batch, decisions::kStrokesField + photograph, decisions::hashOf(list)));
+  }
+
+ private:
+  static std::string key(const std::string& batch, const std::string& field,
+                         const std::string& hash) {
+    return batch + " " + field + " " + hash;
+  }
+  std::set<std::string> left_;
+};
+
+// Photograph by photograph: a list that the other project had and left gives way; else the one
+// holds that goes on where the other ends. None is lost unless a person took it away or settles it.
+template <class Left, class Settle>
 Text joinedStrokes(const Text& mine, const fs::path& here, const Text& theirs,
-                   const fs::path& there, Settle settle) {
+                   const fs::path& there, Left left, Settle settle) {
   const auto read = [](const Text& text, const fs::path& file) {
     return text ? store::valueOrThrow(decisions::parseMaskStrokes(*text, file.string()))
                 : Strokes();
   };
   Strokes all = read(mine, here);
-  std::map<Painted, Strokes> painted = byPhotograph(all);
+  auto in_a = decisions::byPhotograph(all), in_b = decisions::byPhotograph(read(theirs, there));
+  for (const auto& [photograph, strokes] : in_a) in_b[photograph];  // all may be taken away
   bool changed = false;
-  for (const auto& [photograph, of_b] : byPhotograph(read(theirs, there))) {
-    const Strokes& of_a = painted[photograph];
-    if (startsWith(of_a, of_b)) continue;
-    if (!startsWith(of_b, of_a) && settle(photograph.name(), of_a, of_b) != Take::B) continue;
-    std::erase_if(all, [&, &on = photograph](const MaskStroke& s) { return paintedOn(s) == on; });
+  for (const auto& [photograph, of_b] : in_b) {
+    const Strokes& of_a = in_a[photograph];
+    if (of_a == of_b) continue;
+    const std::string name = photograph.name();
+    const bool a_left = left(Take::A, name, of_b), b_left = left(Take::B, name, of_a);
+    const bool known = a_left != b_left;
+    if (known ? a_left : decisions::goesOn(of_a, of_b)) continue;
+    if (!known && !decisions::goesOn(of_b, of_a) && settle(name, of_a, of_b) != Take::B) continue;
+    std::erase_if(
+        all, [&, &on = photograph](const MaskStroke& s) { return decisions::paintedOn(s) == on; });
     all.insert(all.end(), of_b.begin(), of_b.end());
     changed = true;
   }
@@ -139,6 +135,8 @@ Text joinedStrokes(const Text& mine, const fs::path& here, const Text& theirs,
 
 void Merging::mergePeoplesFiles() {
   const Table& batches = b_.table("batch");
+  const LeftLists left_by_a(a_.events, [](const std::string& id) { return id; });
+  const LeftLists left_by_b(b_.events, [this](const std::string& id) { return canonicalId(id); });
   for (const Row& row : batches.rows) {
     const std::string id = canonicalId(row.id);
     if (fresh_batches_.contains(id)) continue;  // all of its files come
@@ -156,6 +154,9 @@ void Merging::mergePeoplesFiles() {
       if (file == batch::kMaskStrokesFile)
         placed = joinedStrokes(
             mine, here, theirs, there,
+            [&](Take by, const std::string& photograph, const Strokes& list) {
+              return (by == Take::A ? left_by_a : left_by_b).has(id, photograph, list);
+            },
             [&](const std::string& photograph, const Strokes& of_a, const Strokes& of_b) {
               return settleMasks({"masks/" + id + "/" + photograph,
                                   "batch",
@@ -164,14 +165,14 @@ void Merging::mergePeoplesFiles() {
                                   strokesSeen(of_a),
                                   strokesSeen(of_b),
                                   {Take::A, Take::B}},
-                                 id, hashOf(of_a), hashOf(of_b));
+                                 id, decisions::hashOf(of_a), decisions::hashOf(of_b));
             });
     }
   }
 }
 
-// The history names both lists by their hashes, since it does not tell of single strokes: it holds
-// for these two only, and in either direction.
+// The history names both lists by their hashes, since it does not tell of single strokes: what was
+// settled holds for these two only, and in either direction.
 Take Merging::settleMasks(Conflict conflict, const std::string& batch, const std::string& a,
                           const std::string& b) {
   const std::string& field = conflict.id;

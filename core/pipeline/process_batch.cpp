@@ -108,7 +108,10 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
   if (!wasPhotographed(run.batch, side)) return found;
   const std::string name = batch::name(side);
   const auto cancelled = [&] { return run.stop.stop_requested(); };
-  run.progress.begin("masks of the " + name + " side", 0.08);
+  // Around a sheet masks take as long as stereo and more, on a plate a fifth of it.
+  const bool on_plate = run.batch.plate && !run.batch.plate->sheet;
+  const double masks_share = on_plate ? 0.08 : 0.25;
+  run.progress.begin("masks of the " + name + " side", masks_share);
   Result<Staged<Masks>> masks = maskStage(run, side, poses);
   if (!masks) return masks.error();
   stages.push_back({"masks, " + name, masks->record});
@@ -119,12 +122,12 @@ Result<Sides> processSide(const Run& run, batch::Side side, const Staged<Poses>&
     stages.back().record.notes.warnings.clear();  // the stage before tells them
   }
   if (cancelled()) return Error::cancelled();
-  run.progress.begin("stereo of the " + name + " side", 0.28);
+  run.progress.begin("stereo of the " + name + " side", 0.43 - masks_share);
   Result<Staged<PointCloud>> cloud = denseStage(run, side, poses, *masks);
   if (!cloud) return cloud.error();
   stages.push_back({"stereo, " + name, cloud->record});
   if (cancelled()) return Error::cancelled();
-  run.progress.begin("scans of the " + name + " side", 0.02);
+  run.progress.begin("scans of the " + name + " side", 0.01);
   Result<Staged<std::vector<scan::Scan>>> scans = scanStage(run, side, poses, *masks, *cloud);
   if (!scans) return scans.error();
   stages.push_back({"scans, " + name, scans->record});
@@ -271,7 +274,7 @@ Result<void> writeReports(const fs::path& output, const Pairs& pairs, const Repo
 
 // Expected parts of the whole job's time.
 struct Shares {
-  double pairs = 0.07, models = 0.12;
+  double pairs = 0.03, models = 0.05;
 };
 
 // From the scans of both sides on. reading: the warnings about the batch itself.
@@ -348,7 +351,7 @@ Result<ProcessSummary> finishChain(const Run& run, Staged<Poses>& poses, const S
 
 Result<ProcessSummary> runChain(Run run, const std::vector<Message>& reading) {
   ReportInput report;
-  run.progress.begin("cameras", 0.05);
+  run.progress.begin("cameras", 0.02);
   Result<Staged<Poses>> poses = poseStage(run);
   if (!poses) return poses.error();
   report.stages.push_back({"cameras", poses->record});

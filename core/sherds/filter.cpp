@@ -63,6 +63,11 @@ bool isComparison(Condition::Is is) {
   return is == Is::Less || is == Is::LessEqual || is == Is::Greater || is == Is::GreaterEqual;
 }
 
+// Of a year or a month as well: 2026, 2026-07.
+std::string firstDay(const std::string& days) {
+  return days.size() == 4 ? days + "-01-01" : days.size() == 7 ? days + "-01" : days;
+}
+
 // The code of a printed label, as a code reader types it, finds the sherd that carries it.
 Result<Condition> conditionOfLabel(const std::string& code) {
   const std::optional<catalogue::LabelCode> label = catalogue::readLabelCode(code);
@@ -109,9 +114,10 @@ Result<Condition> conditionOf(Piece piece) {
                                    name),
                            piece.text);
   condition.field = column->field.name;
-  if (isComparison(condition.is) && !column->measure)
-    return Error::unusable(message("Only measurements accept < and >; write %1:value.", name),
-                           piece.text);
+  const bool is_day = column->field.kind == records::FieldKind::Day;
+  if (isComparison(condition.is) && !column->measure && !is_day)
+    return Error::unusable(
+        message("Only measurements and days accept < and >; write %1:value.", name), piece.text);
   if (condition.is == Condition::Is::Equal && condition.value == "*")
     condition.is = Condition::Is::NotEmpty;
   else if (condition.is == Condition::Is::Equal && condition.value.empty())
@@ -119,6 +125,9 @@ Result<Condition> conditionOf(Piece piece) {
   else if (column->measure) {
     if (const Result<double> number = store::parsedNumber(condition.value); !number)
       return Error::unusable(number.error().what, piece.text);
+  } else if (is_day) {
+    if (const Result<std::string> day = store::checkedDay(firstDay(condition.value)); !day)
+      return Error::unusable(day.error().what, piece.text);
   }
   return condition;
 }

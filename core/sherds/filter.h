@@ -16,7 +16,7 @@ namespace ostraka::sherds {
 struct Condition {
   enum class Is { Word, Equal, Less, LessEqual, Greater, GreaterEqual, Empty, NotEmpty };
   Is is = Is::Word;
-  /// Of sherdFields(), a place (site, trench, context, bag, batch, state), or what a label says.
+  /// Of filterFields(), or what a label says.
   std::string field;
   std::string value;
   bool negated = false;  ///< -word, -part:lid
@@ -25,8 +25,9 @@ struct Condition {
 
 /// `rim T3 thickness>6 -burnt ware:grey surface_out:"" note:*`: words are looked for in all texts,
 /// short ones (below three letters) as whole place or term; name:value is equality, name:* any
-/// value, name:"" none; < <= > >= compare numbers (12,5 and 12.5 mean the same) and days. The code
-/// of a sherd's label finds the sherd that carries it, though its number is another by now.
+/// value, name:"" none; < <= > >= compare numbers (12,5 and 12.5 mean the same) and days, months or
+/// years: entered>=2026-07-01 excavated:2025. The code of a sherd's label finds the sherd that
+/// carries it, though its number is another by now.
 struct Filter {
   std::vector<Condition> conditions;
   std::string text() const;  ///< the line again

@@ -157,6 +157,14 @@ std::string conditionSql(Query& query, const Condition& condition) {
     return "m." + std::string(column->measure) + signOf(condition.is) + "CAST(" + value +
            " AS REAL)";
   }
+  if (column->field.kind == records::FieldKind::Day) {
+    // A month is compared with months, a year with years.
+    const std::string day = column->sql;
+    const std::string part =
+        "substr(" + day + ", 1, " + std::to_string(condition.value.size()) + ")";
+    return "(" + day + " <> '' AND " + part + signOf(condition.is) + query.mark(condition.value) +
+           ")";
+  }
   return equalSql(query, *column, condition.value);
 }
 

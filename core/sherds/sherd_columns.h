@@ -32,6 +32,8 @@ inline constexpr const char* kBehindAllNumbers = "\xF4\x8F\xBF\xBF";
 /// Columns that only the filter knows: the last digits of the uuid, and the place on the plate
 /// (B0031-01), as labels carry them.
 inline constexpr const char *kLabelEnd = "label", *kLabelPlace = "label_place";
+/// And the days on which it was entered, and its context was excavated.
+inline constexpr const char *kEntered = "entered", *kExcavated = "excavated";
 
 /// In the column scale, of sherds whose batch has doubts about it.
 inline constexpr const char* kDoubtfulScale = "doubtful";

@@ -84,6 +84,15 @@ const SherdColumn* sherdColumn(const std::string& name) {
            "(SELECT batch.number || printf('-%02d', scan.position) FROM scan JOIN batch ON "
            "batch.row = scan.batch WHERE scan.row = s.front)",
            false);
+  // Days as the person's clock has them; '' is none.
+  static const SherdColumn entered =
+      text(kEntered, records::FieldKind::Day, nullptr,
+           "date(s.created_at / 1000, 'unixepoch', 'localtime')", false);
+  static const SherdColumn excavated =
+      text(kExcavated, records::FieldKind::Day, nullptr,
+           "ifnull((SELECT excavated_on FROM context WHERE context.row = s.context), '')", false);
+  if (name == kEntered) return &entered;
+  if (name == kExcavated) return &excavated;
   if (name == kLabelEnd) return &end;
   if (name == kLabelPlace) return &place;
   return name == "thickness" ? sherdColumn("thickness_mean_mm") : nullptr;
@@ -93,6 +102,15 @@ const std::vector<records::SherdField>& sherdFields() {
   static const std::vector<records::SherdField> all = [] {
     std::vector<records::SherdField> fields;
     for (const SherdColumn& column : sherdColumns()) fields.push_back(column.field);
+    return fields;
+  }();
+  return all;
+}
+
+const std::vector<records::SherdField>& filterFields() {
+  static const std::vector<records::SherdField> all = [] {
+    std::vector<records::SherdField> fields = sherdFields();
+    for (const char* day : {kEntered, kExcavated}) fields.push_back(sherdColumn(day)->field);
     return fields;
   }();
   return all;

@@ -9,6 +9,8 @@ namespace ostraka::sherds {
 
 /// All fields in the order of the CSV.
 const std::vector<records::SherdField>& sherdFields();
+/// All that a condition of the filter may name: these, and the days entered and excavated.
+const std::vector<records::SherdField>& filterFields();
 /// The one of this name; null: none, or a field of the user's own.
 const records::SherdField* sherdField(std::string_view name);
 /// The field's value as text ('; ' between the terms of a list), as in CSV and in edits.

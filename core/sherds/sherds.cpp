@@ -176,6 +176,17 @@ Result<std::vector<store::SherdRow>> Sherds::rows(store::BatchRow batch) const {
   });
 }
 
+Result<std::vector<std::string>> Sherds::ownFields() const {
+  return database_->asResult([&] {
+    return database_
+        ->sql(
+            "SELECT DISTINCT 'extra.' || key FROM sherd, json_each(sherd.extra) "
+            "WHERE json_type(sherd.extra) = 'object' AND sherd.extra <> '{}' AND key <> '' "
+            "ORDER BY 1")
+        .all<std::string>();
+  });
+}
+
 Result<store::SherdRow> Sherds::add(const records::SherdRecord& s,
                                     const records::Provenance& provenance) {
   return database_->inTransaction([&] {

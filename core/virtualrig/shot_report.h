@@ -12,7 +12,9 @@ namespace ostraka::virtualrig {
 /// it.
 class ShotReport {
  public:
-  ShotReport(Progress& progress, std::int64_t total) : progress_(progress), total_(total) {}
+  ShotReport(Progress& progress, std::int64_t total) : progress_(progress), total_(total) {
+    progress_.report(0, total_);  // the first takes long
+  }
   void done(const Result<void>& result) {
     if (!result) {
       const std::lock_guard lock(guard_);

@@ -53,6 +53,8 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
       {"evaluate", {"OUT", "--truth", "--align"}},
       {"draw", {"MODEL.ply", "--output", "--scale", "--rim", "--plates", "--paint"}},
       {"plate", {"--output", "--diameter", "--paper", "--ruler-measured"}},
+      {"catalogue merge",
+       {"A", "B", "--settle", "--dry-run", "For example", "ostraka catalogue merge Hill"}},
       {"rig calibrate", {"FOLDER", "--output", "--length"}},
       {"rig predict", {"RIG.json", "--width", "extrapolated"}},
       {"rig simulate",

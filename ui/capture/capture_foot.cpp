@@ -20,9 +20,9 @@ CaptureFoot::CaptureFoot(CaptureWizard* wizard, const Acts& acts, QWidget* paren
   button_ = new BigButton(QStringLiteral("captureButton"), {}, this);
   button_->setKeyHint(tr("Space"));
   connect(button_, &QPushButton::clicked, acts.next, &QAction::trigger);
-  connect(wizard_->side(), &SideProgress::changed, this,
-          [this] { button_->setText(text_.button()); });
-  add(buildFields(), 1);
+  connect(wizard_->side(), &SideProgress::changed, this, [this] { showButton(); });
+  fields_ = buildFields();
+  add(fields_, 1);
   add(buildTools(acts), 0);
   add(button_, 2);
 }
@@ -64,11 +64,29 @@ void CaptureFoot::setCompact(bool compact) {
   place_->setCompact(compact);
 }
 
+void CaptureFoot::showButton() {
+  button_->setText(text_.button());
+  shareWidth();
+}
+
+void CaptureFoot::resizeEvent(QResizeEvent* event) {
+  SideBySide::resizeEvent(event);
+  shareWidth();
+}
+
+// The tools go into their menu before the button's text loses its room.
+void CaptureFoot::shareWidth() {
+  const int left =
+      width() - fields_->sizeHint().width() - button_->sizeHint().width() - 2 * layout()->spacing();
+  tools_->setMaximumWidth(isRow() ? qMax(left, tools_->minimumSizeHint().width())
+                                  : QWIDGETSIZE_MAX);
+}
+
 void CaptureFoot::follow() {
   place_->setEnabled(wizard_->canDescribe());
   count_->setEnabled(wizard_->canDescribe());
   count_->setCount(wizard_->batch().counted());
-  button_->setText(text_.button());
+  showButton();
   button_->setEnabled(wizard_->canGoOn());
   button_->setVisible(!wizard_->fault());
 }

@@ -36,11 +36,15 @@ class CaptureFoot final : public SideBySide {
   void entered();  ///< Return in a field: the person is done with it
 
  private:
+  void resizeEvent(QResizeEvent* event) override;
+  void showButton();
+  void shareWidth();
   QWidget* buildFields();
   QWidget* buildTools(const Acts& acts);
 
   CaptureWizard* wizard_;
   CaptureText text_;
+  QWidget* fields_ = nullptr;
   PlaceEdit* place_;
   CountEdit* count_;
   BigButton* button_;

@@ -79,6 +79,7 @@ CaptureScreen::CaptureScreen(CaptureWizard* wizard, QWidget* parent)
   connect(wizard_, &CaptureWizard::changed, this, &CaptureScreen::follow);
   connect(wizard_->pictures(), &PlatePictures::changed, this, &CaptureScreen::followLive);
   connect(wizard_->side(), &SideProgress::changed, board_, &StopBoard::follow);
+  connect(wizard_->side(), &SideProgress::preparing, board_, &StopBoard::follow);
   connect(wizard_->side(), &SideProgress::changed, this, &CaptureScreen::tellWork);
   connect(wizard_->side(), &SideProgress::said, this, &Screen::said);
   connect(wizard_->description(), &BatchDescription::said, this, &Screen::said);
@@ -135,6 +136,7 @@ void CaptureScreen::buildActions() {
   stop_->setIconText(tr("Stop"));  // in sight in every language
   again_ = addPageAct(this, "captureAgain", "again", tr("Photograph again"), Qt::Key_R);
   again_->setAutoRepeat(false);
+  keep_ = addPageAct(this, "keepPhotographs", {}, tr("Keep the photographs"), Qt::Key_Escape);
   number_ = addPageAct(this, "numberSherds", "label", tr("Type the sherds' numbers"), Qt::Key_N);
   count_sherds_ =
       addPageAct(this, "countSherds", "sherd", tr("Type how many sherds lie there"), Qt::Key_S);
@@ -158,6 +160,7 @@ void CaptureScreen::buildActions() {
   connect(again_, &QAction::triggered, this, [this] {
     if (namesABag()) wizard_->again();
   });
+  connect(keep_, &QAction::triggered, wizard_, &CaptureWizard::keepPhotographs);
   connect(change_rig_, &QAction::triggered, wizard_->rig(), &RigConnection::clear);
   connect(set_aside_, &QAction::triggered, wizard_, &CaptureWizard::setAside);
 }
@@ -366,6 +369,7 @@ void CaptureScreen::follow() {
   place_->follow();
   next_->setEnabled(!importing && (no_rig || wizard_->canGoOn()));
   stop_->setEnabled(wizard_->isShooting());
+  keep_->setEnabled(wizard_->asksToRepeat());  // never while Esc stops
   change_rig_->setEnabled(!wizard_->isShooting());
   set_aside_->setEnabled(wizard_->canSetAside());
   again_->setEnabled(!importing && !wizard_->rig()->isBusy() &&
@@ -388,9 +392,9 @@ void CaptureScreen::tellWork() {
   if (!shooting && !working_) return;
   working_ = shooting;
   if (!shooting) return emit working({}, -1);
+  const PreparedPhotographs steps = wizard_->side()->steps(wizard_->rig()->source().stops);
   emit working(QStringLiteral("%1: %2").arg(text_.headline(), text_.button()),
-               static_cast<double>(wizard_->side()->stopsDone()) /
-                   std::max(1, wizard_->rig()->source().stops));
+               static_cast<double>(steps.done) / std::max(1, steps.total));
 }
 
 // That the plate may be cleared is read from three metres.

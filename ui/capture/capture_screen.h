@@ -106,8 +106,8 @@ class CaptureScreen final : public Screen {
   ImportAsk* import_ask_;
   ImportChooser* chooser_;
   MessagePanel* failure_;  ///< of an import or a calibration: nothing to do with the wizard
-  QAction *next_, *stop_, *again_, *number_, *count_sherds_, *import_photographs_, *import_scans_,
-      *change_rig_, *set_aside_;
+  QAction *next_, *stop_, *again_, *keep_, *number_, *count_sherds_, *import_photographs_,
+      *import_scans_, *change_rig_, *set_aside_;
   std::vector<QAction*> cameras_;
 };
 

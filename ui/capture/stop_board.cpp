@@ -30,8 +30,12 @@ void StopBoard::setThumbnails(Thumbnails* thumbnails) {
 }
 
 void StopBoard::follow() {
-  setAccessibleDescription(
-      tr("%1 of %2 positions done").arg(side_->stopsDone()).arg(rig_->source().stops));
+  const PreparedPhotographs steps = side_->steps(rig_->source().stops);
+  setAccessibleDescription((side_->prepared().total > 0
+                                ? tr("%1 of %2 calibration photographs taken")
+                                : tr("%1 of %2 positions done"))
+                               .arg(steps.done)
+                               .arg(steps.total));
   update();
 }
 
@@ -48,12 +52,14 @@ void StopBoard::paintEvent(QPaintEvent*) {
 
 void StopBoard::drawRing(QPainter& painter, const QRectF& ring) const {
   const StateColours colours(palette());
-  const int stops = std::max(1, rig_->source().stops);
+  const PreparedPhotographs steps = side_->steps(rig_->source().stops);
+  const int stops = std::max(1, steps.total);
+  const int current = side_->prepared().total > 0 ? steps.done : side_->currentStop();
   const double thick = ring.width() * 0.13;
   const QRectF arc = ring.adjusted(thick, thick, -thick, -thick);
   const double step = 360.0 / stops, gap = std::min(6.0, step / 4);
   for (int stop = 0; stop < stops; ++stop) {
-    const bool done = stop < side_->stopsDone(), now = stop == side_->currentStop();
+    const bool done = stop < steps.done, now = stop == current;
     const QColor colour = done  ? colours.of(State::Sure)
                           : now ? colours.of(State::Busy)
                                 : palette().color(QPalette::Dark);
@@ -63,8 +69,7 @@ void StopBoard::drawRing(QPainter& painter, const QRectF& ring) const {
   }
   painter.setPen(palette().color(QPalette::Text));
   painter.setFont(scaledFont(*this, 2.2));
-  painter.drawText(ring, Qt::AlignCenter,
-                   QStringLiteral("%1 / %2").arg(side_->stopsDone()).arg(stops));
+  painter.drawText(ring, Qt::AlignCenter, QStringLiteral("%1 / %2").arg(steps.done).arg(stops));
 }
 
 void StopBoard::drawShots(QPainter& painter, const QRectF& board) const {

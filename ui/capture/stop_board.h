@@ -8,8 +8,8 @@ class RigConnection;
 class SideProgress;
 class Thumbnails;
 
-/// While a side is shot: a ring of stops filling up, and the photographs as they arrive, a row a
-/// camera. One with a problem is framed, with its reason below.
+/// While a side is shot: a ring of stops (before, of calibration photographs) filling up, and the
+/// photographs as they arrive, a row a camera. One with a problem is framed, with its reason below.
 class StopBoard final : public QWidget {
   Q_OBJECT
 

@@ -22,6 +22,7 @@
 #include "tables/import_table.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/model_pane.h"
+#include "ui/frame/no_batch_yet.h"
 #include "ui/frame/project_session.h"
 #include "ui/look/look.h"
 #include "ui/merge/merge_dialog.h"
@@ -152,9 +153,8 @@ QWidget* CatalogueScreen::buildLeft() {
                                     column == 0 ? 5 * height / 2 + 25 * letter : 12 * letter));
   }
   connect(table_, &QTableView::activated, this, [this] { openDetails(); });
-  none_ = new EmptyState("sherd", tr("No sherds yet"),
+  none_ = new NoBatchYet("sherd", tr("No sherds yet"),
                          tr("Sherds appear here when a batch is processed."), this);
-  to_capture_ = offerCapture(*none_, "catalogueToCapture");
   no_match_ = new EmptyState("filter", tr("No sherds match this filter"),
                              tr("Remove a condition to see more."), this);
   clear_ = no_match_->addAct(tr("Clear filter"), "clearFilter");
@@ -258,7 +258,7 @@ void CatalogueScreen::openDetails() {
 
 QAbstractButton* CatalogueScreen::primary() const {
   const int shown = left_->currentIndex();
-  return shown == 0 ? export_ : shown == 1 ? to_capture_ : clear_;
+  return shown == 0 ? export_ : shown == 1 ? none_->act() : clear_;
 }
 
 // Details and model one at a time, where both would show a line each.
@@ -394,6 +394,7 @@ void CatalogueScreen::showItem(const QString& what) {
 void CatalogueScreen::showCount() {
   const int rows = model_->rowCount();
   filter_->showCount(rows);
+  if (rows == 0) none_->follow(session_);
   left_->setCurrentIndex(rows > 0 ? 0 : model_->filter().conditions.empty() ? 1 : 2);
   export_->setEnabled(rows > 0);  // the one thing to do is another then
 }

@@ -23,6 +23,7 @@ class ImportModel;
 class MergeDialog;
 class MergeModel;
 class ModelPane;
+class NoBatchYet;
 class SherdDetails;
 class SherdEdits;
 class SherdTableModel;
@@ -84,8 +85,9 @@ class CatalogueScreen final : public Screen {
   QWidget* who_ = nullptr;
   QTableView* table_ = nullptr;
   QStackedWidget* left_ = nullptr;
-  EmptyState *none_ = nullptr, *no_match_ = nullptr;
-  QPushButton *to_capture_ = nullptr, *clear_ = nullptr, *export_ = nullptr;
+  NoBatchYet* none_ = nullptr;
+  EmptyState* no_match_ = nullptr;
+  QPushButton *clear_ = nullptr, *export_ = nullptr;
   QToolButton* show_model_ = nullptr;  ///< in place of the details, in a compact window
   QTabWidget* right_ = nullptr;
   QStackedWidget* edit_ = nullptr;  ///< one sherd or many

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "ui/export/export_choices.h"
+#include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
 #include "ui/words/sentence.h"
@@ -132,9 +133,8 @@ QString ExportModel::sizeText() const {
 QString ExportModel::progressText() const {
   if (state_ != State::Running) return {};
   const QString percent = tr("%1 %").arg(qRound(100 * fraction_));
-  return seconds_left_ < 0
-             ? percent
-             : tr("%1, %n second(s) left", nullptr, qRound(seconds_left_)).arg(percent);
+  const QString left = timeLeftWords(seconds_left_);
+  return left.isEmpty() ? percent : percent + QStringLiteral(", ") + left;
 }
 
 QString ExportModel::closingLine() const {

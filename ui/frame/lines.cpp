@@ -59,17 +59,16 @@ QString momentWords(const QDateTime& moment) {
   return QLocale::c().toString(moment, QStringLiteral("yyyy-MM-dd HH:mm"));
 }
 
+// No finer than it is known.
 QString timeLeftWords(double seconds) {
   if (seconds < 0 || !std::isfinite(seconds)) return {};
-  if (seconds < 55) {
-    const int rounded = std::max(5, static_cast<int>(std::lround(seconds / 5)) * 5);
-    return QCoreApplication::translate("Time", "%n s left", nullptr, rounded);
-  }
-  const int minutes = std::max(1, static_cast<int>(std::lround(seconds / 60)));
-  if (minutes < 60) return QCoreApplication::translate("Time", "%n min left", nullptr, minutes);
-  return QCoreApplication::translate("Time", "%1 h %2 min left")
-      .arg(minutes / 60)
-      .arg(minutes % 60);
+  if (seconds < 55) return QCoreApplication::translate("Time", "less than a minute left");
+  const double minutes = seconds / 60;
+  const double step = minutes < 7.5 ? 1 : minutes < 27.5 ? 5 : minutes < 55 ? 10 : 30;
+  const double rounded = step * std::round(minutes / step);
+  if (rounded < 60) return QCoreApplication::translate("Time", "about %1 min left").arg(rounded);
+  return QCoreApplication::translate("Time", "about %1 h left")
+      .arg(QLocale().toString(rounded / 60));
 }
 
 HeaderLine::HeaderLine(QWidget* parent)

@@ -48,7 +48,7 @@ class FooterLine final : public QFrame {
 /// "2026-11-23 14:05": in every language the same, and never a day for a month.
 QString momentWords(const QDateTime& moment);
 
-/// "2 min left", "40 s left", "1 h 10 min left"; empty when not known.
+/// "about 10 min left", "less than a minute left", "about 1.5 h left"; empty when not known.
 QString timeLeftWords(double seconds);
 
 }  // namespace ostraka::ui

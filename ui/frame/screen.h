@@ -3,11 +3,9 @@
 #include <QWidget>
 
 class QAbstractButton;
-class QPushButton;
 
 namespace ostraka::ui {
 
-class EmptyState;
 class ProjectSession;
 
 /// One screen of the sidebar: Capture, Queue, Review, Map, Catalogue, Export. The frame makes each
@@ -66,10 +64,6 @@ class Screen : public QWidget {
  public slots:
   /// What wantsScreen of another screen asked for: a batch number or a sherd's.
   virtual void showItem(const QString& /*what*/) {}
-
- protected:
-  /// The act of a screen that shows nothing before there is a batch.
-  QPushButton* offerCapture(EmptyState& empty, const QString& object_name);
 
  private:
   QString title_, icon_name_;

@@ -17,13 +17,13 @@
 
 #include "catalogue/batches.h"
 #include "files/output_place.h"
+#include "ui/frame/no_batch_yet.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"
 #include "ui/widgets/big_button.h"
-#include "ui/widgets/message_panel.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
@@ -84,11 +84,10 @@ MapScreen::MapScreen(QWidget* parent) : PlateScreen(tr("Map"), QStringLiteral("m
   foot->addStretch();
   foot->addWidget(bags_);
   foot->addWidget(print_);
-  empty_ = new EmptyState(QStringLiteral("map"), tr("No map yet"),
+  empty_ = new NoBatchYet(QStringLiteral("map"), tr("No map yet"),
                           tr("The map of a batch appears here once it is processed, and shows "
                              "which sherd lay where."),
                           this);
-  to_capture_ = offerCapture(*empty_, QStringLiteral("mapToCapture"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
   all->addLayout(head);
@@ -132,7 +131,7 @@ void MapScreen::closeProject() {
 }
 
 QAbstractButton* MapScreen::primary() const {
-  return empty_->isHidden() ? static_cast<QAbstractButton*>(print_) : to_capture_;
+  return empty_->isHidden() ? static_cast<QAbstractButton*>(print_) : empty_->act();
 }
 
 void MapScreen::setInFront(bool in_front) {
@@ -145,6 +144,7 @@ void MapScreen::listBatches() {
   batches_->clear();
   batches_->addItems(names);
   batches_->setCurrentText(batch_);
+  if (names.isEmpty()) empty_->follow(session_);
   empty_->setVisible(names.isEmpty());
   for (QWidget* part : {static_cast<QWidget*>(batches_), static_cast<QWidget*>(view_),
                         static_cast<QWidget*>(print_)})

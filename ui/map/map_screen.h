@@ -13,8 +13,8 @@ class QPushButton;
 namespace ostraka::ui {
 
 class BigButton;
-class EmptyState;
 class MapView;
+class NoBatchYet;
 struct PlateSherd;
 
 /// The screen Map: which sherd is which on the plate, on screen and on paper.
@@ -58,8 +58,8 @@ class MapScreen final : public PlateScreen {
   QString stale_;  ///< the batch to be read when somebody looks
   MapView* view_ = nullptr;
   BigButton* print_ = nullptr;
-  EmptyState* empty_ = nullptr;
-  QPushButton *bags_ = nullptr, *to_capture_ = nullptr;
+  NoBatchYet* empty_ = nullptr;
+  QPushButton* bags_ = nullptr;
   QPointer<JobHandle> opening_;
 };
 

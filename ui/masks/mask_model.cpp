@@ -14,6 +14,7 @@
 #include "ui/look/look.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {
@@ -92,11 +93,18 @@ class StrokeCommand final : public QUndoCommand {
   Result<void> change(Change apply) {
     auto strokes = decisions::readMaskStrokes(output_);
     if (!strokes) return strokes.error();
+    const std::vector<decisions::MaskStroke> before = *strokes;
     apply(*strokes);
-    if (model_ && model_->output_ == output_) return model_->hold(*strokes);
-    const Result<void> written = decisions::writeMaskStrokes(output_, *strokes);
-    if (written && model_)
-      model_->settle(session_, QString::fromStdString(output_.filename().string()));
+    const bool shown = model_ && model_->output_ == output_;
+    const Result<void> written =
+        shown ? model_->hold(*strokes) : decisions::writeMaskStrokes(output_, *strokes);
+    if (!written) return written;
+    const std::string batch = output_.filename().string();
+    // What the catalogue cannot take now, a merge may bring back; the file is as it is wanted.
+    if (session_ && session_->hasProject())
+      (void)intake::rememberTakenStrokes(session_->project().catalogue(), batch, before, *strokes,
+                                         session_->provenance());
+    if (model_ && !shown) model_->settle(session_, QString::fromStdString(batch));
     return written;
   }
   bool done(const Result<void>& changed) {

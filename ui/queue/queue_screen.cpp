@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ui/frame/batch_place.h"
+#include "ui/frame/no_batch_yet.h"
 #include "ui/frame/project_session.h"
 #include "ui/look/look.h"
 #include "ui/masks/mask_page.h"
@@ -112,11 +113,11 @@ void QueueScreen::buildLayout() {
   log_->setMaximumBlockCount(2000);
   log_->hide();
 
-  auto* empty = new EmptyState(QStringLiteral("queue"), tr("No batch yet"),
+  auto* empty = new NoBatchYet(QStringLiteral("queue"), tr("No batch yet"),
                                tr("What you photograph or import is processed here, one batch "
                                   "after the other, while you go on working."),
                                this);
-  to_capture_ = offerCapture(*empty, QStringLiteral("queueToCapture"));
+  to_capture_ = empty->act();
 
   pages_->addWidget(buildList());
   pages_->addWidget(new PageArea(empty, pages_));

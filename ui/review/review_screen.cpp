@@ -19,6 +19,7 @@
 #include "intake/enter_results.h"
 #include "intake/plate_sherds.h"
 #include "intake/settle_batch.h"
+#include "ui/frame/no_batch_yet.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
@@ -58,11 +59,10 @@ ReviewScreen::ReviewScreen(QWidget* parent)
   head->addWidget(compute_);
   head->addWidget(person_label);
   head->addWidget(person_);
-  empty_ = new EmptyState(QStringLiteral("review"), tr("No pairs to review yet"),
+  empty_ = new NoBatchYet(QStringLiteral("review"), tr("No pairs to review yet"),
                           tr("Photograph or import a batch. Its pairs appear here when it is "
                              "processed."),
                           this);
-  to_capture_ = offerCapture(*empty_, QStringLiteral("reviewToCapture"));
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(Look::kGap, Look::kGap, Look::kGap, Look::kGap);
   all->addLayout(head);
@@ -78,7 +78,7 @@ ReviewScreen::ReviewScreen(QWidget* parent)
 ReviewScreen::~ReviewScreen() = default;
 
 QAbstractButton* ReviewScreen::primary() const {
-  if (!empty_->isHidden() || !pane_) return to_capture_;
+  if (!empty_->isHidden() || !pane_) return empty_->act();
   return pane_->accept();
 }
 
@@ -194,6 +194,7 @@ void ReviewScreen::listBatches() {
   QStringList shown;
   for (int i = 0; i < batches_->count(); ++i) shown << batches_->itemText(i);
   if (pane_) pane_->setVisible(!names.isEmpty());  // empty panes would say nothing
+  if (names.isEmpty()) empty_->follow(session_);
   empty_->setVisible(names.isEmpty());
   batches_->setVisible(!names.isEmpty());
   if (names == shown && !names.isEmpty()) return;

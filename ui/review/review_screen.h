@@ -16,7 +16,7 @@ class QPushButton;
 
 namespace ostraka::ui {
 
-class EmptyState;
+class NoBatchYet;
 class PairReview;
 class ReviewPane;
 
@@ -66,8 +66,7 @@ class ReviewScreen final : public PlateScreen {
   QLabel* scale_words_ = nullptr;
   PairReview* review_ = nullptr;
   QPointer<ReviewPane> pane_;
-  EmptyState* empty_ = nullptr;
-  QPushButton* to_capture_ = nullptr;
+  NoBatchYet* empty_ = nullptr;
   bool compact_ = false;
   QPointer<JobHandle> opening_;
   std::filesystem::file_time_type stamp_;  ///< of the results that are shown

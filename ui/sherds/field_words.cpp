@@ -21,6 +21,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr qsizetype kMostNamed = 4;
+constexpr QLatin1String kOwnField("extra.");
 
 // In English; null for a field that has none.
 const char* labelOf(const QString& field) {
@@ -69,7 +70,21 @@ const char* labelOf(const QString& field) {
       // Not of a sherd.
       {"place", QT_TRANSLATE_NOOP("Fields", "place")},
       {"model", QT_TRANSLATE_NOOP("Fields", "model")},
+      {"entered", QT_TRANSLATE_NOOP("Fields", "entered")},
+      {"excavated", QT_TRANSLATE_NOOP("Fields", "excavated")},
       {"labels", QT_TRANSLATE_NOOP("Fields", "labels")},
+      {"measured_by_hand", QT_TRANSLATE_NOOP("Fields", "measured by hand")},
+      {"mass_centre_x_mm", QT_TRANSLATE_NOOP("Fields", "centre of mass x, mm")},
+      {"mass_centre_y_mm", QT_TRANSLATE_NOOP("Fields", "centre of mass y, mm")},
+      {"mass_centre_z_mm", QT_TRANSLATE_NOOP("Fields", "centre of mass z, mm")},
+      {"model_file", QT_TRANSLATE_NOOP("Fields", "model file")},
+      {"image_file", QT_TRANSLATE_NOOP("Fields", "picture file")},
+      {"drawing_file", QT_TRANSLATE_NOOP("Fields", "drawing file")},
+      {"count_written", QT_TRANSLATE_NOOP("Fields", "sherds written on the bag")},
+      {"column", QT_TRANSLATE_NOOP("Fields", "column of the CSV")},
+      {"heading", QT_TRANSLATE_NOOP("Fields", "column")},
+      {"unit", QT_TRANSLATE_NOOP("Fields", "unit")},
+      {"meaning", QT_TRANSLATE_NOOP("Fields", "meaning")},
       {"person", QT_TRANSLATE_NOOP("Fields", "person")},
       {"name", QT_TRANSLATE_NOOP("Fields", "name")},
       {"initials", QT_TRANSLATE_NOOP("Fields", "initials")},
@@ -108,8 +123,10 @@ QString withoutUnit(const QString& label) {
 }  // namespace
 
 QString fieldLabel(const std::string& field) {
-  const char* label = labelOf(QString::fromStdString(field));
-  return label ? QCoreApplication::translate("Fields", label) : QString::fromStdString(field);
+  const QString name = QString::fromStdString(field);
+  const char* label = labelOf(name);
+  if (label) return QCoreApplication::translate("Fields", label);
+  return name.startsWith(kOwnField) ? name.mid(kOwnField.size()) : name;
 }
 
 bool isNumber(const std::string& field) {
@@ -118,6 +135,7 @@ bool isNumber(const std::string& field) {
 }
 
 QString measureLabel(const std::string& kind) {
+  if (records::unitOf(kind).empty()) return fieldLabel(kind);
   const std::string field = kind + "_" + records::unitOf(kind);
   const QString label = fieldLabel(field);
   return label == QString::fromStdString(field) ? fieldLabel(kind) : label;
@@ -184,7 +202,7 @@ QString confirmWords(const std::vector<records::MeasureFinding>& findings) {
 
 QString withFieldNames(const QString& filter) {
   QHash<QString, QString> names;
-  for (const records::SherdField& field : sherds::sherdFields()) {
+  for (const records::SherdField& field : sherds::filterFields()) {
     const QString name = QString::fromLatin1(field.name);
     const QString english = withoutUnit(QString::fromLatin1(labelOf(name)));
     const QString label = withoutUnit(fieldLabel(field.name));

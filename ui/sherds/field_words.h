@@ -9,7 +9,7 @@ namespace ostraka::ui {
 
 class TermWords;
 
-/// What people call a field of a sherd, with its unit: "length, mm".
+/// What people call a field of a sherd, with its unit: "length, mm"; one of their own by its name.
 QString fieldLabel(const std::string& field);
 bool isNumber(const std::string& field);
 /// A line of the filter with the fields' names as people call them put into those of the catalogue:

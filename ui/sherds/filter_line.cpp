@@ -30,7 +30,8 @@ FilterLine::FilterLine(QWidget* parent)
   line_->setAccessibleName(tr("Filter of the catalogue"));
   line_->setPlaceholderText(tr("rim T3 thickness>6"));
   line_->setToolTip(
-      tr("Words are looked for everywhere; ware:grey, thickness>6, -burnt, note:* also work."));
+      tr("Words are looked for everywhere; ware:grey, thickness>6, entered>=2026-07-01, -burnt, "
+         "note:* also work."));
   line_->setClearButtonEnabled(true);
   line_->addAction(icon("search"), QLineEdit::LeadingPosition);
   count_->setObjectName("count");

@@ -3,25 +3,19 @@
 #include <QComboBox>
 #include <QCompleter>
 #include <QFormLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QStringListModel>
 #include <QTimer>
-#include <QTreeWidget>
 #include <QVBoxLayout>
 #include <set>
 
-#include "catalogue/files.h"
-#include "catalogue/history.h"
 #include "catalogue/places.h"
-#include "sherds/measurements.h"
 #include "sherds/numbers.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
-#include "store/values.h"
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 #include "ui/widgets/elided_button.h"
@@ -32,35 +26,11 @@ namespace {
 
 constexpr int kSmallPicture = 64;
 
-QTreeWidget* table(const QStringList& columns, const QString& name, QWidget* parent) {
-  auto* tree = new QTreeWidget(parent);
-  tree->setHeaderLabels(columns);
-  tree->setRootIsDecorated(false);
-  tree->setAccessibleName(name);
-  tree->setSelectionMode(QAbstractItemView::NoSelection);
-  tree->setWordWrap(true);
-  tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  return tree;
-}
-
-// As high as its rows, so that only the page scrolls.
-void fitHeight(QTreeWidget* tree) {
-  const int row = tree->topLevelItemCount() > 0 ? tree->sizeHintForRow(0) : 0;
-  tree->setFixedHeight(tree->header()->sizeHint().height() +
-                       row * std::min(tree->topLevelItemCount(), 12) + 2 * tree->frameWidth() + 2);
-}
-
 void setPicture(QLabel* label, const QString& path, int size) {
   const QPixmap pixmap(path);
   label->setPixmap(pixmap.isNull()
                        ? icon("sherd").pixmap(size, size)
                        : pixmap.scaled(size, size, Qt::KeepAspectRatio, Qt::SmoothTransformation));
-}
-
-QString fileState(records::FileState state) {
-  return state == records::FileState::Missing   ? SherdDetails::tr("missing")
-         : state == records::FileState::Changed ? SherdDetails::tr("changed")
-                                                : SherdDetails::tr("present");
 }
 
 QString unsavedWords(const QStringList& fields) {
@@ -95,10 +65,7 @@ void SherdDetails::buildLayout() {
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   const auto addField = [&](const records::SherdField& field) {
-    auto* label = new QLabel(fieldLabel(field.name), page);
-    QWidget* editor = editorFor(field);
-    label->setBuddy(editor);
-    form_->addRow(label, editor);
+    addRow(form_->rowCount(), editorFor(field.name, field.kind));
   };
   // A context is chosen with its trench and site; what voids a sherd comes last, for Tab too.
   const std::set<std::string> elsewhere = {"site", "trench", "context", "void_reason"};
@@ -108,25 +75,12 @@ void SherdDetails::buildLayout() {
   }
   for (const records::SherdField& field : sherds::sherdFields())
     if (field.name == std::string("void_reason")) addField(field);
-  measures_ = table({tr("measure"), tr("value"), tr("from")}, tr("Measurements"), page);
-  history_ = table({tr("when"), tr("who"), tr("what")}, tr("History"), page);
-  files_ = table({tr("file"), tr("kind"), tr("state")}, tr("Files"), page);
-  const auto heading = [&](const QString& text) {
-    auto* label = new QLabel(text, page);
-    label->setFont(scaledFont(*this, Look::kSection, true));
-    return label;
-  };
   column->addWidget(number_);
   column->addWidget(give_number_);
   column->addWidget(why_no_number_);
   column->addWidget(refusal_);
   column->addLayout(form_);
-  column->addWidget(heading(tr("Measured")));
-  column->addWidget(measures_);
-  column->addWidget(heading(tr("History")));
-  column->addWidget(history_);
-  column->addWidget(heading(tr("Files")));
-  column->addWidget(files_);
+  addTables(*column);
   column->addStretch();
   setWidget(page);
 }
@@ -167,8 +121,35 @@ void SherdDetails::addPlace() {
   form_->addRow(label, place_);
 }
 
-QWidget* SherdDetails::editorFor(const records::SherdField& field) {
-  const QString name = QString::fromLatin1(field.name);
+void SherdDetails::addRow(int at, QWidget* editor) {
+  auto* label = new QLabel(editor->accessibleName(), this);
+  label->setBuddy(editor);
+  form_->insertRow(at, label, editor);
+}
+
+// The user's own fields stand above what voids a sherd, for Tab too.
+void SherdDetails::setOwnFields(const std::vector<std::string>& fields) {
+  if (!sherd_) {  // they may be another project's, and nobody types in them
+    for (const std::string& field : own_fields_)
+      form_->removeRow(editors_.take(QString::fromStdString(field)));
+    own_fields_.clear();
+  }
+  QWidget* last = editors_.value("void_reason");
+  for (const std::string& field : fields) {
+    if (editors_.contains(QString::fromStdString(field))) continue;
+    QWidget* before = editors_.value(
+        own_fields_.empty() ? QStringLiteral("note") : QString::fromStdString(own_fields_.back()));
+    int row = 0;
+    QFormLayout::ItemRole role = QFormLayout::FieldRole;
+    form_->getWidgetPosition(last, &row, &role);
+    addRow(row, editorFor(field, records::FieldKind::Text));
+    QWidget::setTabOrder(before, editors_.value(QString::fromStdString(field)));
+    own_fields_.push_back(field);
+  }
+}
+
+QWidget* SherdDetails::editorFor(const std::string& field, records::FieldKind kind) {
+  const QString name = QString::fromStdString(field);
   QWidget* editor = nullptr;
   const auto told = [this, name](const QString& value) {
     if (!sherd_) return;
@@ -178,7 +159,7 @@ QWidget* SherdDetails::editorFor(const records::SherdField& field) {
     // What could not be saved is tried again, or given up by what was there before.
     if (value != shown_.value(name) || unsaved_.of(sherd_).contains(name)) emit edited(name, value);
   };
-  if (field.kind == records::FieldKind::Term) {
+  if (kind == records::FieldKind::Term) {
     auto* box = new QComboBox(this);
     box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(box, &QComboBox::activated, this, [box, told](int) { told(box->currentText()); });
@@ -189,7 +170,7 @@ QWidget* SherdDetails::editorFor(const records::SherdField& field) {
       line->setToolTip(
           tr("7 is the running number in the sherd's context; =7 is the number 7 "
              "itself."));
-    if (field.kind == records::FieldKind::Terms) {
+    if (kind == records::FieldKind::Terms) {
       auto* completer = new QCompleter(new QStringListModel(line), line);
       completer->setCaseSensitivity(Qt::CaseInsensitive);
       line->setCompleter(completer);
@@ -202,13 +183,14 @@ QWidget* SherdDetails::editorFor(const records::SherdField& field) {
     editor = line;
   }
   editor->setObjectName("field_" + name);
-  editor->setAccessibleName(fieldLabel(field.name));
+  editor->setAccessibleName(fieldLabel(field));
   editors_.insert(name, editor);
   return editor;
 }
 
 void SherdDetails::setVocabularies(const catalogue::Catalogue& catalogue) {
   words_.read(catalogue);
+  if (const auto own = sherds::Sherds(catalogue).ownFields()) setOwnFields(*own);
   for (const records::SherdField& field : sherds::sherdFields()) {
     if (std::string_view(field.vocabulary).empty()) continue;
     const QStringList terms = words_.of(field);
@@ -340,6 +322,8 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
     if (field.editable)
       setText(field.name,
               words_.shown(field, typedText(field, sherds::textOf(*sherd, field.name))));
+  for (const std::string& field : own_fields_)
+    setText(field, QString::fromStdString(sherds::textOf(*sherd, field)));
   place_->clear();
   if (const auto contexts = catalogue::Places(catalogue).contexts())
     for (const records::ContextRecord& context : *contexts) {
@@ -352,80 +336,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
   if (!sherd->context) place_->setCurrentIndex(-1);
   shown_.insert("place", place_->currentData().toString());
   showUnsaved();
-  showMeasures(catalogue, *sherd);
-  showHistory(catalogue);
-  showFiles(catalogue, project);
-}
-
-void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
-                                const records::SherdRecord& sherd) {
-  measures_->clear();
-  const auto add = [this](const QString& kind, const QString& value, const QString& from) {
-    auto* item = new QTreeWidgetItem(measures_, {kind, value, from});
-    item->setFont(1, tabularFont(font()));
-    item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-    return item;
-  };
-  if (const auto all = sherds::Measurements(catalogue).of(sherd_))
-    for (const records::Measurement& m : *all) {
-      const auto computed = sherd.replaced.find(m.kind);
-      auto* item =
-          add(measureLabel(m.kind),
-              m.uncertainty ? tr("%1 ± %2").arg(measureText(m.value), measureText(*m.uncertainty))
-                            : measureText(m.value),
-              sherd.doubtful.contains(m.kind) ? tr("%1; in doubt").arg(methodLabel(m.method))
-                                              : methodLabel(m.method));
-      if (computed == sherd.replaced.end()) continue;
-      item->setIcon(0, icon("measure"));
-      add({}, measureText(computed->second), tr("computed; replaced by the measured value"));
-    }
-  fitHeight(measures_);
-}
-
-void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
-  history_->clear();
-  QHash<qint64, QString> people;
-  if (const auto persons = catalogue::People(catalogue).all())
-    for (const records::PersonRecord& person : *persons)
-      people.insert(person.row.value, QString::fromStdString(person.initials));
-  if (const auto all = catalogue::History(catalogue).of(sherd_))
-    for (const records::HistoryEntry& entry : *all) {
-      const bool measure = !records::unitOf(entry.field).empty();
-      const auto shown = [&](const std::string& value) {
-        const Result<double> number = store::parsedNumber(value);
-        return measure && number ? measureText(*number) : words_.shown(entry.field, value);
-      };
-      const QString old_value = shown(entry.old_value), new_value = shown(entry.new_value);
-      const QString label = measureLabel(entry.field);
-      const QString what =
-          entry.field.empty() ? tr("added")
-          : old_value.isEmpty()
-              ? tr("%1: %2").arg(label, new_value)
-              : tr("%1: %2 → %3")
-                    .arg(label, old_value, new_value.isEmpty() ? tr("nothing") : new_value);
-      auto* item = new QTreeWidgetItem(
-          history_, {when(entry.at_ms), people.value(entry.by.value, tr("program")), what});
-      // A narrow column cuts it off; below it the reason, or the file of an import.
-      const QString why = QString::fromStdString(entry.why);
-      item->setToolTip(2, why.isEmpty() ? what : what + QLatin1Char('\n') + why);
-    }
-  fitHeight(history_);
-}
-
-void SherdDetails::showFiles(const catalogue::Catalogue& catalogue,
-                             const std::filesystem::path& project) {
-  files_->clear();
-  if (const auto all = catalogue::Files(catalogue).of(sherd_))
-    for (const records::FileRecord& file : *all) {
-      std::error_code code;
-      const bool there = std::filesystem::exists(project / file.path, code);
-      auto* item = new QTreeWidgetItem(
-          files_, {QString::fromStdString(std::filesystem::path(file.path).filename().string()),
-                   QString::fromStdString(file.role),
-                   fileState(there ? file.state : records::FileState::Missing)});
-      item->setToolTip(0, QString::fromStdString(file.path));
-    }
-  fitHeight(files_);
+  showTables(catalogue, project, *sherd);
 }
 
 void SherdDetails::clear() {
@@ -438,10 +349,8 @@ void SherdDetails::clear() {
   place_->clear();
   for (const records::SherdField& field : sherds::sherdFields())
     if (field.editable) setText(field.name, {});
-  for (QTreeWidget* tree : {measures_, history_, files_}) {
-    tree->clear();
-    fitHeight(tree);
-  }
+  for (const std::string& field : own_fields_) setText(field, {});
+  clearTables();
   widget()->setEnabled(false);
 }
 

@@ -13,18 +13,19 @@ class QFormLayout;
 class QLabel;
 class QPushButton;
 class QTreeWidget;
+class QVBoxLayout;
 
 namespace ostraka::ui {
 
-/// One sherd: number, fields with their vocabularies, measures with where they come from,
-/// history, files. It shows and asks; who saves is told by signals.
+/// One sherd: number, fields with their vocabularies, the user's own fields, measures with where
+/// they come from, history, files. It shows and asks; who saves is told by signals.
 class SherdDetails final : public QScrollArea {
   Q_OBJECT
 
  public:
   explicit SherdDetails(QWidget* parent = nullptr);
 
-  /// Which terms a field offers. Call after the vocabularies changed.
+  /// Which terms a field offers, and the user's own fields. Call after either changed.
   void setVocabularies(const catalogue::Catalogue& catalogue);
   void showSherd(const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
                  store::SherdRow sherd);
@@ -58,7 +59,9 @@ class SherdDetails final : public QScrollArea {
   void buildLayout();
   void buildRefusal(QWidget* page);
   void addPlace();
-  QWidget* editorFor(const records::SherdField& field);
+  void addRow(int at, QWidget* editor);
+  void setOwnFields(const std::vector<std::string>& fields);
+  QWidget* editorFor(const std::string& field, records::FieldKind kind);
   void setText(const std::string& field, const QString& text);
   void put(const QString& field, const QString& text);
   bool isTyping(const QString& field) const;  ///< a person, who has not left it yet
@@ -66,6 +69,10 @@ class SherdDetails final : public QScrollArea {
   void showUnsaved();
   void placeRefusal(const std::string& field, const QString& sentence, const QString& other,
                     const QString& picture);
+  void addTables(QVBoxLayout& column);
+  void showTables(const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
+                  const records::SherdRecord& sherd);
+  void clearTables();
   void showMeasures(const catalogue::Catalogue& catalogue, const records::SherdRecord& sherd);
   void showHistory(const catalogue::Catalogue& catalogue);
   void showFiles(const catalogue::Catalogue& catalogue, const std::filesystem::path& project);
@@ -77,6 +84,7 @@ class SherdDetails final : public QScrollArea {
   QFormLayout* form_ = nullptr;
   QComboBox* place_ = nullptr;
   QHash<QString, QWidget*> editors_;
+  std::vector<std::string> own_fields_;  ///< of the user's own, that have a row
   TermWords words_;
   QHash<QString, QString> shown_;  ///< what the catalogue says
   QHash<QString, QString> put_;    ///< into the lines; what is other is typed

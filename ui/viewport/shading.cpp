@@ -14,7 +14,7 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr QRgb kCap = 0xffcfc6b4, kEdge = 0xff141312;
+constexpr QRgb kEdge = 0xff141312;
 
 // Directions towards the lights, seen by the viewer: x right, y up, z to him. cutDepth: the line of
 // sight meets the cut nearer to the viewer than a fragment that lies so far behind it.
@@ -133,8 +133,10 @@ vtkUniforms& pixelUniforms(vtkActor& actor) {
 
 }  // namespace
 
+// Cold, as no clay is, and paler than the blue of a front.
 QColor capColour() {
-  return QColor::fromRgb(kCap);
+  const QColor cold = StateColours::onMatte().of(State::Selected);
+  return QColor::fromRgb(mixed(cold, StateColours::inkOnMatte(), 0.5).rgb());
 }
 
 QColor edgeColour() {

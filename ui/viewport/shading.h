@@ -25,7 +25,7 @@ struct FrameFacts {
 inline constexpr const char* kRadius = "radius";  ///< of surfels, mm
 inline constexpr const char* kUnseen = "unseen";  ///< of surfaces: 1 where nobody saw them
 
-QColor capColour();   ///< of what a section cuts through
+QColor capColour();   ///< of what a section cuts through; set off from all that lies beyond
 QColor edgeColour();  ///< its outline
 
 /// Draws the actor with the light of all models: key from the upper left, fill from the right, rim

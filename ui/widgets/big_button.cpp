@@ -8,7 +8,8 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr double kLetters = Look::kSection, kLeastLetters = 0.85;  // of the body's
+constexpr double kLetters = Look::kSection, kLeastLetters = 0.85,
+                 kStep = 0.05;  // of the body's
 
 }  // namespace
 
@@ -49,6 +50,37 @@ QSize BigButton::minimumSizeHint() const {
   return sizeHint() - QSize(whole - qMax(longest, whole * 6 / 10), 0);
 }
 
+QRectF BigButton::keyCap() const {
+  if (key_.isEmpty() || !isEnabled()) return {};
+  const QFontMetricsF metrics(font());
+  const double cap = metrics.horizontalAdvance(key_) + metrics.height();
+  return {width() - Look::kGap - cap, height() / 2.0 - metrics.height() * 0.75, cap,
+          metrics.height() * 1.5};
+}
+
+QRectF BigButton::wordsRect() const {
+  QRectF words = QRectF(rect()).adjusted(Look::kGap, 0, -Look::kGap, 0);
+  if (const QRectF cap = keyCap(); !cap.isEmpty())
+    words.setRight(cap.left() - QFontMetricsF(font()).height() / 2);
+  return words;
+}
+
+// Smaller letters before a second line; two lines in large letters would be cut above and below.
+BigButton::Letters BigButton::letters() const {
+  const QRectF words = wordsRect();
+  for (double factor = kLetters; factor > kLeastLetters; factor -= kStep)
+    if (QFontMetricsF(scaledFont(*this, factor, true)).horizontalAdvance(text()) <= words.width())
+      return {factor, true};
+  const auto needs = [&](double factor) {
+    return QFontMetricsF(scaledFont(*this, factor))
+        .boundingRect(words, Qt::AlignCenter | Qt::TextWordWrap, text())
+        .height();
+  };
+  double factor = kLetters;
+  while (factor > kLeastLetters && needs(factor) > words.height()) factor -= kStep;
+  return {factor, false};
+}
+
 void BigButton::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -71,29 +103,18 @@ void BigButton::paintEvent(QPaintEvent*) {
                             Look::kCorner - line, Look::kCorner - line);
   }
   painter.setPen(ink);
-  QRectF words = frame.adjusted(Look::kGap, 0, -Look::kGap, 0);
-  if (!key_.isEmpty() && enabled) {
+  if (const QRectF cap = keyCap(); !cap.isEmpty()) {
     painter.setFont(font());
-    const QFontMetricsF metrics(font());
-    const double width = metrics.horizontalAdvance(key_) + metrics.height();
-    const QRectF cap(words.right() - width, words.center().y() - metrics.height() * 0.75, width,
-                     metrics.height() * 1.5);
+    const double round = QFontMetricsF(font()).height() / 4;
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(ink, edge));
-    painter.drawRoundedRect(cap, metrics.height() / 4, metrics.height() / 4);
+    painter.drawRoundedRect(cap, round, round);
     painter.drawText(cap, Qt::AlignCenter, key_);
-    words.setRight(cap.left() - metrics.height() / 2);
   }
-  // Two lines in large letters are cut above and below where smaller ones fit.
-  const auto needs = [&](double factor) {
-    return QFontMetricsF(scaledFont(*this, factor))
-        .boundingRect(words, Qt::AlignCenter | Qt::TextWordWrap, text())
-        .height();
-  };
-  double factor = kLetters;
-  while (factor > kLeastLetters && needs(factor) > words.height()) factor -= 0.05;
-  painter.setFont(scaledFont(*this, factor, true));
-  painter.drawText(words, Qt::AlignCenter | Qt::TextWordWrap, text());
+  const Letters chosen = letters();
+  painter.setFont(scaledFont(*this, chosen.factor, true));
+  painter.drawText(wordsRect(), Qt::AlignCenter | (chosen.one_line ? 0 : int(Qt::TextWordWrap)),
+                   text());
 }
 
 }  // namespace ostraka::ui

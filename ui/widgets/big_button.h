@@ -15,11 +15,20 @@ class BigButton final : public QPushButton {
   void setPrimary(bool primary);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
+  bool isOnOneLine() const { return letters().one_line; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  struct Letters {
+    double factor;  ///< of the body's
+    bool one_line;
+  };
+  Letters letters() const;
+  QRectF keyCap() const;  ///< empty: none
+  QRectF wordsRect() const;
+
   QString key_;
   bool primary_ = true;
 };

@@ -151,6 +151,11 @@ void EmptyState::lay() {
   picture_->setPixmap(icon(icon_name_, ink).pixmap(Look::kEmptyIcon, Look::kEmptyIcon));
 }
 
+void EmptyState::setWords(const QString& words) {
+  words_->setText(words);
+  lay();
+}
+
 QPushButton* EmptyState::addAct(const QString& text, const QString& object_name) {
   QPushButton* button = nullptr;
   if (acts_->count() == 0) {

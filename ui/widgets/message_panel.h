@@ -52,12 +52,13 @@ class MessagePanel final : public QFrame {
 };
 
 /// A screen without contents says what to do first: a picture, a sentence, one button or several.
-class EmptyState final : public QWidget {
+class EmptyState : public QWidget {
   Q_OBJECT
 
  public:
   EmptyState(const QString& icon_name, const QString& headline, const QString& words,
              QWidget* parent = nullptr);
+  void setWords(const QString& words);
   /// The first is the big one.
   QPushButton* addAct(const QString& text, const QString& object_name);
 

@@ -14,6 +14,10 @@ void SideBySide::add(QWidget* part, int stretch) {
   box_->addWidget(part, stretch);
 }
 
+bool SideBySide::isRow() const {
+  return box_->direction() == QBoxLayout::LeftToRight;
+}
+
 QSize SideBySide::minimumSizeHint() const {
   int widest = 0;
   for (int i = 0; i < box_->count(); ++i)

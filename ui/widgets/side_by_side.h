@@ -15,6 +15,7 @@ class SideBySide : public QWidget {
   QSize minimumSizeHint() const override;
 
  protected:
+  bool isRow() const;  ///< side by side just now
   void resizeEvent(QResizeEvent* event) override;
 
  private:

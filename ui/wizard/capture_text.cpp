@@ -75,6 +75,7 @@ QString CaptureText::instruction() const {
 
 QString CaptureText::button() const {
   const CapturePhase phase = wizard_.phase();
+  if (wizard_.asksToRepeat()) return CaptureWizard::tr("Keep the photographs");
   if (!rig_.question().isEmpty()) return CaptureWizard::tr("Done");
   if (wizard_.fault() && rig_.isBusy()) return CaptureWizard::tr("One moment");
   if (wizard_.fault() && !rig_.holders().isEmpty()) return CaptureWizard::tr("Release camera");

@@ -193,6 +193,7 @@ bool CaptureWizard::canGoOn() const {
 
 void CaptureWizard::next() {
   if (!canGoOn()) return;
+  if (asksToRepeat()) return keepPhotographs();
   if (!rig_->question().isEmpty()) return rig_->answer();
   if (fault_ && !rig_->holders().isEmpty()) return rig_->release();
   if (fault_ && (phase_ == CapturePhase::Opening || phase_ == CapturePhase::NoRig)) {
@@ -225,8 +226,14 @@ void CaptureWizard::stop() {
 
 QString CaptureWizard::repeatQuestion() {
   return tr(
-      "Nothing is wrong with the photographs of this side. Photograph again once more "
-      "to put all of them aside and take new ones.");
+      "Nothing is wrong with the photographs of this side. Space or Esc keeps them; R once "
+      "more puts all of them aside and takes new ones.");
+}
+
+void CaptureWizard::keepPhotographs() {
+  if (!asksToRepeat()) return;
+  doubts_.clear();
+  emit changed();
 }
 
 void CaptureWizard::again() {

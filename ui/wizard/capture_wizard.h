@@ -48,18 +48,19 @@ class CaptureWizard final : public QObject {
   const std::optional<Error>& fault() const { return fault_; }
   /// What a person should look at before going on; Space goes on all the same, R takes again.
   const QStringList& doubts() const { return doubts_; }
-  /// R once more puts aside a whole side with which nothing is wrong.
+  /// R once more puts aside a whole side with which nothing is wrong; the next step keeps it.
   bool asksToRepeat() const { return doubts_ == QStringList(repeatQuestion()); }
   /// Of a side that is whole; of the fronts also when only their sherds were counted.
   const std::optional<capture::SideSummary>& summary(batch::Side side) const;
   const QStringList& sherdsToReshoot() const { return to_reshoot_; }  ///< of earlier plates
 
  public slots:
-  void next();           ///< Space
-  void stop();           ///< Esc: the table stands still at once
-  void again();          ///< R: the photographs with problems
-  void keepDescribed();  ///< the bag was mended: the batch in hand has it at once
-  void setAside();       ///< nobody wants the batch in hand: another begins, its photographs stay
+  void next();             ///< Space
+  void stop();             ///< Esc: the table stands still at once
+  void again();            ///< R: the photographs with problems
+  void keepPhotographs();  ///< of asksToRepeat()
+  void keepDescribed();    ///< the bag was mended: the batch in hand has it at once
+  void setAside();         ///< nobody wants the batch in hand: another begins, its photographs stay
 
  signals:
   void changed();  ///< phase, texts, fault, doubts

@@ -20,6 +20,10 @@ class SideProgress final : public QObject {
   int currentStop() const { return stop_; }  ///< -1: none
   int stopsDone() const { return stops_done_; }
   const PreparedPhotographs& prepared() const { return prepared_; }
+  /// Steps of what is photographed now: for calibration those photographs, else the positions.
+  PreparedPhotographs steps(int stops) const {
+    return prepared_.total > 0 ? prepared_ : PreparedPhotographs{stops_done_, stops};
+  }
   const std::vector<capture::ShotName>& retaking() const { return retaking_; }
   int saved() const;  ///< photographs of the side
   QStringList problemsOf(const capture::ShotName& shot) const;

@@ -18,6 +18,23 @@ TEST(Pace, DoesNotShowAGuess) {
   EXPECT_TRUE(pace.secondsLeft(kStart + seconds(4)));
 }
 
+TEST(Pace, IsAGuessBeforeAFifthOfWhatThisRunHasToDo) {
+  Pace pace;
+  pace.begin(0.1, kStart);
+  pace.begin(0.9, kStart + seconds(60));
+  EXPECT_FALSE(pace.secondsLeft(kStart + seconds(60))) << "a tenth took a minute";
+  pace.report(1.0 / 9, kStart + seconds(80));
+  ASSERT_TRUE(pace.secondsLeft(kStart + seconds(80)));
+  EXPECT_NEAR(*pace.secondsLeft(kStart + seconds(80)), 320, 1e-6);
+  Pace again;  // nine tenths were found whole
+  again.begin(0.9, kStart);
+  again.begin(0.1, kStart + milliseconds(100));
+  again.report(0.1, kStart + seconds(10));
+  EXPECT_FALSE(again.secondsLeft(kStart + seconds(10)));
+  again.report(0.2, kStart + seconds(20));
+  EXPECT_TRUE(again.secondsLeft(kStart + seconds(20)));
+}
+
 TEST(Pace, FollowsAllStages) {
   Pace pace;
   pace.begin(0.25, kStart);

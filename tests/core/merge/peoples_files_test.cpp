@@ -6,6 +6,7 @@
 #include "decisions/decisions.h"
 #include "decisions/mask_strokes.h"
 #include "intake/review_decisions.h"
+#include "intake/settle_batch.h"
 #include "two_houses.h"
 
 namespace ostraka::merge {
@@ -125,6 +126,30 @@ TEST_F(PeoplesFiles, StrokesAreJoinedByPhotograph) {
   EXPECT_THAT(paintedIn(*project_), testing::UnorderedElementsAre(both, later, only_a, only_b));
   EXPECT_TRUE(merged(b_, *project_).entered);
   EXPECT_THAT(paintedIn(b_), testing::UnorderedElementsAre(both, later, only_a, only_b));
+}
+
+TEST_F(PeoplesFiles, StrokesThatOneProjectTookAwayStayAway) {
+  const MaskStroke first = stroke(0, 1), second = stroke(0, 2), third = stroke(1, 3),
+                   later = stroke(0, 4);
+  for (const upkeep::Project* project : {project_.get(), &b_})
+    paint(*project, {first, second, third});
+  const auto takeAway = [&](upkeep::Project& project, const Strokes& rest) {
+    const Strokes before = paintedIn(project);
+    paint(project, rest);
+    EXPECT_TRUE(
+        intake::rememberTakenStrokes(project.catalogue(), "B0001", before, rest, anna).has_value());
+  };
+  takeAway(b_, {first, second});  // all of one photograph
+  takeAway(b_, {first});
+  EXPECT_EQ(merged(*project_, b_).conflicts.size(), 0u);
+  EXPECT_EQ(paintedIn(*project_), Strokes{first});
+  // A goes on, and takes away what B has still.
+  paint(*project_, {first, later});
+  EXPECT_TRUE(merged(*project_, b_).conflicts.empty());
+  EXPECT_EQ(paintedIn(*project_), (Strokes{first, later}));
+  takeAway(*project_, {later});
+  EXPECT_TRUE(merged(b_, *project_).conflicts.empty());
+  EXPECT_EQ(paintedIn(b_), Strokes{later});
 }
 
 TEST_F(PeoplesFiles, APhotographThatBothPaintedOnIsSettledOnceForBothDirections) {

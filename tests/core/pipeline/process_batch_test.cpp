@@ -86,6 +86,7 @@ TEST_F(ProcessBatch, TurnsPhotographsIntoWholeSherdsWithTheirReports) {
   ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
   ASSERT_EQ(summary->sherds.size(), 2u);
   EXPECT_TRUE(summary->whole());
+  EXPECT_NEAR(progress.shares, 1, 0.01) << "the time left is what is missing to 1";
   for (const char* name : {"front.ply", "back.ply", "model.ply", "model.glb", "preview.png"})
     for (const char* number : {"01", "02"})
       EXPECT_TRUE(fs::exists(folder_ / "out" / "sherds" / number / name)) << number << ' ' << name;

@@ -27,7 +27,10 @@ class StopsAt final : public Progress {
 /// What a bar shows of a job never goes back within a stage.
 class NeverBack final : public Progress {
  public:
-  void begin(std::string_view stage, double) override { stage_ = stage, fraction_ = 0; }
+  void begin(std::string_view stage, double share) override {
+    stage_ = stage, fraction_ = 0;
+    shares += share;
+  }
   void report(std::int64_t done, std::int64_t total) override {
     const double fraction = static_cast<double>(done) / static_cast<double>(total);
     EXPECT_GE(fraction, fraction_) << stage_;
@@ -35,6 +38,7 @@ class NeverBack final : public Progress {
     fraction_ = fraction;
   }
   void note(NoteLevel, const Message&) override {}
+  double shares = 0;  ///< of all stages
 
  private:
   std::string stage_;

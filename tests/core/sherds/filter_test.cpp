@@ -101,6 +101,28 @@ TEST_F(Filters, NumbersAreCompared) {
   EXPECT_EQ(letters("weight:\"\""), "acd");
 }
 
+TEST_F(Filters, DaysMonthsAndYearsAreCompared) {
+  records::ContextRecord c = *catalogue::Places(catalogue()).context(context13);
+  c.excavated_on = "2025-07-31";
+  ASSERT_TRUE(catalogue::Places(catalogue()).save(c, anna));
+  EXPECT_EQ(letters("excavated:2025-07-31"), "cd");
+  EXPECT_EQ(letters("excavated:2025-07"), "cd");
+  EXPECT_EQ(letters("excavated:2025"), "cd");
+  EXPECT_EQ(letters("excavated>=2025-07-01 excavated<=2025-07-31"), "cd");
+  EXPECT_EQ(letters("excavated>2025-07"), "") << "not in that month";
+  EXPECT_EQ(letters("excavated<2026"), "cd") << "not those that have no day";
+  EXPECT_EQ(letters("-excavated:2025"), "ab");
+  EXPECT_EQ(letters("excavated:\"\""), "ab");
+  EXPECT_EQ(letters("excavated:*"), "cd");
+  // 21 September 2026, in some places of the Earth a day more or less.
+  EXPECT_EQ(letters("entered:2026-09"), "abcd");
+  EXPECT_EQ(letters("entered>=2026-09-20 entered<=2026-09-22"), "abcd");
+  EXPECT_EQ(letters("entered<2026-09-20"), "");
+  EXPECT_EQ(letters("entered>2026-09-22"), "");
+  for (const char* line : {"entered:1.7.2026", "entered>July", "entered>=2026-13", "entered>26"})
+    EXPECT_FALSE(parseFilter(line)) << line;
+}
+
 TEST_F(Filters, FieldsAreComparedWhole) {
   EXPECT_EQ(letters("part:rim"), "ab");
   EXPECT_EQ(letters("part:neck"), "b");

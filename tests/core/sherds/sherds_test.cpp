@@ -11,6 +11,7 @@ namespace ostraka::sherds {
 namespace {
 
 using testing::ElementsAre;
+using testing::IsEmpty;
 using SherdsTest = catalogue::SmallProject;
 
 TEST_F(SherdsTest, AreReadBackWithEverything) {
@@ -91,6 +92,17 @@ TEST_F(SherdsTest, JoinsGoBothWays) {
   EXPECT_THAT(Sherds(catalogue()).get(a)->joins, ElementsAre(b));
   EXPECT_FALSE(set(a, "joins", "ARM1-T3-0012-0001")) << "not itself";
   EXPECT_FALSE(set(a, "joins", "ARM1-T3-0012-0009"));
+}
+
+TEST_F(SherdsTest, OwnFieldsAreThoseThatAnySherdHas) {
+  const store::SherdRow a = numbered(context12), b = numbered(context12);
+  EXPECT_THAT(*Sherds(catalogue()).ownFields(), IsEmpty());
+  ASSERT_TRUE(set(a, "extra.shelf", "4"));
+  ASSERT_TRUE(set(b, "extra.shelf", "5"));
+  ASSERT_TRUE(set(b, "extra.glaze", "lead"));
+  EXPECT_THAT(*Sherds(catalogue()).ownFields(), ElementsAre("extra.glaze", "extra.shelf"));
+  ASSERT_TRUE(set(b, "extra.glaze", ""));
+  EXPECT_THAT(*Sherds(catalogue()).ownFields(), ElementsAre("extra.shelf"));
 }
 
 TEST_F(SherdsTest, HistoryTellsWhoChangedWhatAndWhy) {

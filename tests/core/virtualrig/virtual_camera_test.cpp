@@ -61,6 +61,26 @@ TEST(VirtualRigDevices, TakeThePhotographsOfTheSimulatedBatch) {
         << file;
 }
 
+// Who waits sees for how many from the start; the first takes long.
+class FirstReport final : public Progress {
+ public:
+  void report(std::int64_t done, std::int64_t total) override {
+    if (!first) first = {done, total};
+  }
+  void note(NoteLevel, const Message&) override {}
+  std::optional<std::pair<std::int64_t, std::int64_t>> first;
+};
+
+TEST(VirtualRigDevices, SayFromTheStartForHowManyCalibrationPhotographsOneWaits) {
+  const TemporaryFolder folder;
+  FirstReport progress;
+  ASSERT_TRUE(
+      writeVirtualCalibration(smallRig(), folder.path().string(), progress, {}).has_value());
+  ASSERT_TRUE(progress.first);
+  EXPECT_EQ(progress.first->first, 0);
+  EXPECT_EQ(progress.first->second, 39);
+}
+
 TEST(VirtualRigDevices, ShowLivePicturesThatChangeOnlyWithThePlate) {
   auto rig = openVirtualRig(smallRig());
   ASSERT_TRUE(rig.has_value());

@@ -153,6 +153,49 @@ class CaptureScreenTest : public CaptureBench {
     QVERIFY(!doubts->isVisible());
   }
 
+  void theCalibrationPhotographsAreCountedOnTheBoardAndAtTheFoot() {
+    RigSource source = sourceOf(*rig_);
+    source.prepare = [](const std::filesystem::path&, int, Progress& progress,
+                        std::stop_token) -> Result<void> {
+      tell(progress, PreparedPhotographs{9, 36});
+      return {};
+    };
+    double furthest = 0;
+    QStringList boards;
+    connect(screen_.get(), &Screen::working, this, [&](const QString& words, double fraction) {
+      if (words.contains("Calibration photograph 10 of 36")) furthest = fraction;
+    });
+    connect(wizard_->side(), &SideProgress::preparing, this,
+            [&] { boards << screen_->findChild<StopBoard*>()->accessibleDescription(); });
+    wizard_->rig()->choose(source);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Place);
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+    QCOMPARE(furthest, 0.25);
+    QVERIFY(boards.contains(QStringLiteral("9 of 36 calibration photographs taken")));
+    QVERIFY2(boards.last().endsWith("positions done"), qPrintable(boards.last()));
+  }
+
+  void whoPressesROverGoodPhotographsKeepsThemByEscOrSpace() {
+    toPlace();
+    QTest::keyClick(screen_.get(), Qt::Key_Space);
+    QTRY_COMPARE(wizard_->phase(), CapturePhase::Flip);
+    QTRY_VERIFY(!wizard_->rig()->isBusy());
+    auto* doubts = child<MessagePanel>("captureDoubts");
+    for (const Qt::Key key : {Qt::Key_Escape, Qt::Key_Space}) {
+      screen_->setFocus();
+      QTest::keyClick(screen_.get(), Qt::Key_R);
+      QTRY_VERIFY(doubts->isVisible());
+      QVERIFY(doubts->words().contains("Space or Esc keeps them"));
+      QCOMPARE(child<BigButton>("captureButton")->text(), QString("Keep the photographs"));
+      QTest::keyClick(screen_.get(), key);
+      QVERIFY(!doubts->isVisible());
+      QVERIFY(!wizard_->rig()->isBusy());
+      QCOMPARE(wizard_->phase(), CapturePhase::Flip);
+    }
+    QCOMPARE(rig_->shot, std::vector<batch::Side>{batch::Side::Front});
+  }
+
   void aFaultTakesThePlaceOfTheButtonAndSpaceTriesAgain() {
     toPlace();
     rig_->refuse_shoot = Error{ErrorCode::Missing, "Camera B did not answer at stop 5.", "rig"};

@@ -271,10 +271,12 @@ class LookTest : public QObject {
 
   void timesAreSaidInWords() {
     QCOMPARE(timeLeftWords(-1), QString());
-    QCOMPARE(timeLeftWords(3), QStringLiteral("5 s left"));
-    QCOMPARE(timeLeftWords(42), QStringLiteral("40 s left"));
-    QCOMPARE(timeLeftWords(125), QStringLiteral("2 min left"));
-    QCOMPARE(timeLeftWords(2 * 3600 + 600), QStringLiteral("2 h 10 min left"));
+    QCOMPARE(timeLeftWords(42), QStringLiteral("less than a minute left"));
+    QCOMPARE(timeLeftWords(125), QStringLiteral("about 2 min left"));
+    QCOMPARE(timeLeftWords(9 * 60 + 40), QStringLiteral("about 10 min left"));
+    QCOMPARE(timeLeftWords(42 * 60), QStringLiteral("about 40 min left"));
+    QCOMPARE(timeLeftWords(58 * 60), QStringLiteral("about 1 h left"));
+    QCOMPARE(timeLeftWords(2 * 3600 + 1500), QStringLiteral("about 2.5 h left"));
   }
 };
 

@@ -19,6 +19,7 @@
 #include "ui/queue/batch_queue.h"
 #include "ui/queue/queue_switches.h"
 #include "ui/viewport/sherd_view.h"
+#include "ui/widgets/big_button.h"
 #include "ui/wizard/capture_wizard.h"
 #include "ui/wizard/plate_pictures.h"
 #include "ui/wizard/rig_connection.h"
@@ -137,6 +138,25 @@ class SmallWindowTest : public QObject {
     wizard.next();
     QTRY_COMPARE(wizard.phase(), CapturePhase::Done);
     QTRY_VERIFY2(isInSight(capture->primary()), qPrintable(reportOf(*capture)));
+  }
+
+  void thePrimaryButtonOfTheCaptureKeepsToOneLine_data() { languages(); }
+  void thePrimaryButtonOfTheCaptureKeepsToOneLine() {
+    open();
+    window_->resize(1280, 720);
+    Screen* capture = window_->screens().front();
+    window_->showScreenNamed(capture->iconName(), {});
+    CaptureWizard& wizard = *window_->wizard();
+    rig_ = std::make_unique<FakeRig>();
+    rig_->preview = pictureOfAPlate();
+    wizard.rig()->choose(sourceOf(*rig_));
+    const auto* button = named<BigButton>(*window_, "captureButton");
+    for (const CapturePhase phase : {CapturePhase::Place, CapturePhase::Flip, CapturePhase::Done}) {
+      QTRY_COMPARE(wizard.phase(), phase);
+      QTRY_VERIFY(button->isVisible() && button->isEnabled());
+      QTRY_VERIFY2(button->isOnOneLine(), qPrintable(button->text()));
+      if (phase != CapturePhase::Done) wizard.next();
+    }
   }
 
   void theReviewShowsPhotographsModelOutlinesAndTools() {

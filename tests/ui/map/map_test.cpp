@@ -41,6 +41,7 @@ class MapTest : public QObject {
   void aMissingPhotographIsSaid();
   void aBatchOfScansSaysThatItHasNoPicture();
   void theFirstBatchTakesTheMessageAway();
+  void whileABatchIsProcessedTheEmptyMapLeadsToTheQueue();
   void noNumberCoversAnother();
   void noNumberHidesASmallSherd();
 
@@ -285,6 +286,44 @@ void MapTest::theFirstBatchTakesTheMessageAway() {
   QTRY_VERIFY(map().front.width > 0);
   QVERIFY(no_map->isHidden());
   QVERIFY2(message->text().isEmpty(), qPrintable(message->text()));
+  screen_->closeProject();
+}
+
+void MapTest::whileABatchIsProcessedTheEmptyMapLeadsToTheQueue() {
+  const QTemporaryDir empty;
+  const std::filesystem::path folder = empty.path().toStdString() + "/project";
+  const auto project = projectIn(folder);
+  ProjectSession fresh(project, folder, runner_);
+  QSignalSpy wanted(screen_.get(), &Screen::wantsScreen);
+  screen_->openProject(fresh);
+  QAbstractButton* act = screen_->primary();
+  act->click();
+  QCOMPARE(wanted.takeLast().first().toString(), QString("capture"));
+  const auto said = [&](records::BatchState state) {
+    catalogue::Batches batches(project->catalogue());
+    if (auto batch = batches.byNumber("B0001")) {
+      batch->state = state;
+      (void)batches.save(*batch, {});
+    } else {
+      records::BatchRecord added;
+      added.number = "B0001";
+      added.state = state;
+      (void)batches.add(added, {});
+    }
+    fresh.tellBatchChanged("B0001");
+    act->click();
+    QStringList words;
+    for (const auto* label : screen_->findChild<EmptyState*>()->findChildren<QLabel*>())
+      words << label->text();
+    return wanted.takeLast().first().toString() + ": " + words.join(' ');
+  };
+  QVERIFY(said(records::BatchState::Front).startsWith("capture"));
+  const QString queued = said(records::BatchState::Queued);
+  QVERIFY2(queued.startsWith("queue") && queued.contains("B0001 is in the queue"),
+           qPrintable(queued));
+  const QString failed = said(records::BatchState::Failed);
+  QVERIFY2(failed.startsWith("queue") && failed.contains("B0001 could not be processed"),
+           qPrintable(failed));
   screen_->closeProject();
 }
 

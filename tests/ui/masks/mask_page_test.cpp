@@ -19,6 +19,7 @@
 #include "../names.h"
 #include "../project_in.h"
 #include "catalogue/batches.h"
+#include "catalogue/history.h"
 #include "decisions/mask_strokes.h"
 #include "files/files.h"
 #include "review/review.h"
@@ -138,6 +139,14 @@ class MaskPageTest : public QObject {
     session.undo().undo();
     QVERIFY(!decisions::masksWantComputing(project / "results" / "B0001"));
     QTRY_COMPARE(state(), settled);
+    // A merge reads there that nobody wants the stroke any more.
+    const catalogue::Catalogue& rows = session.project().catalogue();
+    const auto told_of =
+        catalogue::History(rows).of("batch", catalogue::Batches(rows).byNumber("B0001")->row.value);
+    QVERIFY(told_of.has_value());
+    QVERIFY(std::any_of(told_of->begin(), told_of->end(), [](const auto& entry) {
+      return entry.field.starts_with(decisions::kStrokesField);
+    }));
   }
 
   void theKeysMoveTheBrushAndPaintPlate() {

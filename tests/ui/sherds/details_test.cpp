@@ -250,6 +250,35 @@ class DetailsTest : public CatalogueWindow {
     QCOMPARE(marks, 1);
   }
 
+  void aFieldOfTheUsersOwnIsAFieldLikeTheOthers() {
+    const records::FieldChange shelf{sample_->row(0), "extra.shelf", "4"};
+    SampleProject::must(sherds::SherdChanges(sample_->catalogue()).apply(std::span(&shelf, 1), {}));
+    auto* details = screen_->findChild<SherdDetails*>();
+    details->setVocabularies(sample_->catalogue());
+    choose(0);
+    auto* line = child<QLineEdit>("field_extra.shelf");
+    QCOMPARE(line->accessibleName(), QString("shelf"));
+    QCOMPARE(line->text(), QString("4"));
+    child<QLineEdit>("field_note")->setFocus();
+    QTest::keyClick(screen_->focusWidget(), Qt::Key_Tab);
+    QCOMPARE(screen_->focusWidget(), line);
+    choose(1);
+    QCOMPARE(line->text(), QString());
+    line->setFocus();
+    QTest::keyClicks(line, "5");
+    QTest::keyClick(line, Qt::Key_Tab);
+    QCOMPARE(screen_->focusWidget()->objectName(), QString("field_void_reason"));
+    QCOMPARE(sample_->value(1, "extra.shelf"), QString("5"));
+    QCOMPARE(sample_->session().undo().undoText(), QString("change shelf"));
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(1, "extra.shelf"), QString());
+    // Another project has none.
+    SampleProject other(1);
+    details->clear();
+    details->setVocabularies(other.catalogue());
+    QVERIFY(screen_->findChild<QLineEdit*>("field_extra.shelf") == nullptr);
+  }
+
   void tabGoesFromTheNumberDownTheForm() {
     choose(0);
     auto* number = child<QLineEdit>("field_number");

@@ -2,6 +2,7 @@
 #include "ui/sherds/field_words.h"
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
+#include "tables/column_meanings.h"
 
 #include <QCoreApplication>
 #include <QTranslator>
@@ -19,6 +20,7 @@ class German final : public QTranslator {
                                                 {"context", "Befund"},
                                                 {"minimum thickness, mm", "Dicke, kleinste, mm"},
                                                 {"date", "Datum"},
+                                                {"entered", "erfasst"},
                                                 {"ware", "Ware"}};
     return kWords.value(QString::fromUtf8(source));
   }
@@ -36,6 +38,7 @@ class FieldWordsTest : public QObject {
     QVERIFY(QCoreApplication::installTranslator(&german));
     QCOMPARE(withFieldNames("Befund:0100 -dicke>5 rot"), QString("context:0100 -thickness>5 rot"));
     QCOMPARE(withFieldNames("Datum:*"), QString("date_edtf:*"));
+    QCOMPARE(withFieldNames("erfasst>=2026-07"), QString("entered>=2026-07"));
     QCOMPARE(withFieldNames("\"Befund:0100\" note:\"Dicke>5\""),
              QString("\"Befund:0100\" note:\"Dicke>5\""));
     QCOMPARE(withFieldNames("thickness>5 context:0100 Dicke"),
@@ -52,6 +55,19 @@ class FieldWordsTest : public QObject {
     QCoreApplication::removeTranslator(&german);
     QCOMPARE(chips("context:0005 -thickness>6"), QString("context:0005|-thickness>6"));
     QCOMPARE(withFieldNames("thickness>5 -ware:grey"), QString("thickness>5 -ware:grey"));
+  }
+
+  void eachColumnOfASpreadsheetHasAWordOfItsOwn() {
+    QSet<QString> words;
+    for (const ostraka::tables::ColumnMeaning& one : ostraka::tables::columnMeanings()) {
+      const QString word = fieldLabel(one.column);
+      QVERIFY2(!word.contains('_'), one.column);
+      QVERIFY2(!words.contains(word), one.column);
+      words.insert(word);
+    }
+    QCOMPARE(fieldLabel("extra.shelf"), QString("shelf"));
+    QCOMPARE(measureLabel("extra.shelf"), QString("shelf"));
+    QCOMPARE(measureLabel("length"), QString("length, mm"));
   }
 
   void aNumberIsTypedAsTheLanguageWritesIt() {

@@ -229,6 +229,9 @@ void SherdViewTest::theCapOfACutModelIsFlat() {
   QVERIFY2(exactly(capColour()) > 0.9 * notBackground(),
            qPrintable(QString::number(double(exactly(capColour())) / notBackground())));
   QVERIFY2(exactly(edgeColour()) > 100, "the outline of the cut");
+  // Clay is warm: what lies beyond never has the cap's colour, nor has a side's band.
+  QVERIFY(capColour().blue() > capColour().red() + 40);
+  QVERIFY(capColour().lightness() > of(State::Front).lightness() + 20);
 }
 
 void SherdViewTest::theBandOfCutScansHasTheColoursOfTheSides() {

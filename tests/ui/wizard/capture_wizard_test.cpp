@@ -260,8 +260,15 @@ class CaptureWizardTest : public QObject {
     // Nobody doubted them: one key puts nothing away.
     bench.wizard.again();
     QVERIFY(!bench.wizard.rig()->isBusy());
-    QVERIFY(bench.wizard.doubts().join(' ').contains("once more"));
+    QVERIFY(bench.wizard.doubts().join(' ').contains("R once more puts all of them aside"));
     QCOMPARE(bench.batch().state, BatchState::Queued);
+    // What comes first to hand keeps them, and nothing else begins.
+    QCOMPARE(bench.text.button(), QStringLiteral("Keep the photographs"));
+    bench.wizard.next();
+    QVERIFY(bench.wizard.doubts().isEmpty() && !bench.wizard.rig()->isBusy());
+    QCOMPARE(bench.wizard.phase(), CapturePhase::Done);
+    QCOMPARE(bench.wizard.batch().number(), number);
+    bench.wizard.again();
     bench.wizard.again();
     QTRY_COMPARE(bench.wizard.phase(), CapturePhase::Done);
     QVERIFY(!bench.wizard.doubts().isEmpty());

@@ -1,0 +1,148 @@
+// What is only read in the details of a sherd: its measurements, history and files.
+#include <QHeaderView>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "catalogue/files.h"
+#include "catalogue/history.h"
+#include "catalogue/places.h"
+#include "sherds/measurements.h"
+#include "store/values.h"
+#include "ui/look/look.h"
+#include "ui/sherds/field_words.h"
+#include "ui/sherds/sherd_details.h"
+
+namespace ostraka::ui {
+namespace {
+
+QTreeWidget* table(const QStringList& columns, const QString& name, QWidget* parent) {
+  auto* tree = new QTreeWidget(parent);
+  tree->setHeaderLabels(columns);
+  tree->setRootIsDecorated(false);
+  tree->setAccessibleName(name);
+  tree->setSelectionMode(QAbstractItemView::NoSelection);
+  tree->setWordWrap(true);
+  tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  return tree;
+}
+
+// As high as its rows, so that only the page scrolls.
+void fitHeight(QTreeWidget* tree) {
+  const int row = tree->topLevelItemCount() > 0 ? tree->sizeHintForRow(0) : 0;
+  tree->setFixedHeight(tree->header()->sizeHint().height() +
+                       row * std::min(tree->topLevelItemCount(), 12) + 2 * tree->frameWidth() + 2);
+}
+
+QString fileState(records::FileState state) {
+  return state == records::FileState::Missing   ? SherdDetails::tr("missing")
+         : state == records::FileState::Changed ? SherdDetails::tr("changed")
+                                                : SherdDetails::tr("present");
+}
+
+}  // namespace
+
+void SherdDetails::addTables(QVBoxLayout& column) {
+  QWidget* page = column.parentWidget();
+  measures_ = table({tr("measure"), tr("value"), tr("from")}, tr("Measurements"), page);
+  history_ = table({tr("when"), tr("who"), tr("what")}, tr("History"), page);
+  files_ = table({tr("file"), tr("kind"), tr("state")}, tr("Files"), page);
+  const auto add = [&](const QString& text, QTreeWidget* shown) {
+    auto* label = new QLabel(text, page);
+    label->setFont(scaledFont(*this, Look::kSection, true));
+    column.addWidget(label);
+    column.addWidget(shown);
+  };
+  add(tr("Measured"), measures_);
+  add(tr("History"), history_);
+  add(tr("Files"), files_);
+}
+
+void SherdDetails::showTables(const catalogue::Catalogue& catalogue,
+                              const std::filesystem::path& project,
+                              const records::SherdRecord& sherd) {
+  showMeasures(catalogue, sherd);
+  showHistory(catalogue);
+  showFiles(catalogue, project);
+}
+
+void SherdDetails::clearTables() {
+  for (QTreeWidget* tree : {measures_, history_, files_}) {
+    tree->clear();
+    fitHeight(tree);
+  }
+}
+
+void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
+                                const records::SherdRecord& sherd) {
+  measures_->clear();
+  const auto add = [this](const QString& kind, const QString& value, const QString& from) {
+    auto* item = new QTreeWidgetItem(measures_, {kind, value, from});
+    item->setFont(1, tabularFont(font()));
+    item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+    return item;
+  };
+  if (const auto all = sherds::Measurements(catalogue).of(sherd_))
+    for (const records::Measurement& m : *all) {
+      const auto computed = sherd.replaced.find(m.kind);
+      auto* item =
+          add(measureLabel(m.kind),
+              m.uncertainty ? tr("%1 ± %2").arg(measureText(m.value), measureText(*m.uncertainty))
+                            : measureText(m.value),
+              sherd.doubtful.contains(m.kind) ? tr("%1; in doubt").arg(methodLabel(m.method))
+                                              : methodLabel(m.method));
+      if (computed == sherd.replaced.end()) continue;
+      item->setIcon(0, icon("measure"));
+      add({}, measureText(computed->second), tr("computed; replaced by the measured value"));
+    }
+  fitHeight(measures_);
+}
+
+void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
+  history_->clear();
+  QHash<qint64, QString> people;
+  if (const auto persons = catalogue::People(catalogue).all())
+    for (const records::PersonRecord& person : *persons)
+      people.insert(person.row.value, QString::fromStdString(person.initials));
+  if (const auto all = catalogue::History(catalogue).of(sherd_))
+    for (const records::HistoryEntry& entry : *all) {
+      const bool measure = !records::unitOf(entry.field).empty();
+      const auto shown = [&](const std::string& value) {
+        const Result<double> number = store::parsedNumber(value);
+        return measure && number ? measureText(*number) : words_.shown(entry.field, value);
+      };
+      const QString old_value = shown(entry.old_value), new_value = shown(entry.new_value);
+      const QString label = measureLabel(entry.field);
+      const QString what =
+          entry.field.empty() ? tr("added")
+          : old_value.isEmpty()
+              ? tr("%1: %2").arg(label, new_value)
+              : tr("%1: %2 → %3")
+                    .arg(label, old_value, new_value.isEmpty() ? tr("nothing") : new_value);
+      auto* item = new QTreeWidgetItem(
+          history_, {when(entry.at_ms), people.value(entry.by.value, tr("program")), what});
+      // A narrow column cuts it off; below it the reason, or the file of an import.
+      const QString why = QString::fromStdString(entry.why);
+      item->setToolTip(2, why.isEmpty() ? what : what + QLatin1Char('\n') + why);
+    }
+  fitHeight(history_);
+}
+
+void SherdDetails::showFiles(const catalogue::Catalogue& catalogue,
+                             const std::filesystem::path& project) {
+  files_->clear();
+  if (const auto all = catalogue::Files(catalogue).of(sherd_))
+    for (const records::FileRecord& file : *all) {
+      std::error_code code;
+      const bool there = std::filesystem::exists(project / file.path, code);
+      auto* item = new QTreeWidgetItem(
+          files_, {QString::fromStdString(std::filesystem::path(file.path).filename().string()),
+                   QString::fromStdString(file.role),
+                   fileState(there ? file.state : records::FileState::Missing)});
+      item->setToolTip(0, QString::fromStdString(file.path));
+    }
+  fitHeight(files_);
+}
+
+}  // namespace ostraka::ui

@@ -259,6 +259,7 @@ class DetailsTest : public CatalogueWindow {
     auto* line = child<QLineEdit>("field_extra.shelf");
     QCOMPARE(line->accessibleName(), QString("shelf"));
     QCOMPARE(line->text(), QString("4"));
+    QTRY_VERIFY(line->isVisible());  // the form shows a new row once events are processed
     child<QLineEdit>("field_note")->setFocus();
     QTest::keyClick(screen_->focusWidget(), Qt::Key_Tab);
     QCOMPARE(screen_->focusWidget(), line);

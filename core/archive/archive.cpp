@@ -13,6 +13,7 @@
 #include "files/output_place.h"
 #include "store/database.h"
 #include "store/schema_check.h"
+#include "upkeep/peoples_file_check.h"
 #include "upkeep/value_check.h"
 
 namespace ostraka::archive {
@@ -108,13 +109,16 @@ class Archiving {
     return {};
   }
 
-  std::vector<upkeep::DamagedFile> damage() const {
-    std::vector<upkeep::DamagedFile> damaged;
+  Result<std::vector<upkeep::DamagedFile>> damage() const {
+    const Result<OpenFolder> folder = OpenFolder::open(project_.folder());
+    if (!folder) return folder.error();
+    auto damaged = upkeep::checkPeoplesFiles(project_.catalogue(), *folder);
+    if (!damaged) return damaged;
     for (const upkeep::KnownFile& file : known_) {
       const auto copied = copied_.find(file.path);
       const auto found = copied == copied_.end() ? upkeep::Damage::Missing
                                                  : upkeep::damageOf(file, copied->second);
-      if (found) damaged.push_back({file, *found});
+      if (found) damaged->push_back({file, *found});
     }
     return damaged;
   }
@@ -183,7 +187,9 @@ Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOpt
     return added.error();
   if (Result<void> added = archiving.addFiles(); !added) return added.error();
   Archived archived;
-  archived.damage = archiving.damage();
+  auto damage = archiving.damage();
+  if (!damage) return damage.error();
+  archived.damage = std::move(*damage);
   archived.links = archiving.links();
   if (!archived.whole() && options.damaged == DamagedFiles::Refuse) return archived;
   std::string list;

@@ -14,11 +14,17 @@ std::string each(const std::string& names, const std::string& behind) {
 
 }  // namespace
 
+std::string nextRow(const std::string& table) {
+  return "1 + max(ifnull((SELECT max(row) FROM " + table +
+         "), 0), ifnull((SELECT max(row) FROM history WHERE table_name = '" + table + "'), 0))";
+}
+
 std::string insertion(const std::string& table, const std::string& columns) {
   std::string marks;
   for (auto more = 1 + std::ranges::count(columns, ' '); more > 0; --more) marks += "?, ";
   return "INSERT INTO " + table + " (" + each(columns, ", ") +
-         "id, created_at, created_by, updated_at, updated_by) VALUES (" + marks + "?, ?, ?, ?, ?)";
+         "id, created_at, created_by, updated_at, updated_by, row) VALUES (" + marks +
+         "?, ?, ?, ?, ?, " + nextRow(table) + ")";
 }
 
 std::string change(const std::string& table, const std::string& columns) {

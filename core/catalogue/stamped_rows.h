@@ -9,6 +9,10 @@
 
 namespace ostraka::catalogue {
 
+/// The SQL of a new row's number, behind all that the table has or its history speaks of: what the
+/// history says of a row that was lost must not become that of another.
+std::string nextRow(const std::string& table);
+
 /// The SQL that writes a row of a table that people see, with what all of those have: id, who made
 /// and changed it and when, its revision. columns: the others, a blank between each.
 std::string insertion(const std::string& table, const std::string& columns);

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <vector>
 
 #include "base/message.h"
 #include "files/open_folder.h"
@@ -60,6 +61,25 @@ Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_
   }
   ::fsync(folder.get());
   return {};
+}
+
+Result<void> copyFile(const std::filesystem::path& from, const std::filesystem::path& to) {
+  Result<OpenFile> source = OpenFile::open(from);
+  if (!source) return source.error();
+  struct stat original {};
+  const mode_t mode = ::stat(from.c_str(), &original) == 0 ? original.st_mode & 0777 : mode_t{0600};
+  const FileDescriptor target(
+      ::open(to.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, mode));
+  struct stat there {};
+  if (!target.isOpen() || ::fstat(target.get(), &there) != 0) return cannotWrite(to, errno);
+  if (there.st_size > 0) return cannotWrite(to, EEXIST);
+  std::vector<char> piece(std::size_t{1} << 20);
+  for (;;) {
+    const Result<std::size_t> bytes = source->read(piece);
+    if (!bytes) return bytes.error();
+    if (*bytes == 0) return {};
+    if (!writeAll(target.get(), {piece.data(), *bytes})) return cannotWrite(to, errno);
+  }
 }
 
 void syncFolder(const std::filesystem::path& folder) {

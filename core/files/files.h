@@ -16,6 +16,10 @@ Result<std::string> readFile(const std::filesystem::path& path,
 /// either the old or the new file is there, complete. Creates missing folders.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view bytes);
 
+/// The bytes of a file into another, which is empty or is made with the same permissions. Errors:
+/// UnusableInput (from), CannotWrite; then `to` may hold a part of them.
+Result<void> copyFile(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Makes sure that what was created or renamed in the folder survives a power failure, if the disk
 /// can guarantee that.
 void syncFolder(const std::filesystem::path& folder);

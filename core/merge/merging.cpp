@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "catalogue/stamped_rows.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
 #include "store/names.h"
@@ -336,7 +337,8 @@ void Merging::insertRow(const Table& table, const Row& theirs, const Values& giv
     marks += ", ?";
   }
   store::Statement insert =
-      database_.sql("INSERT INTO " + table.name + " (id" + columns + ") VALUES (?" + marks + ")");
+      database_.sql("INSERT INTO " + table.name + " (row, id" + columns + ") VALUES (" +
+                    catalogue::nextRow(table.name) + ", ?" + marks + ")");
   insert.with(theirs.id);
   std::vector<Deferred> later;
   for (std::size_t i = 0; i < values.size(); ++i) {

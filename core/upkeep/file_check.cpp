@@ -11,6 +11,7 @@
 #include "store/names.h"
 #include "store/values.h"
 #include "upkeep/file_check_log.h"
+#include "upkeep/peoples_file_check.h"
 
 namespace ostraka::upkeep {
 namespace {
@@ -18,6 +19,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t kLongestRound_ms = 7LL * 24 * 3600 * 1000;  // then all is looked at anew
+
+Result<void> addPeoplesFiles(const catalogue::Catalogue& catalogue, const OpenFolder& folder,
+                             CheckedFiles& result) {
+  Result<std::vector<DamagedFile>> more = checkPeoplesFiles(catalogue, folder);
+  if (!more) return more.error();
+  result.damaged.insert(result.damaged.end(), more->begin(), more->end());
+  return {};
+}
 
 // One file as it lies there now. No link is followed: what it leads to is not the project's, and
 // goes along in no archive.
@@ -109,6 +118,8 @@ Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue, const fs:
     if (*damage) result.damaged.push_back({file, **damage});
   }
   if (log) log->end(catalogue.now());
+  if (Result<void> added = addPeoplesFiles(catalogue, *opened, result); !added)
+    return added.error();
   return result;
 }
 
@@ -149,6 +160,8 @@ Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue, const fs:
     log.note(file, catalogue.now(), *damage, stamp);
     if (*damage) result.damaged.push_back({file, **damage});
   }
+  if (Result<void> added = addPeoplesFiles(catalogue, *opened, result); !added)
+    return added.error();
   return result;
 }
 

@@ -41,7 +41,8 @@ struct CheckedFiles {
   std::int64_t checked = 0;  ///< by this call; the others by earlier ones
   std::vector<DamagedFile> damaged;
 };
-/// All of them, against what the catalogue holds. Progress counts bytes. A check of hashes that was
+/// All of them, against what the catalogue holds, and the decisions and mask strokes of people
+/// (peoples_file_check.h), which are not counted. Progress counts bytes. A check of hashes that was
 /// interrupted in the last seven days resumes where FOLDER/file-checks.txt says that it stopped;
 /// files that were damaged or changed since are checked again. Errors: Cancelled, those of the
 /// catalogue.
@@ -50,8 +51,8 @@ Result<CheckedFiles> checkFiles(const catalogue::Catalogue& catalogue,
                                 Progress& progress, std::stop_token stop);
 
 /// Every page of the catalogue, then some of the files: those that were damaged at their last
-/// check, then those checked longest ago, until most_bytes are read. Errors: Damaged (the catalogue
-/// itself), Cancelled, those of the catalogue.
+/// check, then those checked longest ago, until most_bytes are read; and those of people. Errors:
+/// Damaged (the catalogue itself), Cancelled, those of the catalogue.
 Result<CheckedFiles> checkShare(const catalogue::Catalogue& catalogue,
                                 const std::filesystem::path& folder, std::int64_t most_bytes,
                                 Progress& progress, std::stop_token stop);

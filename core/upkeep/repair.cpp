@@ -93,8 +93,19 @@ class Repair {
                                      "that of a file; replace it "
                                      "with the folder or the file itself."),
                              file_.string());
+    std::error_code failed;
+    const bool gone = !fs::exists(file_, failed);
+    if (gone)  // one that is empty is made from the backups
+      if (Result<void> made = writeFileAtomically(file_, {}); !made) return made.error();
     const Result<ExclusiveLock> alone = ExclusiveLock::take(file_);
     if (!alone) return alone.error();
+    Result<RepairReport> done = repairAlone();
+    if (!done && gone) fs::remove(file_, failed);
+    return done;
+  }
+
+ private:
+  Result<RepairReport> repairAlone() {
     std::error_code failed;
     const bool interrupted = fs::exists(fs::symlink_status(repaired_, failed));
     if (interrupted) {
@@ -107,10 +118,11 @@ class Repair {
     Result<store::PartialFile> copy = store::PartialFile::beside(file_);
     if (!copy) return copy.error();
     const bool foreign_wal = store::hasWalOfAnother(file_);
-    fs::copy_file(file_, copy->path(), fs::copy_options::overwrite_existing, failed);
-    if (!failed && !foreign_wal && fs::exists(file_.string() + kWal))
-      fs::copy_file(file_.string() + kWal, copy->path().string() + kWal, failed);
-    if (failed) return cannotWrite(file_, failed.value());
+    if (Result<void> copied = copyFile(file_, copy->path()); !copied) return copied.error();
+    if (!foreign_wal && fs::exists(file_.string() + kWal))
+      if (Result<void> copied = copyFile(file_.string() + kWal, copy->path().string() + kWal);
+          !copied)
+        return copied.error();
     progress_.report(0, 4);
     backups_ = backupsOf(project_, clock_());
     const Result<PageRepair> pages = repairPages(copy->path(), backups_);
@@ -152,7 +164,6 @@ class Repair {
     return report_;
   }
 
- private:
   Result<catalogue::Catalogue> opened(const fs::path& file, store::Database::Mode mode) const {
     Result<std::unique_ptr<store::Database>> database = store::Database::open(file, mode);
     if (!database) return database.error();
@@ -324,13 +335,12 @@ class Repair {
       const Result<fs::path> saved = backUpInto(project_, *catalogue, {});
       if (!saved) return saved.error();
     }
-    std::error_code failed;
     report_.damaged = damagedCopy();
     const fs::path wal = file_.string() + kWal, damaged_wal = report_.damaged.string() + kWal;
-    fs::copy_file(file_, report_.damaged, failed);
+    if (Result<void> copied = copyFile(file_, report_.damaged); !copied) return copied;
     const bool has_wal = fs::exists(wal);
-    if (!failed && has_wal) fs::copy_file(wal, damaged_wal, failed);
-    if (failed) return cannotWrite(report_.damaged, failed.value());
+    if (has_wal)
+      if (Result<void> copied = copyFile(wal, damaged_wal); !copied) return copied;
     if (Result<void> synced = syncFile(report_.damaged); !synced) return synced;
     if (has_wal)
       if (Result<void> synced = syncFile(damaged_wal); !synced) return synced;
@@ -430,11 +440,16 @@ Message RepairedRow::words(const std::string& backup) const {
 Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress,
                                      std::stop_token stop,
                                      const catalogue::Catalogue::Clock& clock) {
-  if (!Project::isProject(project))
+  const catalogue::Catalogue::Clock now = clock ? clock : systemTime;
+  // A catalogue that is gone is as one that is damaged all over.
+  std::error_code code;
+  const bool gone =
+      fs::symlink_status(project / "catalogue.sqlite", code).type() == fs::file_type::not_found;
+  if (!Project::isProject(project) && !(gone && !backupsOf(project, now()).empty()))
     return Error::unusable(message("Not an Ostraka project: this folder has no catalogue.sqlite."),
                            project.string());
   store::PartialFile::removeLeftovers(project);
-  return Repair(fs::absolute(project), progress, std::move(stop), clock ? clock : systemTime).run();
+  return Repair(fs::absolute(project), progress, std::move(stop), now).run();
 }
 
 }  // namespace ostraka::upkeep

@@ -18,9 +18,9 @@ struct RepairedRow {
     Nowhere   ///< not restored; `field` empty: the whole row
   };
   std::string table;
-  std::int64_t row = 0;
-  std::string name;   ///< number, code or path; empty where none is known
-  std::string field;  ///< of which the last change is not restored
+  std::int64_t row = 0;  ///< 0, not restored: rows of a table, nobody knows whether or how many
+  std::string name;      ///< number, code or path; empty where none is known
+  std::string field;     ///< of which the last change is not restored
   From from = From::Nowhere;
   std::string owner = {};  ///< of the number `name`, which this sherd has lost; else empty
 
@@ -43,10 +43,10 @@ struct RepairReport {
 /// one number, the one to which it was given keeps it; the other loses its number and nothing else.
 /// Writes the new catalogue beside it, checks it, backs it up, keeps the damaged file and renames.
 /// Nobody may have the project open, and nobody can open it in the meantime. A repair that was
-/// killed is completed by the next one. A whole catalogue is left as it is; a backup that was put
-/// in its place loses the WAL of the file that it replaced, which is kept as `damaged`-wal. Errors:
-/// a newer version, as by opening; in use, no whole backup where a page is lost, CannotWrite,
-/// Cancelled; then everything is as it was.
+/// killed is completed by the next one. A catalogue that is gone is made from the backups. A whole
+/// catalogue is left as it is; a backup that was put in its place loses the WAL of the file that it
+/// replaced, which is kept as `damaged`-wal. Errors: a newer version, as by opening; in use, no
+/// whole backup where a page is lost, CannotWrite, Cancelled; then everything is as it was.
 Result<RepairReport> repairCatalogue(const std::filesystem::path& project, Progress& progress,
                                      std::stop_token stop,
                                      const catalogue::Catalogue::Clock& clock = {});

@@ -83,6 +83,8 @@ class Collecting {
         whole = false;
       }
     }
+    // Between the two may have been rows that nothing else speaks of.
+    report_.rows.push_back({table.name, 0, {}, {}, From::Nowhere});
     store::Statement rows = backup_.sql(select_);
     while (rows.next())
       if (insertRow(rows)) report_.rows.push_back({table.name, 0, {}, {}, From::Backup});
@@ -223,6 +225,7 @@ Result<void> collectRows(store::Database& damaged, store::Database& backup, stor
       fresh.script("DROP TRIGGER " + name);
     Collecting collecting(damaged, backup, fresh, report);
     for (const CatalogueTable& table : tablesOf(fresh)) collecting.rowsOf(table);
+    makeLostRowsAnew(fresh, report);
     dropWhatPointsAtNothing(fresh, report);
     deriveAnew(fresh);
     for (const std::string& trigger : triggers) fresh.script(trigger);

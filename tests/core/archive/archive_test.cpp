@@ -89,6 +89,26 @@ TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
   EXPECT_FALSE(fs::exists(at("laptop/cluster")));
 }
 
+TEST_F(Archive, IsNotSealedWhereWhatPeopleSaidOfABatchCannotBeRead) {
+  const fs::path results = project_->folder() / "results/B0001";
+  fs::create_directories(results);
+  put(results / "report.json", "{}");
+  put(results / "mask_strokes.json", "[{");
+  records::FileRecord report;
+  report.path = "results/B0001/report.json";
+  report.role = "report";
+  report.media_type = "application/json";
+  report.sha256 = sha256("{}");
+  report.bytes = 2;
+  report.batch = catalogue::Batches(catalogue()).byNumber("B0001")->row;
+  ASSERT_TRUE(catalogue::Files(catalogue()).save(report, anna));
+  const Result<Archived> archived = archive();
+  ASSERT_TRUE(archived) << archived.error().sentence();
+  EXPECT_FALSE(archived->sealed);
+  ASSERT_EQ(archived->damage.size(), 1u);
+  EXPECT_EQ(archived->damage[0].file.path, "results/B0001/mask_strokes.json");
+}
+
 TEST_F(Archive, WithDamageIsNotSealedAndLeavesNothing) {
   put(modelOf(0), "one bit another");
   fs::remove(pictureOf(1));

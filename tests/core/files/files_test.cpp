@@ -67,6 +67,20 @@ TEST_F(FilesTest, KeepTheOldVersionWhenThereIsNoRoomForTheNew) {
   EXPECT_EQ(entries(), 1u);
 }
 
+TEST_F(FilesTest, AreCopiedWholeOrSayThatTheDiskIsFull) {
+  const fs::path from = folder_ / "from", to = folder_ / "to";
+  const std::string bytes(3'000'000, 'b');
+  ASSERT_TRUE(writeFileAtomically(from, bytes));
+  fs::permissions(from, fs::perms::owner_read | fs::perms::owner_write);
+  ASSERT_TRUE(copyFile(from, to));
+  EXPECT_EQ(*readFile(to), bytes);
+  EXPECT_EQ(fs::status(to).permissions(), fs::status(from).permissions());
+  EXPECT_FALSE(copyFile(from, to)) << "what is there stays";
+  const Result<void> full = copyFile(from, "/dev/full");
+  ASSERT_FALSE(full);
+  EXPECT_NE(full.error().what.english().find("The disk is full"), std::string::npos);
+}
+
 TEST_F(FilesTest, SayWhatIsWrongWithWhatCannotBeRead) {
   const auto absent = readFile(folder_ / "absent.txt");
   ASSERT_FALSE(absent.has_value());

@@ -7,9 +7,12 @@
 
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
+#include "decisions/decisions.h"
+#include "decisions/mask_strokes.h"
 #include "files/files.h"
 #include "records/records.h"
 #include "records/sherd.h"
+#include "sherds/pair_decisions.h"
 #include "store/database.h"
 #include "tests/core/catalogue/small_project.h"
 
@@ -281,6 +284,51 @@ TEST_F(FileCheck, IsNotPutOffByTimesThatAreStillToCome) {
   now_ms -= kYear_ms;
   flipBit("models/B0001/aa/model.ply");
   EXPECT_THAT(sentences(check()), testing::SizeIs(1));
+}
+
+class PeoplesFiles : public FileCheck {
+ protected:
+  PeoplesFiles() {
+    decisions::PairDecision aside;
+    aside.kind = decisions::DecisionKind::Aside;
+    aside.by = "AP";
+    aside.scans = {{batch::Side::Front, "f001", {1, 2}, {}}};
+    const auto written = decisions::appendDecision(at("results/B0001"), aside);
+    EXPECT_TRUE(written) << written.error().sentence();
+    records::PairDecision entered;
+    entered.decision = written->id;
+    entered.batch = batch;
+    entered.front = scan(batch, batch::Side::Front, 1);
+    entered.verdict = records::Verdict::Aside;
+    entered.by = anna.person;
+    EXPECT_TRUE(sherds::PairDecisions(catalogue()).add(entered, anna));
+    text_ = *readFile(at(kFile));
+  }
+  static constexpr const char* kFile = "results/B0001/decisions.json";
+  std::string text_;
+};
+
+TEST_F(PeoplesFiles, HoldTheDecisionsOfTheCatalogueOrAreDamaged) {
+  EXPECT_THAT(sentences(check()), testing::IsEmpty());
+  ASSERT_TRUE(writeFileAtomically(at(kFile), decisions::textOf(decisions::Decisions())));
+  EXPECT_THAT(sentences(check()),
+              testing::ElementsAre("results/B0001/decisions.json (batch B0001) has "
+                                   "changed since it was entered."));
+  ASSERT_TRUE(writeFileAtomically(at(kFile), text_.substr(0, text_.size() / 2)));
+  EXPECT_THAT(sentences(check(CheckDepth::NamesAndSizes)),
+              testing::ElementsAre("results/B0001/decisions.json (batch B0001) cannot be read."));
+  fs::remove(at(kFile));
+  EXPECT_THAT(sentences(share(1 << 20)),
+              testing::ElementsAre("results/B0001/decisions.json (batch B0001) is missing."));
+}
+
+TEST_F(PeoplesFiles, AreReadThoughTheCatalogueDoesNotKnowThem) {
+  ASSERT_TRUE(decisions::writeMaskStrokes(at("results/B0001"), {}));
+  EXPECT_THAT(sentences(check()), testing::IsEmpty());
+  ASSERT_TRUE(writeFileAtomically(at("results/B0001/mask_strokes.json"), "[{"));
+  EXPECT_THAT(sentences(check()),
+              testing::ElementsAre("results/B0001/mask_strokes.json (batch B0001) "
+                                   "cannot be read."));
 }
 
 }  // namespace

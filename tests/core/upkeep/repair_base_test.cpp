@@ -56,5 +56,35 @@ TEST_F(RepairBase, IsNoBackupOfAnotherProjectHoweverLongItsHistory) {
   EXPECT_EQ(repaired().backup, own);
 }
 
+TEST_F(RepairBase, IsTheNewestWhereTheCatalogueIsGone) {
+  fill(3);
+  const fs::path backup = *project_->backUp();
+  const std::string content = *catalogue::contentOf(catalogue().database());
+  project_.reset();
+  fs::remove(file());
+  const RepairReport report = repaired();
+  EXPECT_TRUE(report.all_from_backup);
+  EXPECT_EQ(report.backup, backup);
+  EXPECT_EQ(*catalogue::contentOf(folder()), content);
+}
+
+TEST_F(RepairBase, IsMissingWhereNeitherACatalogueNorAWholeBackupIsLeft) {
+  fill(3);
+  const fs::path backup = *project_->backUp();
+  project_.reset();
+  fs::remove(file());
+  fs::remove_all(folder() / "backups");
+  fs::create_directories(folder() / "backups");
+  const Result<RepairReport> none = repairCatalogue(folder(), quiet_, {});
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().what.english().find("has no catalogue.sqlite"), std::string::npos);
+  catalogue::writeBytes(backup, std::string(8192, 'x'));
+  const Result<RepairReport> damaged = repairCatalogue(folder(), quiet_, {});
+  ASSERT_FALSE(damaged);
+  EXPECT_NE(damaged.error().what.english().find("none of its backups is intact"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(file())) << "everything is as it was";
+}
+
 }  // namespace
 }  // namespace ostraka::upkeep

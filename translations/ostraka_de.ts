@@ -518,6 +518,11 @@
             <numerusform>%n Scherben gezählt</numerusform>
         </translation>
     </message>
+    <message>
+      <source>invented by the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>vom virtuellen Messplatz erfunden</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -3152,6 +3157,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (nur lesbar)</translation>
     </message>
+    <message>
+      <source>%1 is being processed. Leaving the project stops it, and it continues when the project is opened again. Choose Projects once more to leave.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 wird verarbeitet. Beim Verlassen des Projekts hält das an und geht weiter, wenn das Projekt wieder geöffnet wird. Zum Verlassen noch einmal Projekte wählen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3245,6 +3255,16 @@
         <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Der Plan eines Durchgangs erscheint hier, sobald er verarbeitet ist, und zeigt, welche Scherbe wo lag.</translation>
+    </message>
+    <message>
+      <source>%1 map and labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 Plan und Etiketten</translation>
+    </message>
+    <message>
+      <source>bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beuteletiketten</translation>
     </message>
 </context>
 <context>
@@ -3347,19 +3367,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>The turning angles differ by %1 rad.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Drehwinkel unterscheiden sich um %1 rad.</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
-    </message>
-    <message>
-      <source>differ by %1 rad</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Unterschied %1 rad</translation>
     </message>
     <message>
       <source>Outlines overlaid, and their turning angles</source>
@@ -3375,6 +3385,16 @@
       <source>Turning angles</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Drehwinkel</translation>
+    </message>
+    <message>
+      <source>The turning angles differ by %1°.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Drehwinkel unterscheiden sich um %1°.</translation>
+    </message>
+    <message>
+      <source>differ by %1°</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unterschied %1°</translation>
     </message>
 </context>
 <context>
@@ -4084,11 +4104,6 @@
       <translation>Womit wird aufgenommen?</translation>
     </message>
     <message>
-      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der virtuelle Messplatz zerbricht ein Gefäß und nimmt seine Scherben auf: damit lässt sich alles ausprobieren. Eine Messplatzdatei (RIG.json) nennt Ihre Kameras und Ihren Drehtisch.</translation>
-    </message>
-    <message>
       <source>Use the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den virtuellen Messplatz nehmen</translation>
@@ -4162,6 +4177,31 @@
         <source>Keep current rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Bisherigen Messplatz behalten</translation>
+    </message>
+    <message>
+      <source>Import photographs taken by hand, or choose a rig file (RIG.json), which names your cameras and your turntable. The virtual rig is for practice: its sherds are invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importieren Sie von Hand aufgenommene Fotos, oder wählen Sie eine Messplatzdatei (RIG.json), die Ihre Kameras und Ihren Drehtisch nennt. Der virtuelle Messplatz dient der Übung: Seine Scherben sind erfunden.</translation>
+    </message>
+    <message>
+      <source>No rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Messplatz</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abbrechen</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig in this project?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den virtuellen Messplatz in diesem Projekt verwenden?</translation>
+    </message>
+    <message>
+      <source>It is for practice: its sherds are invented, and they enter this project's catalogue. The queue marks its batches as invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Er dient der Übung: Seine Scherben sind erfunden und kommen in den Katalog dieses Projekts. Die Warteschlange kennzeichnet seine Durchgänge als erfunden.</translation>
     </message>
 </context>
 <context>
@@ -4691,6 +4731,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 %2 ist nicht da: suchen …</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Öffnen</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eingabe</translation>
     </message>
 </context>
 <context>
@@ -10552,6 +10602,14 @@
       <source>%1 could not be processed; the queue says why.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 konnte nicht verarbeitet werden; die Warteschlange sagt, warum.</translation>
+    </message>
+</context>
+<context>
+    <name>Outside</name>
+    <message>
+      <source>No program was found that opens %1. It is there: open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es wurde kein Programm gefunden, das %1 öffnet. Die Datei ist da: Öffnen Sie sie von Hand.</translation>
     </message>
 </context>
 </TS>

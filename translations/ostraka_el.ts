@@ -518,6 +518,11 @@
             <numerusform>μετρήθηκαν %n όστρακα</numerusform>
         </translation>
     </message>
+    <message>
+      <source>invented by the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>επινοημένη από την εικονική διάταξη</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -3147,6 +3152,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (μόνο για ανάγνωση)</translation>
     </message>
+    <message>
+      <source>%1 is being processed. Leaving the project stops it, and it continues when the project is opened again. Choose Projects once more to leave.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η παρτίδα %1 υποβάλλεται σε επεξεργασία. Η έξοδος από το έργο τη σταματά και συνεχίζεται όταν το έργο ανοίξει ξανά. Επιλέξτε πάλι Έργα για έξοδο.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3240,6 +3250,16 @@
         <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο χάρτης μιας παρτίδας εμφανίζεται εδώ μετά την επεξεργασία της και δείχνει πού ήταν κάθε όστρακο.</translation>
+    </message>
+    <message>
+      <source>%1 map and labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 χάρτης και ετικέτες</translation>
+    </message>
+    <message>
+      <source>bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ετικέτες σάκων</translation>
     </message>
 </context>
 <context>
@@ -3342,19 +3362,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>The turning angles differ by %1 rad.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι γωνίες στροφής διαφέρουν κατά %1 rad.</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
-    </message>
-    <message>
-      <source>differ by %1 rad</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>διαφορά %1 rad</translation>
     </message>
     <message>
       <source>Outlines overlaid, and their turning angles</source>
@@ -3370,6 +3380,16 @@
       <source>Turning angles</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>γωνίες στροφής</translation>
+    </message>
+    <message>
+      <source>The turning angles differ by %1°.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι γωνίες στροφής διαφέρουν κατά %1°.</translation>
+    </message>
+    <message>
+      <source>differ by %1°</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>διαφορά %1°</translation>
     </message>
 </context>
 <context>
@@ -4079,11 +4099,6 @@
       <translation>Με τι φωτογραφίζετε;</translation>
     </message>
     <message>
-      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η εικονική διάταξη σπάει ένα αγγείο και φωτογραφίζει τα όστρακά του: δοκιμάστε τα πάντα με αυτήν. Ένα αρχείο διάταξης (RIG.json) ονομάζει τις κάμερες και το περιστρεφόμενο τραπέζι σας.</translation>
-    </message>
-    <message>
       <source>Use the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χρήση της εικονικής διάταξης</translation>
@@ -4157,6 +4172,31 @@
         <source>Keep current rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Διατήρηση τρέχουσας διάταξης</translation>
+    </message>
+    <message>
+      <source>Import photographs taken by hand, or choose a rig file (RIG.json), which names your cameras and your turntable. The virtual rig is for practice: its sherds are invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Εισαγάγετε φωτογραφίες που τραβήχτηκαν με το χέρι ή επιλέξτε αρχείο διάταξης (RIG.json), που ονομάζει τις κάμερες και την περιστρεφόμενη τράπεζα. Η εικονική διάταξη είναι για εξάσκηση: τα όστρακά της είναι επινοημένα.</translation>
+    </message>
+    <message>
+      <source>No rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία διάταξη</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ακύρωση</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig in this project?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χρήση της εικονικής διάταξης σε αυτό το έργο;</translation>
+    </message>
+    <message>
+      <source>It is for practice: its sherds are invented, and they enter this project's catalogue. The queue marks its batches as invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Είναι για εξάσκηση: τα όστρακά της είναι επινοημένα και μπαίνουν στον κατάλογο αυτού του έργου. Η ουρά σημειώνει τις παρτίδες της ως επινοημένες.</translation>
     </message>
 </context>
 <context>
@@ -4686,6 +4726,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 Το %2 δεν υπάρχει: βρείτε το …</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Άνοιγμα</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -10547,6 +10597,14 @@
       <source>%1 could not be processed; the queue says why.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η επεξεργασία του %1 δεν ήταν δυνατή· η ουρά λέει γιατί.</translation>
+    </message>
+</context>
+<context>
+    <name>Outside</name>
+    <message>
+      <source>No program was found that opens %1. It is there: open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν βρέθηκε πρόγραμμα που να ανοίγει το %1. Υπάρχει: ανοίξτε το με το χέρι.</translation>
     </message>
 </context>
 </TS>

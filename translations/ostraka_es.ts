@@ -518,6 +518,11 @@
             <numerusform>%n fragmentos contados</numerusform>
         </translation>
     </message>
+    <message>
+      <source>invented by the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>inventado por el equipo virtual</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -3147,6 +3152,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (solo lectura)</translation>
     </message>
+    <message>
+      <source>%1 is being processed. Leaving the project stops it, and it continues when the project is opened again. Choose Projects once more to leave.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 se está procesando. Al salir del proyecto se detiene y continúa cuando el proyecto se abre de nuevo. Elija Proyectos otra vez para salir.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3240,6 +3250,16 @@
         <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>El plano de una tanda aparece aquí cuando se ha procesado y muestra dónde estaba cada fragmento.</translation>
+    </message>
+    <message>
+      <source>%1 map and labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 plano y etiquetas</translation>
+    </message>
+    <message>
+      <source>bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>etiquetas de bolsa</translation>
     </message>
 </context>
 <context>
@@ -3342,19 +3362,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>The turning angles differ by %1 rad.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los ángulos de giro difieren en %1 rad.</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
-    </message>
-    <message>
-      <source>differ by %1 rad</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>difieren en %1 rad</translation>
     </message>
     <message>
       <source>Outlines overlaid, and their turning angles</source>
@@ -3370,6 +3380,16 @@
       <source>Turning angles</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ángulos de giro</translation>
+    </message>
+    <message>
+      <source>The turning angles differ by %1°.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los ángulos de giro difieren en %1°.</translation>
+    </message>
+    <message>
+      <source>differ by %1°</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>difieren en %1°</translation>
     </message>
 </context>
 <context>
@@ -4079,11 +4099,6 @@
       <translation>¿Con qué fotografía?</translation>
     </message>
     <message>
-      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El equipo virtual rompe una vasija y fotografía sus fragmentos: pruébelo todo con él. Un archivo de equipo (RIG.json) nombra sus cámaras y su mesa giratoria.</translation>
-    </message>
-    <message>
       <source>Use the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Usar el equipo virtual</translation>
@@ -4157,6 +4172,31 @@
         <source>Keep current rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Mantener el equipo actual</translation>
+    </message>
+    <message>
+      <source>Import photographs taken by hand, or choose a rig file (RIG.json), which names your cameras and your turntable. The virtual rig is for practice: its sherds are invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importe fotografías hechas a mano o elija un archivo de equipo (RIG.json), que nombra sus cámaras y su plataforma giratoria. El equipo virtual es para practicar: sus fragmentos son inventados.</translation>
+    </message>
+    <message>
+      <source>No rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ningún equipo</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cancelar</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig in this project?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>¿Usar el equipo virtual en este proyecto?</translation>
+    </message>
+    <message>
+      <source>It is for practice: its sherds are invented, and they enter this project's catalogue. The queue marks its batches as invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es para practicar: sus fragmentos son inventados y entran en el catálogo de este proyecto. La cola marca sus lotes como inventados.</translation>
     </message>
 </context>
 <context>
@@ -4686,6 +4726,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 %2 no está: búsquelo …</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Abrir</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Intro</translation>
     </message>
 </context>
 <context>
@@ -10547,6 +10597,14 @@
       <source>%1 could not be processed; the queue says why.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se pudo procesar %1; la cola dice por qué.</translation>
+    </message>
+</context>
+<context>
+    <name>Outside</name>
+    <message>
+      <source>No program was found that opens %1. It is there: open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se encontró ningún programa que abra %1. Está ahí: ábralo a mano.</translation>
     </message>
 </context>
 </TS>

@@ -518,6 +518,11 @@
             <numerusform>%n tessons comptés</numerusform>
         </translation>
     </message>
+    <message>
+      <source>invented by the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>inventé par le banc virtuel</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -3147,6 +3152,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (lecture seule)</translation>
     </message>
+    <message>
+      <source>%1 is being processed. Leaving the project stops it, and it continues when the project is opened again. Choose Projects once more to leave.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 est en cours de traitement. Quitter le projet l’arrête ; il reprend quand le projet est rouvert. Choisissez Projets encore une fois pour quitter.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3240,6 +3250,16 @@
         <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le plan d’un lot apparaît ici une fois le lot traité et montre où était chaque tesson.</translation>
+    </message>
+    <message>
+      <source>%1 map and labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 plan et étiquettes</translation>
+    </message>
+    <message>
+      <source>bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>étiquettes de sac</translation>
     </message>
 </context>
 <context>
@@ -3342,19 +3362,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>The turning angles differ by %1 rad.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les angles de rotation diffèrent de %1 rad.</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
-    </message>
-    <message>
-      <source>differ by %1 rad</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>diffèrent de %1 rad</translation>
     </message>
     <message>
       <source>Outlines overlaid, and their turning angles</source>
@@ -3370,6 +3380,16 @@
       <source>Turning angles</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>angles de rotation</translation>
+    </message>
+    <message>
+      <source>The turning angles differ by %1°.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les angles de rotation diffèrent de %1°.</translation>
+    </message>
+    <message>
+      <source>differ by %1°</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>diffèrent de %1°</translation>
     </message>
 </context>
 <context>
@@ -4079,11 +4099,6 @@
       <translation>Avec quoi photographiez-vous ?</translation>
     </message>
     <message>
-      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le banc virtuel casse un vase et photographie ses tessons : essayez tout avec lui. Un fichier de banc (RIG.json) nomme vos appareils et votre table tournante.</translation>
-    </message>
-    <message>
       <source>Use the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Utiliser le banc virtuel</translation>
@@ -4157,6 +4172,31 @@
         <source>Keep current rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Garder le banc actuel</translation>
+    </message>
+    <message>
+      <source>Import photographs taken by hand, or choose a rig file (RIG.json), which names your cameras and your turntable. The virtual rig is for practice: its sherds are invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importez des photos prises à la main, ou choisissez un fichier de banc (RIG.json), qui nomme vos appareils et votre plateau tournant. Le banc virtuel sert à s’exercer : ses tessons sont inventés.</translation>
+    </message>
+    <message>
+      <source>No rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun banc</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Annuler</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig in this project?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Utiliser le banc virtuel dans ce projet ?</translation>
+    </message>
+    <message>
+      <source>It is for practice: its sherds are invented, and they enter this project's catalogue. The queue marks its batches as invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Il sert à s’exercer : ses tessons sont inventés et entrent dans le catalogue de ce projet. La file d’attente marque ses lots comme inventés.</translation>
     </message>
 </context>
 <context>
@@ -4686,6 +4726,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 %2 n’est plus là : le retrouver …</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ouvrir</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entrée</translation>
     </message>
 </context>
 <context>
@@ -10547,6 +10597,14 @@
       <source>%1 could not be processed; the queue says why.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 n&apos;a pas pu être traité ; la file dit pourquoi.</translation>
+    </message>
+</context>
+<context>
+    <name>Outside</name>
+    <message>
+      <source>No program was found that opens %1. It is there: open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun programme trouvé pour ouvrir %1. Le fichier est là : ouvrez-le à la main.</translation>
     </message>
 </context>
 </TS>

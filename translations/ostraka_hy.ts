@@ -518,6 +518,11 @@
             <numerusform>հաշվված է %n բեկոր</numerusform>
         </translation>
     </message>
+    <message>
+      <source>invented by the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>վիրտուալ սարքակազմի հորինածը</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -3147,6 +3152,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (միայն ընթերցում)</translation>
     </message>
+    <message>
+      <source>%1 is being processed. Leaving the project stops it, and it continues when the project is opened again. Choose Projects once more to leave.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը մշակվում է։ Նախագծից դուրս գալը կանգնեցնում է մշակումը. այն շարունակվում է, երբ նախագիծը նորից բացվի։ Դուրս գալու համար ևս մեկ անգամ ընտրեք «Նախագծեր»։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3240,6 +3250,16 @@
         <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Խմբաքանակի քարտեզը երևում է այստեղ մշակումից հետո և ցույց է տալիս, թե որ բեկորը որտեղ էր։</translation>
+    </message>
+    <message>
+      <source>%1 map and labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 քարտեզ և պիտակներ</translation>
+    </message>
+    <message>
+      <source>bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պարկերի պիտակներ</translation>
     </message>
 </context>
 <context>
@@ -3342,19 +3362,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>The turning angles differ by %1 rad.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շրջադարձի անկյունները տարբերվում են %1 rad։</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
-    </message>
-    <message>
-      <source>differ by %1 rad</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>տարբերություն՝ %1 rad</translation>
     </message>
     <message>
       <source>Outlines overlaid, and their turning angles</source>
@@ -3370,6 +3380,16 @@
       <source>Turning angles</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>շրջադարձի անկյուններ</translation>
+    </message>
+    <message>
+      <source>The turning angles differ by %1°.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Շրջադարձի անկյունները տարբերվում են %1°։</translation>
+    </message>
+    <message>
+      <source>differ by %1°</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տարբերություն՝ %1°</translation>
     </message>
 </context>
 <context>
@@ -4079,11 +4099,6 @@
       <translation>Ինչո՞վ եք լուսանկարում</translation>
     </message>
     <message>
-      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Վիրտուալ սարքակազմը կոտրում է անոթ և լուսանկարում բեկորները. փորձեք ամեն ինչ դրանով։ Սարքակազմի ֆայլը (RIG.json) նշում է ձեր տեսախցիկներն ու պտտվող սեղանը։</translation>
-    </message>
-    <message>
       <source>Use the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օգտագործել վիրտուալ սարքակազմը</translation>
@@ -4157,6 +4172,31 @@
         <source>Keep current rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Պահել ընթացիկ սարքակազմը</translation>
+    </message>
+    <message>
+      <source>Import photographs taken by hand, or choose a rig file (RIG.json), which names your cameras and your turntable. The virtual rig is for practice: its sherds are invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծեք ձեռքով արված լուսանկարներ կամ ընտրեք սարքակազմի ֆայլ (RIG.json), որը նշում է ձեր տեսախցիկներն ու պտտվող սեղանը։ Վիրտուալ սարքակազմը վարժվելու համար է. նրա բեկորները հորինված են։</translation>
+    </message>
+    <message>
+      <source>No rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առանց սարքակազմի</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չեղարկել</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig in this project?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Օգտագործե՞լ վիրտուալ սարքակազմն այս նախագծում</translation>
+    </message>
+    <message>
+      <source>It is for practice: its sherds are invented, and they enter this project's catalogue. The queue marks its batches as invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այն վարժվելու համար է. նրա բեկորները հորինված են և մտնում են այս նախագծի կատալոգը։ Հերթում նրա խմբաքանակները նշվում են որպես հորինված։</translation>
     </message>
 </context>
 <context>
@@ -4686,6 +4726,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 %2-ը տեղում չէ. գտեք այն …</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Բացել</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -10547,6 +10597,14 @@
       <source>%1 could not be processed; the queue says why.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը հնարավոր չեղավ մշակել. հերթն ասում է՝ ինչու։</translation>
+    </message>
+</context>
+<context>
+    <name>Outside</name>
+    <message>
+      <source>No program was found that opens %1. It is there: open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ը բացող ծրագիր չգտնվեց։ Այն տեղում է. բացեք ձեռքով։</translation>
     </message>
 </context>
 </TS>

@@ -517,6 +517,11 @@
             <numerusform>%n parça sayıldı</numerusform>
         </translation>
     </message>
+    <message>
+      <source>invented by the virtual rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>sanal düzeneğin uydurduğu</translation>
+    </message>
 </context>
 <context>
     <name>Rig</name>
@@ -3112,6 +3117,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 (salt okunur)</translation>
     </message>
+    <message>
+      <source>%1 is being processed. Leaving the project stops it, and it continues when the project is opened again. Choose Projects once more to leave.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 işleniyor. Projeden çıkmak bunu durdurur; proje yeniden açılınca sürer. Çıkmak için Projeler seçeneğini bir kez daha seçin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3203,6 +3213,16 @@
         <source>The map of a batch appears here once it is processed, and shows which sherd lay where.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Bir partinin haritası işlendikten sonra burada görünür ve hangi parçanın nerede durduğunu gösterir.</translation>
+    </message>
+    <message>
+      <source>%1 map and labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 plan ve etiketler</translation>
+    </message>
+    <message>
+      <source>bag labels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>torba etiketleri</translation>
     </message>
 </context>
 <context>
@@ -3305,19 +3325,9 @@
 <context>
     <name>ostraka::ui::OutlinePlot</name>
     <message>
-      <source>The turning angles differ by %1 rad.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dönüş açıları %1 rad farklı.</translation>
-    </message>
-    <message>
       <source>%1 mm</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 mm</translation>
-    </message>
-    <message>
-      <source>differ by %1 rad</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>fark %1 rad</translation>
     </message>
     <message>
       <source>Outlines overlaid, and their turning angles</source>
@@ -3333,6 +3343,16 @@
       <source>Turning angles</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>dönüş açıları</translation>
+    </message>
+    <message>
+      <source>The turning angles differ by %1°.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dönüş açıları %1° farklı.</translation>
+    </message>
+    <message>
+      <source>differ by %1°</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fark %1°</translation>
     </message>
 </context>
 <context>
@@ -4039,11 +4059,6 @@
       <translation>Neyle fotoğraf çekiyorsunuz?</translation>
     </message>
     <message>
-      <source>The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig file (RIG.json) names your cameras and your turntable.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sanal düzenek bir kap kırar ve parçalarını fotoğraflar: her şeyi onunla deneyin. Düzenek dosyası (RIG.json) kameralarınızı ve döner masanızı adlandırır.</translation>
-    </message>
-    <message>
       <source>Use the virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sanal düzeneği kullan</translation>
@@ -4117,6 +4132,31 @@
         <source>Keep current rig</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Geçerli düzeneği koru</translation>
+    </message>
+    <message>
+      <source>Import photographs taken by hand, or choose a rig file (RIG.json), which names your cameras and your turntable. The virtual rig is for practice: its sherds are invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elle çekilmiş fotoğrafları içe aktarın ya da kameralarınızı ve döner tablanızı adlandıran bir düzenek dosyası (RIG.json) seçin. Sanal düzenek alıştırma içindir: parçaları uydurmadır.</translation>
+    </message>
+    <message>
+      <source>No rig</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Düzenek yok</translation>
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İptal</translation>
+    </message>
+    <message>
+      <source>Use the virtual rig in this project?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sanal düzenek bu projede kullanılsın mı?</translation>
+    </message>
+    <message>
+      <source>It is for practice: its sherds are invented, and they enter this project's catalogue. The queue marks its batches as invented.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alıştırma içindir: parçaları uydurmadır ve bu projenin kataloğuna girer. Kuyruk, partilerini uydurma olarak işaretler.</translation>
     </message>
 </context>
 <context>
@@ -4644,6 +4684,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1
 %2 yerinde yok: bulun …</translation>
+    </message>
+    <message>
+      <source>Open</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aç</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -10499,6 +10549,14 @@
       <source>%1 could not be processed; the queue says why.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 işlenemedi; nedeni sırada yazar.</translation>
+    </message>
+</context>
+<context>
+    <name>Outside</name>
+    <message>
+      <source>No program was found that opens %1. It is there: open it by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 öğesini açacak bir program bulunamadı. Dosya yerinde: elle açın.</translation>
     </message>
 </context>
 </TS>

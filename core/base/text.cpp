@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <ctime>
@@ -46,6 +47,10 @@ std::string fixed(double value, int digits) {
   const auto end =
       std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits).ptr;
   return {text, end};
+}
+
+int wholePercent(double share) {
+  return static_cast<int>(std::floor(std::clamp(share, 0.0, 1.0) * 100 + 1e-9));
 }
 
 std::string formatted(const char* format, ...) {

@@ -12,6 +12,8 @@ namespace ostraka {
 /// A number with this many digits after the decimal point, independent of the locale.
 /// digits: 0 to 80.
 std::string fixed(double value, int digits);
+/// Of a share, 0 to 1: rounded down, so that what is not certain never reads as 100 %.
+int wholePercent(double share);
 
 /// As printf writes it, but with a decimal point in every locale.
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);

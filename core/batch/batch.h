@@ -15,6 +15,8 @@ enum class Side { Front, Back };
 const char* name(Side side);  ///< "front" or "back"
 /// 0 is A (the lowest), 1 is B; beyond Z the number. Files count from 0, people read letters.
 std::string cameraLetter(int camera);
+/// The serial numbers of the virtual rig's cameras begin so: what they photographed is invented.
+inline constexpr const char* kVirtualSerial = "VIRTUAL-";
 
 /// What stands still while a side is photographed.
 enum class Way {

@@ -276,6 +276,17 @@ Result<std::vector<records::PhotographRecord>> Batches::photographs(store::Batch
   });
 }
 
+Result<bool> Batches::isInvented(store::BatchRow batch) const {
+  return database_->asResult([&] {
+    bool invented = false;
+    database_
+        ->sql("SELECT EXISTS (SELECT 1 FROM photograph WHERE batch = ? AND serial GLOB ?)", batch,
+              std::string(batch::kVirtualSerial) + "*")
+        .read(invented);
+    return invented;
+  });
+}
+
 Result<store::ScanRow> Batches::save(const records::ScanRecord& s,
                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {

@@ -31,6 +31,7 @@ class Batches : public Subject {
   Result<void> setState(store::BatchRow, records::BatchState, const records::Provenance&);
 
   Result<std::vector<records::PhotographRecord>> photographs(store::BatchRow) const;
+  Result<bool> isInvented(store::BatchRow) const;  ///< photographed by the virtual rig
   /// Row none: added, or the one with its key changed.
   Result<store::PhotographRow> save(const records::PhotographRecord&, const records::Provenance&);
   Result<std::vector<records::ScanRecord>> scans(store::BatchRow) const;

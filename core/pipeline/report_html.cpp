@@ -209,8 +209,12 @@ std::string decidedWords(const DecidedPair& pair) {
   return "Decided by " + pair.decided_by + ", " + pair.decided_at.substr(0, 10) + ".";
 }
 
+std::string shareWords(double share) {
+  return share > 0 && share < 0.01 ? "under 1 %" : std::to_string(wholePercent(share)) + " %";
+}
+
 std::string confidence(const DecidedPair& pair) {
-  return pair.score ? fixed(100 * *pair.score, 1) + " %" : "–";
+  return pair.score ? shareWords(*pair.score) : "–";
 }
 
 std::string sherdSection(const ReportSherd& sherd) {
@@ -231,21 +235,22 @@ std::string sherdSection(const ReportSherd& sherd) {
 
 std::string pairTable(const ReportInput& input) {
   std::string html =
-      "<table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Confidence</th><th>Margin</"
-      "th><th>Fracture RMS mm</th><th>Fracture overlap</th><th>Uncertainty mm (95 %)</th><th "
+      "<table><tr><th>Sherd</th><th>Front</th><th>Back</th><th>Confidence</th><th>Lead over the "
+      "next</"
+      "th><th>Fractures apart mm</th><th>Fracture overlap</th><th>Uncertainty mm (95 %)</th><th "
       "class=\"words\">Remark</th></tr>";
   for (const ReportSherd& sherd : input.sherds) {
     const DecidedPair& p = *sherd.pair;
-    html +=
-        "<tr><td>" + sherd.number + "</td><td>" + markupText(sherd.front->id) + "</td><td>" +
-        markupText(sherd.back->id) + "</td><td>" + confidence(p) + "</td><td>" +
-        (p.margin ? fixed(*p.margin, 2) : "–") + "</td><td>" +
-        (p.fracturesCompared()
-             ? fixed(p.fracture_rms_mm, 3) + "</td><td>" + fixed(100 * p.fracture_overlap, 0) + " %"
-             : std::string("–</td><td>–")) +
-        "</td><td>" + fixed(registration::within95_mm(p.uncertainty_mm), 2) +
-        "</td><td class=\"words\">" + (p.ambiguous ? "<span class=\"ask\">review</span> " : "") +
-        markupText(p.decided_by.empty() ? p.reason : decidedWords(p)) + "</td></tr>";
+    html += "<tr><td>" + sherd.number + "</td><td>" + markupText(sherd.front->id) + "</td><td>" +
+            markupText(sherd.back->id) + "</td><td>" + confidence(p) + "</td><td>" +
+            (p.margin ? fixed(*p.margin, 2) : "–") + "</td><td>" +
+            (p.fracturesCompared()
+                 ? fixed(p.fracture_rms_mm, 3) + "</td><td>" + shareWords(p.fracture_overlap)
+                 : std::string("–</td><td>–")) +
+            "</td><td>" + fixed(registration::within95_mm(p.uncertainty_mm), 2) +
+            "</td><td class=\"words\">" +
+            (p.ambiguous ? "<span class=\"ask\">review</span> " : "") +
+            markupText(p.decided_by.empty() ? p.reason : decidedWords(p)) + "</td></tr>";
   }
   html += "</table>";
   const auto lone = [&](const std::vector<std::string>& ids, const char* words) {

@@ -68,6 +68,15 @@ void CaptureScreen::keepChoice(const RigChoice& choice) {
   session_->keepSetting(kRigKey, choice.toJson());
 }
 
+// What it worked with, practised and photographed stays.
+void CaptureScreen::leaveRig() {
+  RigChoice none = rigChoice();
+  none.kind = RigChoice::Kind::None;
+  keepChoice(none);
+  rig_page_->setChoice(none);
+  wizard_->rig()->forgetPrevious();
+}
+
 // A rig that does not open leaves the place to the one that worked.
 void CaptureScreen::followRig(const std::optional<Error>& why_not) {
   if (session_ == nullptr) return;

@@ -89,6 +89,7 @@ CaptureScreen::CaptureScreen(CaptureWizard* wizard, QWidget* parent)
   connect(wizard_, &CaptureWizard::batchSetAside, this, &CaptureScreen::batchSetAside);
   connect(wizard_->rig(), &RigConnection::tried, this, &CaptureScreen::followRig);
   connect(rig_page_, &RigPage::kept, wizard_->rig(), &RigConnection::restore);
+  connect(rig_page_, &RigPage::left, this, &CaptureScreen::leaveRig);
   connect(rig_page_, &RigPage::chosen, this, &CaptureScreen::chooseRig);
   connect(rig_page_, &RigPage::importPhotographs, import_photographs_, &QAction::trigger);
   connect(rig_page_, &RigPage::importScans, import_scans_, &QAction::trigger);
@@ -352,6 +353,7 @@ void CaptureScreen::follow() {
   const bool no_rig = phase == CapturePhase::NoRig && !wizard_->fault();
   rig_page_->setVisible(no_rig);
   rig_page_->setCanKeep(wizard_->rig()->canRestore());
+  rig_page_->setCanLeave(no_rig && rigChoice().kind != RigChoice::Kind::None);
   work_page_->setVisible(!no_rig);
   const bool shooting = phase == CapturePhase::ShootFront || phase == CapturePhase::ShootBack;
   // What was photographed stays in sight when it is done.

@@ -79,6 +79,7 @@ class CaptureScreen final : public Screen {
   void showImported(const QString& number, int files, const QStringList& doubts);
   RigChoice rigChoice() const;
   void keepChoice(const RigChoice& choice);
+  void leaveRig();
 
   CaptureWizard* wizard_;
   CaptureText text_;

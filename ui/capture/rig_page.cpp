@@ -18,28 +18,36 @@ namespace ostraka::ui {
 
 RigPage::RigPage(QWidget* parent)
     : QWidget(parent),
+      ask_(new MessagePanel(QStringLiteral("virtualAsk"), this)),
       sherds_(new QSpinBox(this)),
       width_(new QComboBox(this)),
       near_duplicates_(new QCheckBox(tr("Two of them look alike"), this)) {
   auto* empty = new EmptyState(
       QStringLiteral("turntable"), tr("What do you photograph with?"),
-      tr("The virtual rig breaks a pot and photographs its sherds: try everything with it. A rig "
-         "file (RIG.json) names your cameras and your turntable."),
+      tr("Import photographs taken by hand, or choose a rig file (RIG.json), which names your "
+         "cameras and your turntable. The virtual rig is for practice: its sherds are invented."),
       this);
-  QPushButton* use = empty->addAct(tr("Use the virtual rig"), QStringLiteral("useVirtualRig"));
-  use_ = use;
-  if (auto* big = qobject_cast<BigButton*>(use)) big->setKeyHint(tr("Space"));
-  connect(use, &QPushButton::clicked, this, &RigPage::chooseVirtual);
+  QPushButton* import =
+      empty->addAct(tr("Import photographs…"), QStringLiteral("importPhotographsButton"));
+  import_ = import;
+  if (auto* big = qobject_cast<BigButton*>(import)) big->setKeyHint(tr("Space"));
+  connect(import, &QPushButton::clicked, this, &RigPage::importPhotographs);
   connect(empty->addAct(tr("Choose a rig file…"), QStringLiteral("chooseRigFile")),
           &QPushButton::clicked, this, &RigPage::chooseFile);
-  connect(empty->addAct(tr("Import photographs…"), QStringLiteral("importPhotographsButton")),
-          &QPushButton::clicked, this, &RigPage::importPhotographs);
-  QPushButton* scans = empty->addAct(tr("Import scans…"), QStringLiteral("importScansButton"));
-  connect(scans, &QPushButton::clicked, this, &RigPage::importScans);
-
+  connect(empty->addAct(tr("Import scans…"), QStringLiteral("importScansButton")),
+          &QPushButton::clicked, this, &RigPage::importScans);
+  connect(empty->addAct(tr("Use the virtual rig"), QStringLiteral("useVirtualRig")),
+          &QPushButton::clicked, this, &RigPage::askForVirtual);
   keep_ = empty->addAct(tr("Keep current rig"), QStringLiteral("keepRig"));
-  keep_->hide();
+  QPushButton* leave = empty->addAct(tr("No rig"), QStringLiteral("noRig"));
+  leave_ = leave;
+  for (QAbstractButton* hidden : {keep_, leave_}) hidden->hide();
   connect(keep_, &QAbstractButton::clicked, this, &RigPage::kept);
+  connect(leave_, &QAbstractButton::clicked, this, &RigPage::left);
+  ask_->setBesidePrimary();
+  ask_->setSecondAct(tr("Cancel"));
+  connect(ask_, &MessagePanel::acted, this, &RigPage::chooseVirtual);
+  connect(ask_, &MessagePanel::actedSecond, ask_, &QWidget::hide);
 
   auto* box = new QGroupBox(tr("The virtual rig"), this);
   sherds_->setRange(1, 20);
@@ -57,10 +65,11 @@ RigPage::RigPage(QWidget* parent)
   alignForm(*form);
   auto* column = new QVBoxLayout(this);
   column->addWidget(empty, 3);
+  column->addWidget(ask_);
   column->addWidget(box, 0, Qt::AlignHCenter);
   column->addStretch(1);
   // As the eye goes: the acts first, then what the virtual rig is to break.
-  setTabOrder(scans, sherds_);
+  setTabOrder(leave, sherds_);
   setTabOrder(sherds_, width_);
   setTabOrder(width_, near_duplicates_);
   setChoice({});
@@ -68,17 +77,33 @@ RigPage::RigPage(QWidget* parent)
 
 void RigPage::goOn() {
   auto* button = qobject_cast<QAbstractButton*>(focusWidget());
-  if (button != nullptr && button->hasFocus())
-    button->click();
-  else
-    chooseVirtual();
+  (button != nullptr && button->hasFocus() ? button : import_)->click();
 }
 
 void RigPage::setCanKeep(bool can) {
   keep_->setVisible(can);
 }
 
+void RigPage::setCanLeave(bool can) {
+  leave_->setVisible(can);
+}
+
+void RigPage::hideEvent(QHideEvent* event) {
+  ask_->hide();
+  QWidget::hideEvent(event);
+}
+
+// Once for a project: what it invents stands among real finds.
+void RigPage::askForVirtual() {
+  if (choice_.kind == RigChoice::Kind::Virtual) return chooseVirtual();
+  ask_->showWords(tr("Use the virtual rig in this project?"),
+                  tr("It is for practice: its sherds are invented, and they enter this project's "
+                     "catalogue. The queue marks its batches as invented."),
+                  tr("Use the virtual rig"));
+}
+
 void RigPage::setChoice(const RigChoice& choice) {
+  ask_->hide();
   choice_ = choice;
   sherds_->setValue(choice.sherds);
   int at = width_->findData(choice.width_px);

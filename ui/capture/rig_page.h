@@ -10,15 +10,18 @@ class QCheckBox;
 
 namespace ostraka::ui {
 
-/// No rig yet: the virtual one, a rig file, or pictures that exist already.
+class MessagePanel;
+
+/// No rig yet: pictures that exist already, a rig file, or the virtual rig, which asks first.
 class RigPage final : public QWidget {
   Q_OBJECT
 
  public:
   explicit RigPage(QWidget* parent = nullptr);
   void setChoice(const RigChoice& choice);
-  void setCanKeep(bool can);  ///< the rig that worked before
-  QAbstractButton* primary() const { return use_; }
+  void setCanKeep(bool can);   ///< the rig that worked before
+  void setCanLeave(bool can);  ///< the rig that the project has
+  QAbstractButton* primary() const { return import_; }
 
  public slots:
   /// Space: what has the focus, and else the one big button.
@@ -29,13 +32,19 @@ class RigPage final : public QWidget {
   void importPhotographs();
   void importScans();
   void kept();
+  void left();  ///< the project is to have no rig
+
+ protected:
+  void hideEvent(QHideEvent* event) override;
 
  private:
+  void askForVirtual();
   void chooseVirtual();
   void chooseFile();
 
   RigChoice choice_;
-  QAbstractButton *use_ = nullptr, *keep_ = nullptr;
+  QAbstractButton *import_ = nullptr, *keep_ = nullptr, *leave_ = nullptr;
+  MessagePanel* ask_;
   QSpinBox* sherds_;
   QComboBox* width_;
   QCheckBox* near_duplicates_;

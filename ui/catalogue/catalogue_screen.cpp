@@ -83,8 +83,9 @@ CatalogueScreen::CatalogueScreen(QWidget* parent)
 QWidget* CatalogueScreen::buildFilterLine() {
   filter_ = new FilterLine(this);
   connect(filter_, &FilterLine::wanted, this, [this](const QString& line) {
-    complain(model_->setFilter(line));
-    filter_->showConditions(model_->filter());
+    const QString why_not = model_->setFilter(line);
+    complain(why_not);
+    filter_->showConditions(why_not.isEmpty() ? model_->filter() : sherds::Filter());
   });
   auto* to_import = new QPushButton(icon("import"), tr("Import…"), this);
   to_import->setObjectName("import");

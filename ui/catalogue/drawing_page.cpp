@@ -305,15 +305,17 @@ void DrawingPage::refresh() {
   enter_->setVisible(count == 1 && mouth());
 }
 
+QString DrawingPage::fileName() const {
+  return sherds_.size() > 1 ? tr("plates")
+                            : QString::fromStdString(store::slug(
+                                  printWording().said(drawn_->sherds.drawings.front().id)));
+}
+
 // What is shown may become another drawing while somebody chooses where this one goes.
 void DrawingPage::save() {
   const std::shared_ptr<const Drawn> drawn = drawn_;
-  const QString name =
-      sherds_.size() > 1 ? tr("plates")
-                         : QString::fromStdString(
-                               store::slug(printWording().said(drawn->sherds.drawings.front().id)));
   const QString file = QFileDialog::getSaveFileName(
-      this, tr("Save the drawing"), QDir::home().filePath(name + ".pdf"),
+      this, tr("Save the drawing"), QDir::home().filePath(fileName() + ".pdf"),
       tr("PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)"));
   if (!file.isEmpty()) saveAs(file, drawn);
 }
@@ -340,6 +342,7 @@ void DrawingPage::print() {
   if (!print_->isEnabled()) return;
   auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
   printer->setFullPage(true);
+  printer->setDocName(fileName());
   auto* dialog = new QPrintDialog(printer.get(), this);  // knows printing into a PDF file, too
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, printer, drawn = drawn_] {

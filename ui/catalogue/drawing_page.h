@@ -59,6 +59,7 @@ class DrawingPage final : public QWidget {
   QLayout* buildChoices();
   QLayout* buildActs();
   exchange::DrawSherdsOptions options() const;
+  QString fileName() const;  ///< without an ending; there is a drawing
   void forget();
   void choicesChanged();
   void arrived(const std::shared_ptr<const Drawn>& drawn);

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QFileDialog>
 #include <QGroupBox>
 #include <QHBoxLayout>
@@ -13,13 +12,13 @@
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSignalBlocker>
-#include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/export/export_choices.h"
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
+#include "ui/widgets/open_outside.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/side_by_side.h"
@@ -168,8 +167,10 @@ void ExportScreen::buildLayout() {
   connect(cancel_, &QPushButton::clicked, &model_, &ExportModel::cancel);
   stop_ = addPageAct(this, "exportStop", "cancel", tr("Stop the export"), Qt::Key_Escape);
   connect(stop_, &QAction::triggered, &model_, &ExportModel::cancel);
-  connect(open_, &QPushButton::clicked, this,
-          [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(choices_->target())); });
+  connect(open_, &QPushButton::clicked, this, [this] {
+    if (const QString why_not = openOutside(choices_->target()); !why_not.isEmpty())
+      emit said(why_not);
+  });
   auto* choices = new QWidget(this);
   auto* upper = new SideBySide(choices);
   upper->add(buildWhat(), 1);

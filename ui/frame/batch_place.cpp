@@ -2,9 +2,11 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
+#include <QDir>
 #include <QLocale>
 #include <QStringList>
 
+#include "batch/photographs.h"
 #include "catalogue/batches.h"
 #include "catalogue/catalogue.h"
 #include "catalogue/label_codes.h"
@@ -31,7 +33,10 @@ QString batchWords(const catalogue::Catalogue& rows, const QString& number) {
 }
 
 QString aboutBatch(const catalogue::Catalogue& rows, const records::BatchRecord& batch) {
-  QStringList parts{placeWords(rows, batch)};
+  QStringList parts;
+  if (const auto invented = catalogue::Batches(rows).isInvented(batch.row); invented && *invented)
+    parts << QCoreApplication::translate("PlaceText", "invented by the virtual rig");
+  parts << placeWords(rows, batch);
   if (batch.started_ms)
     parts << QLocale::c().toString(QDateTime::fromMSecsSinceEpoch(*batch.started_ms).date(),
                                    QStringLiteral("yyyy-MM-dd"));
@@ -40,6 +45,15 @@ QString aboutBatch(const catalogue::Catalogue& rows, const records::BatchRecord&
                                          batch.counted);
   parts.removeAll(QString());
   return parts.join(QStringLiteral(", "));
+}
+
+QString frontPicture(const std::filesystem::path& folder) {
+  const QDir front(QString::fromStdString((folder / "front").string()));
+  const QStringList files =
+      front.entryList({QStringLiteral("cam*_pos00.*")}, QDir::Files, QDir::Name | QDir::Reversed);
+  if (!files.isEmpty()) return front.filePath(files.first());
+  const std::vector<std::filesystem::path> any = batch::photographsIn(folder / "front");
+  return any.empty() ? QString() : QString::fromStdString(any.front().string());
 }
 
 }  // namespace ostraka::ui

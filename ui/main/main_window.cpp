@@ -199,7 +199,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 }
 
 void MainWindow::leaveProject() {
-  if (!work_->saysWhatIsLost()) closeProject();
+  if (!work_->saysWhatStops()) closeProject();
 }
 
 void MainWindow::tryVirtualRig() {

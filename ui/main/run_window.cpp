@@ -11,6 +11,7 @@
 #include "ui/main/main_window.h"
 #include "ui/settings/window_settings.h"
 #include "ui/viewport/sherd_view.h"
+#include "ui/widgets/popup_guard.h"
 #include "ui/widgets/wheel_guard.h"
 
 namespace ostraka::ui {
@@ -52,6 +53,7 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
   if (ours.load(locale, QStringLiteral("ostraka"), QStringLiteral("_"), QStringLiteral(":/i18n")))
     QApplication::installTranslator(&ours);
   application.installEventFilter(new WheelGuard(&application));
+  application.installEventFilter(new PopupGuard(&application));
   applyLook(application, settings.theme, settings.text_percent);
   ThreadedJobRunner runner;
   MainWindow window(runner);

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "ui/frame/batch_place.h"
 #include "ui/frame/lines.h"
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
@@ -39,8 +40,8 @@ QString pictureOf(const QString& folder) {
   }
   const QDir photographs(folder + QStringLiteral("/batches"));
   for (const QString& batch : photographs.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
-    const QString first = photographs.filePath(batch + QStringLiteral("/front/cam2_pos00.jpg"));
-    if (QFileInfo::exists(first)) return first;
+    const QString first = frontPicture(photographs.filePath(batch).toStdString());
+    if (!first.isEmpty()) return first;
   }
   return {};
 }
@@ -112,12 +113,13 @@ QWidget* StartScreen::buildRecent() {
                  box);
   no_recent_->setWordWrap(true);
   no_recent_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  open_ = new BigButton(QStringLiteral("openChosen"), tr("Open"), box);
+  open_->setKeyHint(tr("Enter"));
+  connect(open_, &QPushButton::clicked, this, &StartScreen::openChosen);
+  connect(recent_, &QListWidget::currentRowChanged, this, &StartScreen::follow);
   QPushButton* open = iconButton(box, "openProject", "open", tr("&Open a project…"));
   try_ = new BigButton(QStringLiteral("tryVirtualRig"), tr("Try with the virtual rig"), box);
-  connect(recent_, &QListWidget::itemActivated, this, [this](const QListWidgetItem* item) {
-    const QString folder = item->data(Qt::UserRole).toString();
-    isThere(folder) ? emit opened(folder) : findLost(folder);
-  });
+  connect(recent_, &QListWidget::itemActivated, this, &StartScreen::openChosen);
   connect(open, &QPushButton::clicked, this, &StartScreen::chooseProject);
   connect(try_, &QPushButton::clicked, this, &StartScreen::virtualRigWanted);
   connect(thumbnails_, &Thumbnails::ready, this, [this] {
@@ -130,7 +132,10 @@ QWidget* StartScreen::buildRecent() {
   column->addWidget(label);
   column->addWidget(recent_, 1);
   column->addWidget(no_recent_, 1);
-  column->addWidget(open);
+  auto* opening = new QHBoxLayout;
+  opening->addWidget(open_, 1);
+  opening->addWidget(open, 1);
+  column->addLayout(opening);
   column->addWidget(try_);
   return box;
 }
@@ -215,6 +220,13 @@ void StartScreen::setRecent(const QStringList& folders, const QMap<QString, QStr
   recent_->count() > 0 ? recent_->setFocus() : try_->setFocus();
 }
 
+void StartScreen::openChosen() {
+  const QListWidgetItem* item = recent_->currentItem();
+  if (item == nullptr) return;
+  const QString folder = item->data(Qt::UserRole).toString();
+  isThere(folder) ? emit opened(folder) : findLost(folder);
+}
+
 void StartScreen::showError(const Error& error) {
   damaged_.clear();
   repaired_.clear();
@@ -245,6 +257,9 @@ void StartScreen::follow() {
   make_->setEnabled(fresh_->canBeMade());
   // One of them is the next step.
   make_->setPrimary(fresh_->canBeMade());
+  open_->setVisible(recent_->count() > 0);
+  open_->setEnabled(recent_->currentRow() >= 0);
+  open_->setPrimary(!fresh_->canBeMade());
   try_->setPrimary(!fresh_->canBeMade() && recent_->count() == 0);
 }
 

@@ -45,13 +45,14 @@ class StartScreen final : public QWidget {
   void findLost(const QString& folder);
   void make();
   void act();
+  void openChosen();
 
   Thumbnails* thumbnails_;
   NewProject* fresh_;
   QListWidget* recent_;
   QLabel *no_recent_, *example_, *refusal_;
   QLineEdit *name_, *site_, *folder_, *numbering_;
-  BigButton *make_, *try_;
+  BigButton *make_, *try_, *open_;
   MessagePanel* message_;
   QString damaged_, repaired_;  ///< folders of the project that the message is about
 };

@@ -102,6 +102,7 @@ void WorkPage::bringChosen(int index) {
 }
 
 void WorkPage::showScreen(int index) {
+  warned_ = false;
   pages_->setCurrentIndex(index);
   sidebar_->select(index);
   for (std::size_t i = 0; i < screens_.size(); ++i)
@@ -123,16 +124,34 @@ void WorkPage::fit(const QSize& window) {
   for (Screen* screen : screens_) screen->setCompact(compact);
 }
 
+WorkPage::Warning WorkPage::loss() const {
+  for (std::size_t i = 0; i < screens_.size() && session_ != nullptr; ++i)
+    if (QString words = screens_[i]->losesByClosing(); !words.isEmpty())
+      return {static_cast<int>(i), std::move(words)};
+  return {};
+}
+
+// Whoever goes on working is warned anew.
+bool WorkPage::warn(const Warning& of) {
+  if (of.words.isEmpty() || warned_) return warned_ = false;
+  emit screenWanted(of.screen);
+  footer_->say(of.words);
+  return warned_ = true;
+}
+
 bool WorkPage::saysWhatIsLost() {
-  for (std::size_t i = 0; i < screens_.size() && session_ != nullptr; ++i) {
-    const QString loss = screens_[i]->losesByClosing();
-    if (loss.isEmpty()) continue;
-    if (std::exchange(warned_, true)) return false;
-    emit screenWanted(static_cast<int>(i));
-    footer_->say(loss);
-    return true;
-  }
-  return warned_ = false;
+  return warn(loss());
+}
+
+bool WorkPage::saysWhatStops() {
+  Warning of = loss();
+  if (of.words.isEmpty() && queue_.computation()->isBusy())
+    of = {screenNamed(QStringLiteral("queue")),
+          MainWindow::tr(
+              "%1 is being processed. Leaving the project stops it, and it continues when the "
+              "project is opened again. Choose Projects once more to leave.")
+              .arg(queue_.computation()->number())};
+  return warn(of);
 }
 
 void WorkPage::followLines() {

@@ -40,6 +40,8 @@ class WorkPage final : public QWidget {
   void fit(const QSize& window);
   /// Shows what would be lost by closing, and says so, but only once: who closes again means it.
   bool saysWhatIsLost();
+  /// So, too, of what is computed, before another project is chosen.
+  bool saysWhatStops();
 
  public slots:
   void followLines();
@@ -48,7 +50,14 @@ class WorkPage final : public QWidget {
   void screenWanted(int index);
 
  private:
+  struct Warning {
+    int screen = 0;
+    QString words;  ///< empty: none
+  };
+
   void buildLayout(QueueScreen& queue_screen);
+  Warning loss() const;
+  bool warn(const Warning& of);
 
   BatchQueue& queue_;
   CaptureScreen& capture_;

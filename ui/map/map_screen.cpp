@@ -13,6 +13,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 #include "catalogue/batches.h"
@@ -259,18 +260,20 @@ QString MapScreen::unnumberedWords() const {
 void MapScreen::print() {
   if (!print_->isEnabled()) return;
   if (const QString none = unnumberedWords(); !none.isEmpty()) say(none);
-  askToPrint(tr("Map and labels are sent to the printer."),
+  askToPrint(tr("%1 map and labels").arg(batch_), tr("Map and labels are sent to the printer."),
              [this](QPrinter& printer, QString* why) {
                return printMap(printer, view_->picture(), labels(), pageTitle(), why);
              });
 }
 
-void MapScreen::askToPrint(const QString& sent,
+void MapScreen::askToPrint(const QString& name, const QString& sent,
                            std::function<bool(QPrinter& printer, QString* why)> paint) {
-  auto* dialog = new QPrintDialog(this);  // knows printing into a PDF file, too
+  auto own = std::make_shared<QPrinter>();
+  own->setDocName(name);
+  auto* dialog = new QPrintDialog(own.get(), this);  // knows printing into a PDF file, too
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), this,
-          [this, sent, paint](QPrinter* printer) {
+          [this, sent, paint, own](QPrinter* printer) {
             const QString file = printer->outputFileName();
             if (const Result<void> good = checkOutputPlace(file.toStdString()); !good)
               return say(sentenceOf(good.error()));
@@ -287,6 +290,7 @@ void MapScreen::printBags() {
   if (labels.isEmpty())
     return say(tr("There is no bag yet: type one at the capture, or import a table of contexts."));
   askToPrint(
+      tr("bag labels"),
       tr("%n label(s) are sent to the printer.", nullptr, static_cast<int>(labels.size())),
       [labels](QPrinter& printer, QString* why) { return printLabels(printer, labels, why); });
 }

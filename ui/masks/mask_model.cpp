@@ -131,7 +131,7 @@ void MaskModel::close() {
   hashes_.clear();
   strokes_.clear();
   index_ = -1;
-  painted_ = false;
+  can_compute_ = false;
   photograph_ = found_overlay_ = overlay_ = {};
   emit changed();
 }
@@ -149,6 +149,7 @@ void MaskModel::openBatch(ProjectSession& session, const QString& batch) {
     photographs_ = masks->photographs;
     hashes_ = masks->hashes;
     strokes_ = masks->strokes;
+    compare();
     show(0);
   });
 }
@@ -231,10 +232,17 @@ void MaskModel::drawOverlay() {
   emit overlayChanged();
 }
 
+// With what was computed; where that did not end, with the program's own masks.
+void MaskModel::compare() {
+  can_compute_ = std::filesystem::exists(output_ / "report.json")
+                     ? decisions::masksWantComputing(output_)
+                     : !strokes_.empty();
+}
+
 Result<void> MaskModel::hold(std::vector<decisions::MaskStroke> strokes) {
   if (const Result<void> done = decisions::writeMaskStrokes(output_, strokes); !done) return done;
   strokes_ = std::move(strokes);
-  painted_ = true;
+  compare();
   if (index_ >= 0) drawOverlay();
   settle(session_, batch_);
   return {};

@@ -30,9 +30,9 @@ class MaskModel final : public QObject {
   int count() const { return static_cast<int>(photographs_.size()); }
   QString title(int index) const;  ///< "front, camera A, stop 1"
   int index() const { return index_; }
-  bool isEdited(int index) const;  ///< somebody painted on it
-  int edited() const;              ///< how many photographs are
-  bool canCompute() const { return painted_ || edited() > 0; }
+  bool isEdited(int index) const;                   ///< somebody painted on it
+  int edited() const;                               ///< how many photographs are
+  bool canCompute() const { return can_compute_; }  ///< masks are others than were computed
 
   /// The photograph, and an overlay of what is sherd; null while they are read.
   const QImage& photograph() const { return photograph_; }
@@ -55,6 +55,7 @@ class MaskModel final : public QObject {
   };
   std::vector<decisions::MaskStroke> strokesOn(int index) const;
   Result<void> hold(std::vector<decisions::MaskStroke> strokes);
+  void compare();
   void drawOverlay();
   void settle(ProjectSession* session, const QString& batch);
   static Result<Shown> read(const decisions::MaskedPhotograph& photograph);
@@ -65,7 +66,7 @@ class MaskModel final : public QObject {
   std::vector<decisions::MaskedPhotograph> photographs_;
   std::vector<std::string> hashes_;  ///< of photographs; empty where none was asked for
   std::vector<decisions::MaskStroke> strokes_;
-  bool painted_ = false;
+  bool can_compute_ = false;
   int index_ = -1;
   QImage photograph_, found_overlay_, overlay_;
   QPointer<JobHandle> job_, settling_;

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/look/look.h"
@@ -20,6 +21,18 @@ namespace ostraka::ui {
 namespace {
 
 constexpr int kLeastWidth_px = 2, kMostWidth_px = 200, kUsualWidth_px = 24;
+
+// Beside the list of photographs, where it is never without room.
+QToolButton* arrow(QAction* step, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setDefaultAction(step);
+  button->setObjectName(step->objectName() + QStringLiteral("Button"));
+  button->setAccessibleName(step->text());
+  button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+  button->setAutoRaise(true);
+  button->setMinimumHeight(controlHeight(*parent));
+  return button;
+}
 
 }  // namespace
 
@@ -86,11 +99,14 @@ void MaskPage::buildLayout() {
   brush_row->addWidget(width_);
   brush->setMinimumHeight(controlHeight(*this));
   tools_ = new ToolRow(this);
-  tools_->addWidget(which_);
+  auto* photograph = new QWidget(this);
+  auto* photograph_row = bareLayout<QHBoxLayout>(photograph);
+  photograph_row->addWidget(arrow(previous_, photograph));
+  photograph_row->addWidget(which_);
+  photograph_row->addWidget(arrow(next_, photograph));
+  tools_->addWidget(photograph);
   tools_->addWidget(brush);
   tools_->addGroup(tr("Brush"), {sherd_, plate_});
-  tools_->addGroup(tr("Photograph"), {previous_, next_});
-  tools_->addGroup({}, {back_});
   reprocess_ = new BigButton(QStringLiteral("masksComputeButton"), compute_->text(), this);
   reprocess_->setKeyHint(compute_->shortcut().toString(QKeySequence::NativeText));
   connect(reprocess_, &QPushButton::clicked, compute_, &QAction::trigger);
@@ -100,7 +116,14 @@ void MaskPage::buildLayout() {
   foot->addWidget(tools_, 1);
   foot->addWidget(reprocess_, 0, Qt::AlignBottom);
   auto* all = bareLayout<QVBoxLayout>(this);
-  all->addWidget(title_);
+  auto* leave = new QToolButton(this);
+  leave->setDefaultAction(back_);
+  leave->setObjectName(QStringLiteral("masksBackButton"));
+  leave->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  auto* head = new QHBoxLayout;
+  head->addWidget(title_, 1);
+  head->addWidget(leave);
+  all->addLayout(head);
   all->addWidget(told_);
   all->addWidget(view_, 1);
   all->addLayout(foot);
@@ -165,7 +188,7 @@ void MaskPage::showTold() {
   compute_->setEnabled(model_->canCompute());
   if (model_->index() < 0) return;
   told_->setText(
-      model_->edited() > 0
+      model_->canCompute() && model_->edited() > 0
           ? tr("%n photograph(s) edited. Reprocess to update what follows from them.", nullptr,
                model_->edited())
           : tr("Blue: classified as sherd. Paint missing parts as sherd and wrong ones as plate; "

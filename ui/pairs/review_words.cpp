@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "base/text.h"
 #include "ui/pairs/free_words.h"
 
 namespace ostraka::ui {
@@ -97,8 +98,7 @@ QString mm(double value, int digits) {
 
 QString percent(double share) {
   if (share > 0 && share < 0.01) return tr("under 1 %");
-  // Certainty is never rounded up to 100.
-  return tr("%1 %").arg(QLocale().toString(std::floor(std::min(share, 1.0) * 100 + 1e-9), 'f', 0));
+  return tr("%1 %").arg(QLocale().toString(wholePercent(share)));
 }
 
 QString failedCheckSentence(FailedCheck failed_check, double value) {

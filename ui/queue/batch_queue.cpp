@@ -1,6 +1,5 @@
 #include "ui/queue/batch_queue.h"
 
-#include <QDir>
 #include <QHash>
 #include <QTime>
 #include <algorithm>
@@ -48,14 +47,6 @@ QueueState stateOf(BatchState state) {
   return QueueState::Waiting;
 }
 
-// The highest camera sees most of the plate.
-QString pictureOf(const std::filesystem::path& batch) {
-  const QDir front(QString::fromStdString((batch / "front").string()));
-  const QStringList files =
-      front.entryList({QStringLiteral("cam*_pos00.*")}, QDir::Files, QDir::Name | QDir::Reversed);
-  return files.isEmpty() ? QString() : front.filePath(files.first());
-}
-
 // What stands in the catalogue and on the disk beside the state.
 void readDetails(const upkeep::Project& project, QueueRow& row) {
   if (row.state == QueueState::Failed) {
@@ -65,7 +56,7 @@ void readDetails(const upkeep::Project& project, QueueRow& row) {
     row.aside = failure.aside;
   }
   row.figures = intake::shownFigures(project.catalogue(), row.number.toStdString());
-  row.picture = pictureOf(project.batchFolder(row.number.toStdString()));
+  row.picture = frontPicture(project.batchFolder(row.number.toStdString()));
 }
 
 }  // namespace

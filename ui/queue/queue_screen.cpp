@@ -1,14 +1,12 @@
 #include "ui/queue/queue_screen.h"
 
 #include <QAction>
-#include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QItemSelectionModel>
 #include <QListView>
 #include <QPlainTextEdit>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QUrl>
 #include <QVBoxLayout>
 
 #include "ui/frame/batch_place.h"
@@ -22,6 +20,7 @@
 #include "ui/queue/queue_switches.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/widgets/open_outside.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/thumbnails.h"
@@ -344,8 +343,9 @@ void QueueScreen::openReport() {
   const std::filesystem::path results = session_->folder() / "results" / selected().toStdString();
   for (const char* file : {"report.html", "log.txt"})
     if (std::filesystem::exists(results / file)) {
-      QDesktopServices::openUrl(
-          QUrl::fromLocalFile(QString::fromStdString((results / file).string())));
+      if (const QString why_not = openOutside(QString::fromStdString((results / file).string()));
+          !why_not.isEmpty())
+        emit said(why_not);
       return;
     }
   emit said(tr("%1 has no report yet.").arg(selected()));

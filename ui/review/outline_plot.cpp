@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <numbers>
 
 #include "ui/look/look.h"
 #include "ui/look/state_colours.h"
@@ -37,9 +38,13 @@ OutlinePlot::OutlinePlot(QWidget* parent) : QWidget(parent) {
 void OutlinePlot::setView(const review::PairView& view) {
   view_ = view;
   view_.front = view_.back = {};  // the pictures are not drawn here
-  setAccessibleDescription(tr("The turning angles differ by %1 rad.")
-                               .arg(QLocale().toString(view_.turns_difference, 'f', 2)));
+  setAccessibleDescription(tr("The turning angles differ by %1°.").arg(differenceWords()));
   update();
+}
+
+// In degrees, as in the report.
+QString OutlinePlot::differenceWords() const {
+  return QLocale().toString(view_.turns_difference * 180 / std::numbers::pi, 'f', 1);
 }
 
 void OutlinePlot::clear() {
@@ -115,7 +120,7 @@ void OutlinePlot::paintTurns(QPainter& painter, const QRectF& where) const {
   drawFitted(painter,
              QRectF(where.left(), height() - fontMetrics().height() - 2, where.width(),
                     fontMetrics().height()),
-             tr("differ by %1 rad").arg(QLocale().toString(view_.turns_difference, 'f', 2)));
+             tr("differ by %1°").arg(differenceWords()));
 }
 
 }  // namespace ostraka::ui

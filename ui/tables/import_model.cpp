@@ -97,6 +97,7 @@ void ImportModel::openProject(ProjectSession* session) {
   source_.clear();
   bytes_.reset();
   problem_.clear();
+  columns_.clear();
   rows_.clear();
   report_.reset();
   emit changed();

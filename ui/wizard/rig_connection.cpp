@@ -41,6 +41,11 @@ void RigConnection::restore() {
   if (previous_ && !isBusy()) choose(*std::exchange(previous_, std::nullopt));
 }
 
+void RigConnection::forgetPrevious() {
+  previous_.reset();
+  emit changed();
+}
+
 bool RigConnection::takeWaiting() {
   if (!waiting_ || isBusy()) return false;
   if (devices_ != nullptr && source_.open) previous_ = source_;

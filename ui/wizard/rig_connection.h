@@ -54,7 +54,8 @@ class RigConnection final : public QObject {
 
  public slots:
   void clear();
-  void restore();  ///< the one that worked before, after clear
+  void restore();         ///< the one that worked before, after clear
+  void forgetPrevious();  ///< nothing to restore
 
  signals:
   void changed();  ///< what it does, asks, or is held by

@@ -89,5 +89,12 @@ TEST(Text, MomentsAreInUtc) {
   EXPECT_TRUE(std::regex_match(utcNow(), form)) << utcNow();
 }
 
+TEST(Text, AShareIsRoundedDown) {
+  EXPECT_EQ(wholePercent(0.9996), 99);
+  EXPECT_EQ(wholePercent(0.29), 29) << "though 0.29 * 100 is a little less";
+  EXPECT_EQ(wholePercent(1), 100);
+  EXPECT_EQ(wholePercent(1.0000001), 100);
+}
+
 }  // namespace
 }  // namespace ostraka

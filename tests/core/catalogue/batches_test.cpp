@@ -97,6 +97,21 @@ TEST_F(BatchesTest, APhotographIsKnownByItsSideCameraStopAndTake) {
   EXPECT_FALSE(Batches(catalogue()).save(p, anna));
 }
 
+TEST_F(BatchesTest, ABatchOfTheVirtualRigIsInvented) {
+  const store::BatchRow found = newBatch({bag4}), practice = newBatch({bag4});
+  records::PhotographRecord p;
+  p.batch = found;
+  p.path = "batches/B0001/front/cam0_pos00.jpg";
+  p.serial = "3012345";
+  ASSERT_TRUE(Batches(catalogue()).save(p, anna));
+  p.batch = practice;
+  p.path = "batches/B0002/front/cam0_pos00.jpg";
+  p.serial = "VIRTUAL-A (seed 1, 6 sherds, 1600 px)";
+  ASSERT_TRUE(Batches(catalogue()).save(p, anna));
+  EXPECT_FALSE(*Batches(catalogue()).isInvented(found));
+  EXPECT_TRUE(*Batches(catalogue()).isInvented(practice));
+}
+
 TEST_F(BatchesTest, AFileIsKnownByItsPathAndItsChecksumIsRemembered) {
   records::FileRecord f;
   f.path = "results/B0001/report.json";

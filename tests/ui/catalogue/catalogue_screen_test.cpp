@@ -50,7 +50,9 @@ class CatalogueScreenTest : public CatalogueWindow {
   }
 
   void aFilterThatIsNotUnderstoodIsNamedInPlace() {
+    filter("rim");
     filter("colour:red");
+    QTRY_VERIFY2(screen_->findChildren<QToolButton*>("chip").isEmpty(), "no part of this line");
     QVERIFY(child<QLabel>("problem")->isVisible());
     QVERIFY(child<QLabel>("problem")->text().contains("colour"));
     filter("grey");

@@ -23,6 +23,7 @@
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/widgets/message_panel.h"
 #include "ui/wizard/capture_wizard.h"
 #include "upkeep/project.h"
 
@@ -88,6 +89,7 @@ class FirstRunTest : public QObject {
     named<QSpinBox>(window, "virtualSherds")->setValue(2);
     named<QComboBox>(window, "virtualWidth")->setCurrentIndex(0);
     QTest::mouseClick(named<QPushButton>(window, "useVirtualRig"), Qt::LeftButton);
+    QTest::mouseClick(named<MessagePanel>(window, "virtualAsk")->act(), Qt::LeftButton);
     QTest::keyClicks(named<QLineEdit>(window, "capturePlace"), "ARM1-T3-0012-4");
     QTest::keyClick(named<QLineEdit>(window, "capturePlace"), Qt::Key_Return);
   }

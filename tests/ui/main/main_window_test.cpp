@@ -214,6 +214,49 @@ class MainWindowTest : public QObject {
     QVERIFY(ProjectLock::take(folder_) != nullptr);
   }
 
+  void leavingAProjectThatIsProcessedAsksOnce() {
+    MainWindow window(jobs_);
+    activate(window);
+    window.queue()->computation()->setWork(
+        [](const intake::ComputeOptions&, Progress&,
+           std::stop_token stop) -> Result<intake::BatchFigures> {
+          while (!stop.stop_requested()) std::this_thread::yield();
+          return Error::cancelled();
+        });
+    window.openProject(folder_);
+    records::BatchRecord batch;
+    batch.state = records::BatchState::Queued;
+    QVERIFY(catalogue::Batches(window.session()->project().catalogue()).add(batch, {}).has_value());
+    window.session()->tellBatchChanged(QStringLiteral("B0001"));
+    QTRY_VERIFY(window.queue()->computation()->isBusy());
+    auto* leave = named<QAction>(window, "closeProject");
+    leave->trigger();
+    QVERIFY(window.session() != nullptr);
+    QVERIFY2(named<QLabel>(window, "footerSaid")->text().contains("Leaving the project stops it"),
+             qPrintable(named<QLabel>(window, "footerSaid")->text()));
+    window.showScreen(0);
+    leave->trigger();
+    QVERIFY2(window.session() != nullptr, "who went on working is asked anew");
+    leave->trigger();
+    QVERIFY(window.session() == nullptr);
+    QTRY_VERIFY(!window.queue()->computation()->isLeaving());
+  }
+
+  void theChosenProjectIsOpenedByOneButtonOrByEnter() {
+    MainWindow window(jobs_);
+    activate(window);
+    QVERIFY(!named<QPushButton>(window, "openChosen")->isVisible());
+    for (const bool by_key : {false, true}) {
+      window.openProject(folder_);
+      window.closeProject();
+      if (by_key)
+        QTest::keyClick(recent(window), Qt::Key_Return);
+      else
+        QTest::mouseClick(named<QPushButton>(window, "openChosen"), Qt::LeftButton);
+      QTRY_VERIFY(window.session() != nullptr);
+    }
+  }
+
   void openingAProjectSaysWhichOfItsFilesWereChanged() {
     {
       auto project = upkeep::Project::open(folder_.toStdString());

@@ -3,6 +3,7 @@
 #include <QDirIterator>
 #include <QFile>
 #include <QHash>
+#include <QKeySequence>
 #include <QRegularExpression>
 #include <QSet>
 #include <QXmlStreamReader>
@@ -47,6 +48,11 @@ QStringList placesIn(const QString& text) {
   return places;
 }
 
+bool isKey(const QString& name) {
+  const QKeySequence key(name);
+  return !key.isEmpty() && key[0].key() != Qt::Key_unknown;
+}
+
 }  // namespace
 
 class TranslationsTest : public QObject {
@@ -57,6 +63,31 @@ class TranslationsTest : public QObject {
     QTest::addColumn<QString>("language");
     for (const char* language : {"de", "fr", "es", "el", "tr", "hy"})
       QTest::newRow(language) << language;
+  }
+
+  // Bold in the manual: a key, what is typed, or a text of the window as it stands there.
+  void theManualCallsButtonsByTheirNames() {
+    static const QRegularExpression bold(QStringLiteral("<b>([^<]*)</b>"));
+    static const QRegularExpression words(QStringLiteral("^[A-Z][a-z][^+]*$"));
+    static const QRegularExpression end(QStringLiteral("[…:.]+$"));
+    QSet<QString> texts;
+    for (const Message& message : messagesOf(QStringLiteral("de")))
+      texts << QString(message.source).remove(QLatin1Char('&')).remove(end);
+    int names = 0;
+    QDirIterator pages(QStringLiteral(OSTRAKA_SOURCES "/../resources/manual"),
+                       {QStringLiteral("*.html")});
+    while (pages.hasNext()) {
+      QFile page(pages.next());
+      QVERIFY(page.open(QIODevice::ReadOnly));
+      const QString html = QString::fromUtf8(page.readAll());
+      for (auto at = bold.globalMatch(html); at.hasNext();) {
+        const QString name = at.next().captured(1).remove(end);
+        if (!words.match(name).hasMatch() || isKey(name)) continue;
+        ++names;
+        QVERIFY2(texts.contains(name), qPrintable(pages.fileName() + ": " + name));
+      }
+    }
+    QVERIFY(names > 15);
   }
 
   void everyTextIsTranslatedInAllItsForms_data() { languages_data(); }

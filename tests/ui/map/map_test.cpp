@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QPrintDialog>
+#include <QPrinter>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -38,6 +40,7 @@ class MapTest : public QObject {
   void whatNobodyLooksAtIsNotRead();
   void theLabelSaysTheDayOfTheShooting();
   void itFollowsTheBatchOfTheScreenBefore();
+  void aPrintedFileIsNamedAfterItsBatch();
   void aMissingPhotographIsSaid();
   void aBatchOfScansSaysThatItHasNoPicture();
   void theFirstBatchTakesTheMessageAway();
@@ -246,6 +249,16 @@ void MapTest::itFollowsTheBatchOfTheScreenBefore() {
   screen_->takeChosen("context:0012");
   QCOMPARE(screen_->chosen(), QStringLiteral("plate:B0006"));
   std::filesystem::remove_all(results / "B0006");
+}
+
+// Or the map would go over the labels of the bags.
+void MapTest::aPrintedFileIsNamedAfterItsBatch() {
+  screen_->findChild<QAbstractButton*>("printMap")->click();
+  auto* dialog = screen_->findChild<QPrintDialog*>();
+  QVERIFY(dialog != nullptr);
+  QVERIFY2(dialog->printer()->docName().startsWith("B0007"),
+           qPrintable(dialog->printer()->docName()));
+  dialog->close();
 }
 
 void MapTest::aMissingPhotographIsSaid() {

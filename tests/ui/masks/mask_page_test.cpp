@@ -226,6 +226,18 @@ class MaskPageTest : public QObject {
     QTest::mouseClick(page_->findChild<QPushButton*>("masksComputeButton"), Qt::LeftButton);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted.front().front().toString(), QStringLiteral("B0001"));
+    session_->undo().undo();
+    QVERIFY2(!compute->isEnabled(), "the masks are those that were computed");
+  }
+
+  void inANarrowWindowTheArrowsAndTheWayBackStayInSight() {
+    page_->resize(700, 500);
+    for (const char* name : {"masksPreviousButton", "masksNextButton", "masksBackButton"}) {
+      const auto* button = page_->findChild<QToolButton*>(name);
+      QVERIFY2(button != nullptr && button->isVisible(), name);
+      QVERIFY2(page_->rect().contains(QRect(button->mapTo(page_.get(), QPoint()), button->size())),
+               name);
+    }
   }
 
   void theWheelEnlargesAboutThePointer() {

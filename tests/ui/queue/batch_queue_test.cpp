@@ -11,7 +11,9 @@
 
 #include "catalogue/batches.h"
 #include "catalogue/settings.h"
+#include "files/files.h"
 #include "queue_bench.h"
+#include "records/records.h"
 #include "store/database.h"
 
 using namespace ostraka;
@@ -50,6 +52,33 @@ class BatchQueueTest : public QObject {
     QTRY_COMPARE(bench.queue.failed(), 1);
     QVERIFY(!bench.queue.row(0).aside);
     QCOMPARE(bench.queue.row(0).failure, QStringLiteral("No plate is seen."));
+  }
+
+  void aBatchIsShownByAPhotographOfItsFrontAlsoWhereItWasImported() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    const QString number = addBatch(bench.session, BatchState::Review);
+    const auto front =
+        bench.session.project().batchFolder(number.toStdString()) / batch::name(batch::Side::Front);
+    for (const char* name : {"IMG_10.jpg", "IMG_9.jpg"})
+      QVERIFY(writeFileAtomically(front / name, "a photograph").has_value());
+    bench.queue.setSession(&bench.session);
+    QVERIFY2(bench.queue.row(0).picture.endsWith("/front/IMG_9.jpg"),
+             qPrintable(bench.queue.row(0).picture));
+  }
+
+  void aBatchOfTheVirtualRigIsMarkedAsInvented() {
+    InlineJobRunner jobs;
+    Bench bench(folder(), jobs);
+    const QString number = addBatch(bench.session, BatchState::Review);
+    catalogue::Batches batches(bench.session.project().catalogue());
+    records::PhotographRecord photograph;
+    photograph.batch = batches.byNumber(number.toStdString())->row;
+    photograph.path = "batches/B0001/front/cam0_pos00.jpg";
+    photograph.serial = std::string(batch::kVirtualSerial) + "A";
+    QVERIFY(batches.save(photograph, {}).has_value());
+    bench.queue.setSession(&bench.session);
+    QVERIFY2(bench.queue.row(0).about.contains("invented"), qPrintable(bench.queue.row(0).about));
   }
 
   void whatWasSetAsideAtThePlateIsPhotographedOn() {

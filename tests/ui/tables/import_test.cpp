@@ -304,6 +304,16 @@ class ImportTest : public QObject {
     QVERIFY(child<QPushButton>("importTable")->isEnabled());
   }
 
+  void anotherProjectBeginsWithoutTheColumnsOfTheLastTable() {
+    open();
+    model_->setSource(sherds());
+    QTRY_VERIFY(!model_->columns().isEmpty());
+    model_->openProject(nullptr);
+    QVERIFY(model_->columns().isEmpty());
+    model_->openProject(&sample_->session());
+    QVERIFY(model_->columns().isEmpty());
+  }
+
   void aTableThatIsNoneIsRefusedInWords() {
     open();
     model_->setSource(table("colour,size\r\nred,3\r\n"));

@@ -3026,6 +3026,11 @@
         <numerusform>Abgebrochen: %n Zeilen wurden nicht importiert. Für den Rest die Tabelle noch einmal importieren.</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückgängig nimmt Befunde und Beutel nicht zurück; der Katalog wird vor dem Import gesichert.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -6556,11 +6561,6 @@
       <translation>Das ist nur ein Teil eines Scherbenetiketts; seinen Code noch einmal lesen.</translation>
     </message>
     <message>
-      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Filter kennt kein Feld '%1'; das Wort in Anführungszeichen setzen, um es so zu suchen, wie es dasteht.</translation>
-    </message>
-    <message>
       <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Filter ist kein gültiger Text.</translation>
@@ -7014,11 +7014,6 @@
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Tag wie 2026-07-14 schreiben (Jahr-Monat-Tag).</translation>
-    </message>
-    <message>
-      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Datierung in EDTF schreiben, zum Beispiel -0599/-0549~ (600 bis etwa 550 v. Chr.), -1149? oder 0350/..; Jahre haben vier Stellen.</translation>
     </message>
     <message>
       <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
@@ -9046,11 +9041,6 @@
       <translation>„%1“ lässt sich als %2 oder als %3 lesen; eines von beiden schreiben.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; enter both.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Befund %1 braucht seinen Fundort; beide eingeben.</translation>
-    </message>
-    <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Durchgang ist nicht fertig verarbeitet; ihn von der Warteschlange verarbeiten lassen, dann seine Paare prüfen.</translation>
@@ -10050,6 +10040,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nur Maße und Tage nehmen &lt; und &gt; an; %1:value schreiben.</translation>
     </message>
+    <message>
+      <source>The filter has no field &apos;%1&apos;; write extra.%1 for a custom field, or enclose the word in quotation marks to search for it literally.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Filter kennt kein Feld &apos;%1&apos;; für ein eigenes Feld extra.%1 schreiben oder das Wort in Anführungszeichen setzen, um es so zu suchen, wie es dasteht.</translation>
+    </message>
+    <message>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits, and words such as MB II belong in the field for the period.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Datierung in EDTF schreiben, zum Beispiel -0599/-0549~ (600 bis etwa 550 v. Chr.), -1149? oder 0350/..; Jahre haben vier Stellen, und Worte wie MB II gehören in das Feld für die Zeitstellung.</translation>
+    </message>
+    <message>
+      <source>Enter the context with its site and trench, such as KT26-A-012.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Den Befund mit Fundort und Schnitt eingeben, zum Beispiel KT26-A-012.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10148,24 +10153,24 @@
         <translation>Feld der Spalte %1</translation>
     </message>
     <message>
-        <source>own field: %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>eigenes Feld: %1</translation>
-    </message>
-    <message>
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Einheit der Spalte %1</translation>
     </message>
     <message>
-        <source>no field of this name; kept as your own field</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>kein Feld dieses Namens; als eigenes Feld behalten</translation>
-    </message>
-    <message>
         <source>skip</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>weglassen</translation>
+    </message>
+    <message>
+        <source>custom field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>eigenes Feld: %1</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a custom field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>kein Feld dieses Namens; als eigenes Feld behalten</translation>
     </message>
 </context>
 <context>

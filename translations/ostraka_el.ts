@@ -3021,6 +3021,11 @@
         <numerusform>Σταμάτησε: %n γραμμές δεν καταχωρήθηκαν. Εισαγάγετε ξανά τον πίνακα για τα υπόλοιπα.</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η αναίρεση δεν παίρνει πίσω πλαίσια και σακούλες· πριν από την εισαγωγή γίνεται αντίγραφο ασφαλείας του καταλόγου.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -6551,11 +6556,6 @@
       <translation>Είναι μόνο μέρος της ετικέτας ενός οστράκου· διαβάστε ξανά τον κωδικό της.</translation>
     </message>
     <message>
-      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το φίλτρο δεν γνωρίζει πεδίο '%1'· βάλτε τη λέξη σε εισαγωγικά για να αναζητηθεί όπως είναι.</translation>
-    </message>
-    <message>
       <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το φίλτρο δεν είναι αναγνώσιμο κείμενο.</translation>
@@ -7009,11 +7009,6 @@
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια ημέρα γράφεται 2026-07-14 (έτος-μήνας-ημέρα).</translation>
-    </message>
-    <message>
-      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μια χρονολόγηση γράφεται σε EDTF, όπως -0599/-0549~ (600 έως περίπου 550 π.Χ.), -1149? ή 0350/..· τα έτη έχουν τέσσερα ψηφία.</translation>
     </message>
     <message>
       <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
@@ -9041,11 +9036,6 @@
       <translation>Το «%1» διαβάζεται ως %2 ή ως %3· γράψτε ένα από τα δύο.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; enter both.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Το πλαίσιο %1 χρειάζεται τη θέση του· γράψτε και τα δύο.</translation>
-    </message>
-    <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η επεξεργασία της παρτίδας δεν ολοκληρώθηκε· αφήστε την ουρά να την επεξεργαστεί και μετά ελέγξτε τα ζεύγη της.</translation>
@@ -10045,6 +10035,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μόνο μετρήσεις και ημέρες συγκρίνονται με &lt; και &gt;· γράψτε %1:value.</translation>
     </message>
+    <message>
+      <source>The filter has no field &apos;%1&apos;; write extra.%1 for a custom field, or enclose the word in quotation marks to search for it literally.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το φίλτρο δεν γνωρίζει πεδίο &apos;%1&apos;· γράψτε extra.%1 για δικό σας πεδίο ή βάλτε τη λέξη σε εισαγωγικά για να αναζητηθεί όπως είναι.</translation>
+    </message>
+    <message>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits, and words such as MB II belong in the field for the period.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια χρονολόγηση γράφεται σε EDTF, όπως -0599/-0549~ (600 έως περίπου 550 π.Χ.), -1149? ή 0350/..· τα έτη έχουν τέσσερα ψηφία, και λέξεις όπως MB II ανήκουν στο πεδίο της περιόδου.</translation>
+    </message>
+    <message>
+      <source>Enter the context with its site and trench, such as KT26-A-012.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Γράψτε το πλαίσιο με τη θέση και την τομή του, για παράδειγμα KT26-A-012.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10143,24 +10148,24 @@
         <translation>Πεδίο της στήλης %1</translation>
     </message>
     <message>
-        <source>own field: %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>δικό σας πεδίο: %1</translation>
-    </message>
-    <message>
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Μονάδα της στήλης %1</translation>
     </message>
     <message>
-        <source>no field of this name; kept as your own field</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>κανένα πεδίο με αυτό το όνομα· διατηρείται ως δικό σας πεδίο</translation>
-    </message>
-    <message>
         <source>skip</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>παράλειψη</translation>
+    </message>
+    <message>
+        <source>custom field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>δικό σας πεδίο: %1</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a custom field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>κανένα πεδίο με αυτό το όνομα· διατηρείται ως δικό σας πεδίο</translation>
     </message>
 </context>
 <context>

@@ -3021,6 +3021,11 @@
         <numerusform>Cancelado: %n filas no se han importado. Importe la tabla otra vez para el resto.</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deshacer no retira contextos ni bolsas; antes de la importación se hace una copia de seguridad del catálogo.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -6551,11 +6556,6 @@
       <translation>Es solo una parte de la etiqueta de un fragmento; lea otra vez su código.</translation>
     </message>
     <message>
-      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El filtro no conoce ningún campo '%1'; ponga la palabra entre comillas para buscarla tal cual.</translation>
-    </message>
-    <message>
       <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El filtro no es un texto válido.</translation>
@@ -7009,11 +7009,6 @@
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Escriba el día como 2026-07-14 (año-mes-día).</translation>
-    </message>
-    <message>
-      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Escriba la fecha en EDTF, por ejemplo -0599/-0549~ (600 a hacia 550 a. C.), -1149? o 0350/..; los años tienen cuatro cifras.</translation>
     </message>
     <message>
       <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
@@ -9041,11 +9036,6 @@
       <translation>«%1» se puede leer como %2 o como %3; escriba uno de los dos.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; enter both.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El contexto %1 necesita su yacimiento; indique ambos.</translation>
-    </message>
-    <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La tanda no está procesada del todo; deje que la cola la procese y después revise sus parejas.</translation>
@@ -10045,6 +10035,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Solo las medidas y los días admiten &lt; y &gt;; escriba %1:value.</translation>
     </message>
+    <message>
+      <source>The filter has no field &apos;%1&apos;; write extra.%1 for a custom field, or enclose the word in quotation marks to search for it literally.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El filtro no conoce ningún campo &apos;%1&apos;; escriba extra.%1 para un campo propio o ponga la palabra entre comillas para buscarla tal cual.</translation>
+    </message>
+    <message>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits, and words such as MB II belong in the field for the period.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escriba la fecha en EDTF, por ejemplo -0599/-0549~ (600 a hacia 550 a. C.), -1149? o 0350/..; los años tienen cuatro cifras, y las palabras como MB II van en el campo del período.</translation>
+    </message>
+    <message>
+      <source>Enter the context with its site and trench, such as KT26-A-012.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Indique el contexto con su yacimiento y su corte, por ejemplo KT26-A-012.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10143,24 +10148,24 @@
         <translation>Campo de la columna %1</translation>
     </message>
     <message>
-        <source>own field: %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>campo propio: %1</translation>
-    </message>
-    <message>
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Unidad de la columna %1</translation>
     </message>
     <message>
-        <source>no field of this name; kept as your own field</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>ningún campo con este nombre; se conserva como campo propio</translation>
-    </message>
-    <message>
         <source>skip</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>omitir</translation>
+    </message>
+    <message>
+        <source>custom field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>campo propio: %1</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a custom field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>ningún campo con este nombre; se conserva como campo propio</translation>
     </message>
 </context>
 <context>

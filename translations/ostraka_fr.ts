@@ -3021,6 +3021,11 @@
         <numerusform>Annulé : %n lignes n'ont pas été importées. Importez de nouveau le tableau pour le reste.</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’annulation ne retire pas les contextes ni les sacs ; le catalogue est sauvegardé avant l’importation.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -6551,11 +6556,6 @@
       <translation>Ce n’est qu’une partie de l’étiquette d’un tesson ; relisez son code.</translation>
     </message>
     <message>
-      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le filtre ne connaît pas de champ '%1' ; mettez le mot entre guillemets pour le chercher tel quel.</translation>
-    </message>
-    <message>
       <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le filtre n’est pas un texte valide.</translation>
@@ -7011,11 +7011,6 @@
       <translation>Écrivez le jour comme 2026-07-14 (année-mois-jour).</translation>
     </message>
     <message>
-      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Écrivez la datation en EDTF, par exemple -0599/-0549~ (de 600 à environ 550 av. J.-C.), -1149? ou 0350/.. ; les années ont quatre chiffres.</translation>
-    </message>
-    <message>
       <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Écrivez la couleur Munsell comme 10YR 3/1 ou N 4/.</translation>
@@ -7293,7 +7288,7 @@
     <message>
       <source>The column &apos;%1&apos; is unknown; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La colonne '%1' n’est pas connue ; ses valeurs sont gardées comme un champ à vous.</translation>
+      <translation>La colonne '%1' n’est pas connue ; ses valeurs sont gardées comme un champ personnel.</translation>
     </message>
     <message>
       <source>Not a text file: it contains binary data, which a table never does.</source>
@@ -9041,11 +9036,6 @@
       <translation>« %1 » peut se lire %2 ou %3 ; écrivez l’un des deux.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; enter both.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le contexte %1 a besoin de son site ; indiquez les deux.</translation>
-    </message>
-    <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le lot n'est pas entièrement traité ; laissez la file le traiter, puis examinez ses paires.</translation>
@@ -9373,7 +9363,7 @@
     <message>
       <source>The column &apos;%1&apos; means the same as &apos;%2&apos;; its values are kept as a custom field.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>La colonne &apos;%1&apos; signifie la même chose que &apos;%2&apos; ; ses valeurs sont gardées dans un champ à vous.</translation>
+      <translation>La colonne &apos;%1&apos; signifie la même chose que &apos;%2&apos; ; ses valeurs sont gardées dans un champ personnel.</translation>
     </message>
     <message>
       <source>Check the drawing of %1: %2</source>
@@ -10045,6 +10035,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Seuls les mesures et les jours acceptent &lt; et &gt; ; écrivez %1:value.</translation>
     </message>
+    <message>
+      <source>The filter has no field &apos;%1&apos;; write extra.%1 for a custom field, or enclose the word in quotation marks to search for it literally.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le filtre ne connaît pas de champ &apos;%1&apos; ; écrivez extra.%1 pour un champ personnel, ou mettez le mot entre guillemets pour le chercher tel quel.</translation>
+    </message>
+    <message>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits, and words such as MB II belong in the field for the period.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Écrivez la datation en EDTF, par exemple -0599/-0549~ (de 600 à environ 550 av. J.-C.), -1149? ou 0350/.. ; les années ont quatre chiffres, et les mots comme MB II vont dans le champ de la période.</translation>
+    </message>
+    <message>
+      <source>Enter the context with its site and trench, such as KT26-A-012.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Indiquez le contexte avec son site et sa tranchée, par exemple KT26-A-012.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10143,24 +10148,24 @@
         <translation>Champ de la colonne %1</translation>
     </message>
     <message>
-        <source>own field: %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>champ personnel : %1</translation>
-    </message>
-    <message>
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Unité de la colonne %1</translation>
     </message>
     <message>
-        <source>no field of this name; kept as your own field</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>aucun champ de ce nom ; gardé comme champ personnel</translation>
-    </message>
-    <message>
         <source>skip</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>laisser de côté</translation>
+    </message>
+    <message>
+        <source>custom field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>champ personnel : %1</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a custom field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>aucun champ de ce nom ; gardé comme champ personnel</translation>
     </message>
 </context>
 <context>

@@ -3021,6 +3021,11 @@
         <numerusform>Կանգնեցված է. %n տող մուտքագրված չէ: Մնացածի համար կրկին ներմուծեք աղյուսակը:</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետարկումը չի հանում համատեքստերն ու տոպրակները. ներմուծումից առաջ կատալոգի պահուստային պատճեն է արվում։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -6551,11 +6556,6 @@
       <translation>Սա բեկորի պիտակի միայն մի մասն է. նորից կարդացեք դրա կոդը։</translation>
     </message>
     <message>
-      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Զտիչը '%1' դաշտ չգիտի. բառը դրեք չակերտների մեջ, որ փնտրվի՝ ինչպես կա։</translation>
-    </message>
-    <message>
       <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զտիչն ընթեռնելի տեքստ չէ։</translation>
@@ -7009,11 +7009,6 @@
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օրը գրվում է 2026-07-14 (տարի-ամիս-օր)։</translation>
-    </message>
-    <message>
-      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Թվագրումը գրվում է EDTF-ով, ինչպես -0599/-0549~ (մ. թ. ա. 600-ից մոտ 550), -1149? կամ 0350/..՝ քառանիշ տարիներով։</translation>
     </message>
     <message>
       <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
@@ -9041,11 +9036,6 @@
       <translation>«%1»-ը կարելի է կարդալ %2 կամ %3. գրեք երկուսից մեկը։</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; enter both.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 համատեքստին պետք է իր հուշարձանը. նշեք երկուսն էլ։</translation>
-    </message>
-    <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակը լրիվ մշակված չէ. թողեք, որ հերթը մշակի այն, ապա ստուգեք դրա զույգերը։</translation>
@@ -10045,6 +10035,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միայն չափերն ու օրերն են համեմատվում &lt; և &gt; նշաններով. գրեք %1:value։</translation>
     </message>
+    <message>
+      <source>The filter has no field &apos;%1&apos;; write extra.%1 for a custom field, or enclose the word in quotation marks to search for it literally.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Զտիչը &apos;%1&apos; դաշտ չգիտի. սեփական դաշտի համար գրեք extra.%1 կամ բառը դրեք չակերտների մեջ, որ փնտրվի՝ ինչպես կա։</translation>
+    </message>
+    <message>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits, and words such as MB II belong in the field for the period.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Թվագրումը գրվում է EDTF-ով, ինչպես -0599/-0549~ (մ. թ. ա. 600-ից մոտ 550), -1149? կամ 0350/..՝ քառանիշ տարիներով, իսկ MB II-ի նման բառերը գրվում են շրջանի դաշտում։</translation>
+    </message>
+    <message>
+      <source>Enter the context with its site and trench, such as KT26-A-012.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Գրեք համատեքստը իր հուշարձանի և խրամատի հետ, օրինակ՝ KT26-A-012։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10143,24 +10148,24 @@
         <translation>%1 սյունակի դաշտը</translation>
     </message>
     <message>
-        <source>own field: %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>սեփական դաշտ՝ %1</translation>
-    </message>
-    <message>
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 սյունակի միավորը</translation>
     </message>
     <message>
-        <source>no field of this name; kept as your own field</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>այս անունով դաշտ չկա. պահվում է որպես ձեր սեփական դաշտ</translation>
-    </message>
-    <message>
         <source>skip</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>բաց թողնել</translation>
+    </message>
+    <message>
+        <source>custom field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>սեփական դաշտ՝ %1</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a custom field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>այս անունով դաշտ չկա. պահվում է որպես սեփական դաշտ</translation>
     </message>
 </context>
 <context>

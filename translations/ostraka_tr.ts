@@ -2986,6 +2986,11 @@
         <numerusform>İptal edildi: %n satır içe aktarılmadı. Kalanı için tabloyu yeniden içe aktarın.</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geri alma kontekstleri ve torbaları kapsamaz; içe aktarmadan önce katalog yedeklenir.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::JoinMode</name>
@@ -6507,11 +6512,6 @@
       <translation>Bu, bir parça etiketinin yalnız bir bölümü; kodunu yeniden okutun.</translation>
     </message>
     <message>
-      <source>The filter has no field &apos;%1&apos;; enclose the word in quotation marks to search for it literally.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Süzgeç '%1' alanını bilmiyor; sözcüğü olduğu gibi aramak için tırnak içine alın.</translation>
-    </message>
-    <message>
       <source>The filter is not valid text.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Süzgeç okunabilir bir metin değil.</translation>
@@ -6965,11 +6965,6 @@
       <source>Write the day as 2026-07-14 (year-month-day).</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gün 2026-07-14 gibi yazılır (yıl-ay-gün).</translation>
-    </message>
-    <message>
-      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tarih EDTF ile yazılır: -0599/-0549~ (MÖ 600 – yaklaşık 550), -1149? ya da 0350/.. gibi; yıllar dört hanelidir.</translation>
     </message>
     <message>
       <source>Write the Munsell colour as 10YR 3/1 or N 4/.</source>
@@ -8997,11 +8992,6 @@
       <translation>'%1', %2 ya da %3 diye okunabilir; ikisinden birini yazın.</translation>
     </message>
     <message>
-      <source>The context %1 needs its site; enter both.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 konteksti için alanı da gerekli; ikisini de yazın.</translation>
-    </message>
-    <message>
       <source>The batch is not fully processed; let the queue process it, then review its pairs.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Parti tam işlenmedi; sıranın onu işlemesini bekleyin, sonra eşlerini gözden geçirin.</translation>
@@ -10001,6 +9991,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnız ölçüler ve günler &lt; ve &gt; ile karşılaştırılır; %1:value yazın.</translation>
     </message>
+    <message>
+      <source>The filter has no field &apos;%1&apos;; write extra.%1 for a custom field, or enclose the word in quotation marks to search for it literally.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Süzgeç &apos;%1&apos; alanını bilmiyor; kendi alanınız için extra.%1 yazın ya da sözcüğü olduğu gibi aramak için tırnak içine alın.</translation>
+    </message>
+    <message>
+      <source>Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; years have four digits, and words such as MB II belong in the field for the period.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tarih EDTF ile yazılır: -0599/-0549~ (MÖ 600 – yaklaşık 550), -1149? ya da 0350/.. gibi; yıllar dört hanelidir, MB II gibi sözcükler dönem alanına yazılır.</translation>
+    </message>
+    <message>
+      <source>Enter the context with its site and trench, such as KT26-A-012.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Konteksti alanı ve açmasıyla birlikte yazın, örneğin KT26-A-012.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10098,24 +10103,24 @@
         <translation>%1 sütununun alanı</translation>
     </message>
     <message>
-        <source>own field: %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>kendi alanınız: %1</translation>
-    </message>
-    <message>
         <source>Unit of the column %1</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 sütununun birimi</translation>
     </message>
     <message>
-        <source>no field of this name; kept as your own field</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>bu adda alan yok; kendi alanınız olarak tutulur</translation>
-    </message>
-    <message>
         <source>skip</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>atla</translation>
+    </message>
+    <message>
+        <source>custom field: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>kendi alanınız: %1</translation>
+    </message>
+    <message>
+        <source>no field of this name; kept as a custom field</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>bu adda alan yok; kendi alanınız olarak tutulur</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,10 @@
 #include "catalogue/search.h"
 
+#include <algorithm>
+#include <cctype>
+
+#include "store/names.h"
+
 namespace ostraka::catalogue {
 
 std::string searched(std::string word) {
@@ -7,6 +12,30 @@ std::string searched(std::string word) {
     for (std::size_t at; (at = word.find(other)) != std::string::npos;)
       word.replace(at, other.size(), "i");
   return word;
+}
+
+std::string searchKey(const std::string& word) {
+  return store::uniqueKey(searched(word));
+}
+
+bool isShort(const std::string& word) {
+  return std::count_if(word.begin(), word.end(),
+                       [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }) < 3;
+}
+
+bool hasWord(const std::string& text, const std::string& word) {
+  const std::string in = searchKey(text), sought = searchKey(word);
+  const bool whole =
+      isShort(sought) || sought.find_first_not_of("0123456789.,") == std::string::npos;
+  const auto isLetter = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) > 127;
+  };
+  for (std::size_t at = in.find(sought); at != std::string::npos; at = in.find(sought, at + 1)) {
+    const std::size_t end = at + sought.size();
+    if (!whole || ((at == 0 || !isLetter(in[at - 1])) && (end == in.size() || !isLetter(in[end]))))
+      return true;
+  }
+  return false;
 }
 
 void searchAnew(store::Database& database, store::SherdRow sherd) {

@@ -294,9 +294,7 @@ class Exporting {
 
   void tables(const std::vector<records::SherdRecord>& sherds,
               std::span<const store::SherdRow> rows) {
-    std::set<store::ContextRow> contexts;
-    for (const records::SherdRecord& sherd : sherds)
-      if (sherd.context) contexts.insert(sherd.context);
+    const std::set<store::ContextRow> contexts = metadata::contextsOf(catalogue_, sherds);
     const std::vector<store::ContextRow> list(contexts.begin(), contexts.end());
     const auto put = [&](const char* name, Result<std::string> bytes) {
       valueOrThrow(bag_.add(name, valueOrThrow(std::move(bytes))));

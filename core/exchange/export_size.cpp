@@ -250,9 +250,7 @@ class Sizing {
     for (const store::SherdRow row : some)
       for (const metadata::SherdFile& file : of_sherds_[row])
         named[row][file.role + "_file"] = file.path;
-    std::set<store::ContextRow> contexts;
-    for (const records::SherdRecord& sherd : sherds_)
-      if (sherd.context) contexts.insert(sherd.context);
+    const std::set<store::ContextRow> contexts = metadata::contextsOf(catalogue_, sherds_);
     const std::vector<store::ContextRow> places(contexts.begin(), contexts.end());
     if (options_.forms.contains(Form::Csv)) {
       add("sherds.csv",

@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kNone = "-";  // what is kept of an empty value
 
-// What the project says of it now: of a field, a measurement, or a field of the user's own.
+// What the project says of it now: of a field, a measurement, or a custom field.
 std::string valueNow(const records::SherdRecord& sherd, const std::string& name) {
   if (const auto value = sherd.measures.find(name); value != sherd.measures.end())
     return store::numberText(value->second);
@@ -26,7 +26,7 @@ bool isOurs(const records::SherdRecord& sherd, const std::string& name, const st
   return false;
 }
 
-// Fields of the user's own that the record has, and the project otherwise or not at all. Those that
+// Custom fields that the record has, and the project otherwise or not at all. Those that
 // only the project has are no difference: they stay, and nothing of the record is left out.
 std::vector<std::pair<std::string, std::string>> ownThatDiffer(const records::SherdRecord& sherd,
                                                                const tables::ImportRow& row,

@@ -13,7 +13,7 @@ namespace ostraka::exchange {
 bool sameAs(const records::SherdRecord& sherd, const tables::ImportRow& row,
             const std::string& from, const catalogue::Catalogue& catalogue);
 
-/// What a record says otherwise than the project does, as fields of the user's own beside those of
+/// What a record says otherwise than the project does, as custom fields beside those of
 /// the project: two laptops wrote about one sherd, and a person decides.
 std::vector<records::FieldChange> otherVersion(const records::SherdRecord& sherd,
                                                const tables::ImportRow& row,

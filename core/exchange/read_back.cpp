@@ -13,11 +13,11 @@
 #include "files/checksum.h"
 #include "files/folder_lock.h"
 #include "metadata/metadata.h"
+#include "metadata/restored_rows.h"
 #include "metadata/sherd_json.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/measurements.h"
-#include "sherds/restore.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherds.h"
 #include "store/database.h"
@@ -314,7 +314,7 @@ class ReadingBack {
       if (scan.side == batch::Side::Front && scan.name == record.front) front = scan.row;
       if (scan.side == batch::Side::Back && scan.name == record.back) back = scan.row;
     }
-    if (front) valueOrThrow(sherds::restoreScans(catalogue, row, front, back));
+    if (front) valueOrThrow(metadata::restoreScans(catalogue, row, front, back));
   }
 
   upkeep::Project& project_;

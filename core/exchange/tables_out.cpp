@@ -93,15 +93,19 @@ void writeMeanings(TableWriter& table, const std::string& heading) {
   }
 }
 
+void addCustomFields(const std::string& extra_json, std::set<std::string>& names) {
+  if (extra_json == "{}") return;
+  const nlohmann::json extra = jsonOrDiscarded(extra_json);
+  if (extra.is_object())
+    for (const auto& [key, value] : extra.items()) names.insert(key);
+}
+
 void writeSherds(const Catalogue& catalogue, std::span<const store::SherdRow> rows,
                  const FilesOfSherds& files, TableWriter& table) {
   const std::string licence = valueOrThrow(Settings(catalogue).project()).licence;
-  std::set<std::string> own;  // fields of the user's own, of any of the sherds
+  std::set<std::string> custom;  // fields of any of the sherds
   eachSherd(catalogue, rows, [&](const records::SherdRecord& sherd, const auto&) {
-    if (sherd.extra_json == "{}") return;
-    const nlohmann::json extra = jsonOrDiscarded(sherd.extra_json);
-    if (extra.is_object())
-      for (const auto& [key, value] : extra.items()) own.insert(key);
+    addCustomFields(sherd.extra_json, custom);
   });
   std::vector<tables::OdsSheet::Column> columns;
   for (const records::SherdField& field : sherds::sherdFields())
@@ -110,7 +114,7 @@ void writeSherds(const Catalogue& catalogue, std::span<const store::SherdRow> ro
   for (const char* column : kCentreColumns) columns.push_back({column, true});
   for (const char* column : kFileColumns) columns.push_back({column});
   columns.push_back({"licence"});
-  for (const std::string& key : own) columns.push_back({"extra." + key});
+  for (const std::string& key : custom) columns.push_back({"extra." + key});
   table.begin(columns);
   eachSherd(catalogue, rows,
             [&](const records::SherdRecord& sherd, const std::set<std::string>& by_hand) {
@@ -138,33 +142,50 @@ void writeSherds(const Catalogue& catalogue, std::span<const store::SherdRow> ro
               for (const char* column : kCentreColumns) add(column);
               for (const char* column : kFileColumns) add(column);
               values.push_back(licence);
-              for (const std::string& key : own)
-                values.push_back(sherds::textOf(sherd, "extra." + key));
+              for (const std::string& key : custom)
+                values.push_back(sherds::customText(sherd.extra_json, key));
               writeRow(table, columns, values, name);
             });
 }
 
 void writeContexts(const Catalogue& catalogue, std::span<const store::ContextRow> rows,
                    TableWriter& table) {
-  const std::vector<tables::OdsSheet::Column> columns = {
+  std::vector<records::ContextRecord> contexts;
+  std::set<std::string> custom;
+  for (const store::ContextRow& row : rows) {
+    contexts.push_back(valueOrThrow(Places(catalogue).context(row)));
+    addCustomFields(contexts.back().extra_json, custom);
+  }
+  std::vector<tables::OdsSheet::Column> columns = {
       {"site"},           {"trench"}, {"context"},      {"kind"},
       {"excavated_on"},   {"period"}, {"date_edtf"},    {"closed"},
       {"note"},           {"bag"},    {"collected_on"}, {"count_written", true},
       {"weight_g", true}, {"storage"}};
+  for (const std::string& key : custom) columns.push_back({"extra." + key});
   table.begin(columns);
-  for (const store::ContextRow& row : rows) {
-    const records::ContextRecord c = valueOrThrow(Places(catalogue).context(row));
-    std::vector<records::BagRecord> bags = valueOrThrow(Places(catalogue).bags(row));
+  for (const records::ContextRecord& c : contexts) {
+    std::vector<records::BagRecord> bags = valueOrThrow(Places(catalogue).bags(c.row));
     if (bags.empty()) bags.emplace_back();
     for (const records::BagRecord& bag : bags) {
       if (bag.weight_g && !std::isfinite(*bag.weight_g))
         refuseCell(store::parsedNumber(store::numberText(*bag.weight_g)).error(), c.number,
                    "weight_g");
-      writeRow(table, columns,
-               {c.site_code, c.trench_code, c.number, c.kind, c.excavated_on, c.period, c.date_edtf,
-                c.closed ? "yes" : "no", c.note, bag.number, bag.collected_on,
-                optionalText(bag.count_written), optionalText(bag.weight_g), bag.storage},
-               c.number);
+      std::vector<std::string> values = {c.site_code,
+                                         c.trench_code,
+                                         c.number,
+                                         c.kind,
+                                         c.excavated_on,
+                                         c.period,
+                                         c.date_edtf,
+                                         c.closedWord(),
+                                         c.note,
+                                         bag.number,
+                                         bag.collected_on,
+                                         optionalText(bag.count_written),
+                                         optionalText(bag.weight_g),
+                                         bag.storage};
+      for (const std::string& key : custom) values.push_back(sherds::customText(c.extra_json, key));
+      writeRow(table, columns, values, c.number);
     }
   }
 }

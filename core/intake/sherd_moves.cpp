@@ -1,10 +1,14 @@
 // What a sherd leaves behind that is moved to another context.
 #include "intake/sherd_moves.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "catalogue/places.h"
+#include "catalogue/typed_place.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/sherd_columns.h"
@@ -15,36 +19,93 @@
 namespace ostraka::intake {
 namespace {
 
+constexpr std::pair<const char*, std::string records::SherdRecord::*> kParts[] = {
+    {"site", &records::SherdRecord::site},
+    {"trench", &records::SherdRecord::trench},
+    {"context", &records::SherdRecord::context_number},
+    {"bag", &records::SherdRecord::bag_number}};
+
 class Mover {
  public:
   explicit Mover(const catalogue::Catalogue& catalogue) : catalogue_(catalogue) {}
 
   void move(const records::SherdRecord& sherd, std::span<const records::FieldChange> wanted) {
+    const auto first = static_cast<std::ptrdiff_t>(move_.changes.size());
     move_.changes.insert(move_.changes.end(), wanted.begin(), wanted.end());
     records::SherdRecord moved = sherd;
-    bool bag_named = false;
-    for (const records::FieldChange& change : wanted) {
-      if (change.field == "site") moved.site = change.value;
-      if (change.field == "trench") moved.trench = change.value;
-      if (change.field == "context") moved.context_number = change.value;
-      if (change.field == "bag") moved.bag_number = change.value;
-      bag_named |= change.field == "bag";
-    }
+    std::set<std::string> named;
+    for (const records::FieldChange& change : wanted)
+      for (const auto& [field, part] : kParts)
+        if (change.field == field) {
+          moved.*part = store::trimmed(change.value);
+          named.insert(field);
+        }
+    byItsWholeName(sherd, moved, named);
     moved.context = contextOf(moved);
-    const bool refused = !moved.context && (!store::trimmed(moved.context_number).empty() ||
-                                            sherd.state == records::SherdState::Numbered);
-    if (refused || moved.context == sherd.context) return;
-    if (!bag_named && !sherd.bag_number.empty()) {
+    const bool leaves = !moved.context && moved.context_number.empty() && sherd.context &&
+                        sherd.state != records::SherdState::Numbered && !named.contains("site") &&
+                        !named.contains("trench");
+    if (!moved.context && !leaves) return;
+    if (leaves) moved.site = moved.trench = {};
+    const bool moves = moved.context != sherd.context;
+    if (moves && !named.contains("bag") && !sherd.bag_number.empty()) {
       moved.bag_number.clear();
-      move_.changes.push_back({sherd.row, "bag", {}});
       ++move_.without_bag;
       move_.bags.insert(sherd.bag_number);
     }
-    if (moved.context && namesOnly(sherd, moved)) move_.numbers.push_back(sherd.number);
+    for (const auto& [field, part] : kParts) {
+      const auto change =
+          std::find_if(move_.changes.begin() + first, move_.changes.end(),
+                       [&](const records::FieldChange& one) { return one.field == field; });
+      if (change != move_.changes.end())
+        change->value = moved.*part;
+      else if (moved.*part != sherd.*part)
+        move_.changes.push_back({sherd.row, field, moved.*part});
+    }
+    if (moves && moved.context && namesOnly(sherd, moved)) move_.numbers.push_back(sherd.number);
   }
   Move take() { return std::move(move_); }
 
  private:
+  // KT26-A-012 typed as the context, KT26-A-012-4 typed as the bag, 012 for a sherd without a
+  // place: all codes come from it.
+  void byItsWholeName(const records::SherdRecord& sherd, records::SherdRecord& moved,
+                      std::set<std::string>& named) {
+    records::SherdRecord below = moved;
+    const store::ContextRow context = contextOf(below);
+    std::optional<catalogue::BagPlace> place;
+    if (named.contains("context") && !context && !moved.context_number.empty()) {
+      place = typed(moved.context_number, catalogue::Named::Context);
+      if (!place) place = typed(moved.context_number, catalogue::Named::Bag);
+      if (!place && moved.site.empty() && !sherd.context) place = theOnly(moved.context_number);
+    } else if (named.contains("bag") && !moved.bag_number.empty() &&
+               !(context &&
+                 store::valueOrThrow(
+                     catalogue::Places(catalogue_).bagByNumber(context, moved.bag_number)))) {
+      place = typed(moved.bag_number, catalogue::Named::Bag);
+    }
+    if (!place) return;
+    moved.site = place->site;
+    moved.trench = place->trench;
+    moved.context_number = place->context;
+    if (place->bag.empty()) return;
+    moved.bag_number = place->bag;
+    named.insert("bag");
+  }
+
+  std::optional<catalogue::BagPlace> typed(const std::string& text, catalogue::Named what) {
+    const auto [known, fresh] = typed_.try_emplace({text, what});
+    if (fresh) known->second = store::valueOrThrow(catalogue::typedPlace(catalogue_, text, what));
+    return known->second;
+  }
+
+  std::optional<catalogue::BagPlace> theOnly(const std::string& number) {
+    const auto row = store::valueOrThrow(catalogue::onlyContext(catalogue_, number));
+    if (!row) return {};
+    const auto context = store::valueOrThrow(catalogue::Places(catalogue_).context(row));
+    return catalogue::BagPlace{context.site_code, context.trench_code, context.number, {}};
+  }
+
   // With its codes as the catalogue writes them; none: there is no such context.
   store::ContextRow contextOf(records::SherdRecord& place) {
     const std::string context = store::trimmed(place.context_number);
@@ -61,9 +122,10 @@ class Mover {
                                 : records::ContextRecord())
               .first;
     }
+    if (!known->second.row) return {};
     place.site = known->second.site_code;
     place.trench = known->second.trench_code;
-    place.context_number = known->second.row ? known->second.number : context;
+    place.context_number = known->second.number;
     return known->second.row;
   }
 
@@ -77,6 +139,7 @@ class Mover {
 
   const catalogue::Catalogue& catalogue_;
   std::map<std::array<std::string, 3>, records::ContextRecord> contexts_;
+  std::map<std::pair<std::string, catalogue::Named>, std::optional<catalogue::BagPlace>> typed_;
   Move move_;
 };
 

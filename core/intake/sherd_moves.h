@@ -12,16 +12,19 @@ namespace ostraka::intake {
 
 /// Changes of sherds' places, and what the sherds leave behind by them.
 struct Move {
-  std::vector<records::FieldChange>
-      changes;                       ///< those that were wanted, and bags emptied; by sherds
+  /// Those that were wanted, and what comes along of site, trench, context and bag; by sherds.
+  std::vector<records::FieldChange> changes;
   int without_bag = 0;               ///< sherds whose bag is emptied
   std::set<std::string> bags;        ///< these; they stay in the old contexts
   std::vector<std::string> numbers;  ///< that name the old place by the project's scheme
 };
 
-/// A sherd that gets another context leaves its bag, unless `wanted` names one: a bag belongs to
-/// one context. wanted: all changes of a sherd beside each other. What change() would refuse stays
-/// as it is and leaves nothing behind.
+/// A context or bag is looked up below the codes that the sherd has; its whole name, as labels
+/// print it (ARM1-T3-0012, ARM1 T3 0012 4), leads to it from everywhere, and so does the number of
+/// a context alone for a sherd without a place, where only one context has it. A sherd that gets
+/// another context leaves its bag, unless `wanted` names one: a bag belongs to one context. wanted:
+/// all changes of a sherd beside each other. What change() would refuse stays as it is and leaves
+/// nothing behind.
 Result<Move> moveOf(const catalogue::Catalogue& catalogue,
                     std::span<const records::FieldChange> wanted);
 

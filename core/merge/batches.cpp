@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 // "de: Rand, fr: bord"
 std::string labelsIn(const std::string& json) {
   std::vector<std::string> labels;
-  for (const auto& [language, label] : ownFields(json))
+  for (const auto& [language, label] : customFields(json))
     labels.push_back(language + ": " + textOf(label));
   return joined(labels, ", ");
 }

@@ -235,7 +235,7 @@ void Merging::mergeRow(const Table& table, const Row& mine, const Row& theirs) {
       computed_in_b_.insert(wanted[table.column("batch")].value_or(""));
   }
   if (!changes.empty()) write(table, mine.row, changes);
-  mergeOwnFields(table, mine, wanted);
+  mergeCustomFields(table, mine, wanted);
 }
 
 Said Merging::saidOf(const Table& table, const Unit& unit, const Row& mine,
@@ -269,12 +269,12 @@ std::string Merging::told(const Table& table, std::size_t column, const Value& v
   return stored(table, column, value).value_or("");
 }
 
-void Merging::mergeOwnFields(const Table& table, const Row& mine, const Values& theirs) {
+void Merging::mergeCustomFields(const Table& table, const Row& mine, const Values& theirs) {
   const std::size_t column = table.column("extra");
   if (column == table.columns.size() || mine.values[column] == theirs[column]) return;
   std::map<std::string, std::string> a, b;
-  for (auto& [name, value] : ownFields(mine.values[column])) a[name] = value;
-  for (auto& [name, value] : ownFields(theirs[column])) b[name] = value;
+  for (auto& [name, value] : customFields(mine.values[column])) a[name] = value;
+  for (auto& [name, value] : customFields(theirs[column])) b[name] = value;
   std::map<std::string, std::string> merged = a;
   for (const auto& [name, value] : b) merged.emplace(name, "");
   for (auto& [name, value] : merged) {
@@ -299,7 +299,7 @@ void Merging::mergeOwnFields(const Table& table, const Row& mine, const Values& 
   }
   std::erase_if(merged, [](const auto& field) { return field.second.empty(); });
   if (merged == a) return;
-  write(table, mine.row, {{column, ownFieldsJson({merged.begin(), merged.end()})}});
+  write(table, mine.row, {{column, customFieldsJson({merged.begin(), merged.end()})}});
 }
 
 void Merging::insertRow(const Table& table, const Row& theirs, const Values& given) {

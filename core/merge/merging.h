@@ -41,7 +41,7 @@ class Merging {
   bool sameUnderAnotherId(const Table& a, const Row& mine, const Table& b, const Row& theirs,
                           const Values& values);
   void mergeRow(const Table& table, const Row& mine, const Row& theirs);
-  void mergeOwnFields(const Table& table, const Row& mine, const Values& theirs);
+  void mergeCustomFields(const Table& table, const Row& mine, const Values& theirs);
   void insertRow(const Table& table, const Row& theirs, const Values& values);
   bool claimName(const Table& table, const Values& values);
   void write(const Table& table, std::int64_t row,

@@ -90,7 +90,7 @@ std::vector<Unit> unitsOf(const Table& table) {
   return units;
 }
 
-std::vector<std::pair<std::string, std::string>> ownFields(const Value& extra) {
+std::vector<std::pair<std::string, std::string>> customFields(const Value& extra) {
   std::vector<std::pair<std::string, std::string>> fields;
   const nlohmann::json json = jsonOrDiscarded(extra.value_or("{}"));
   if (!json.is_object()) return fields;
@@ -103,7 +103,7 @@ std::string textOf(const std::string& json) {
   return parsed.is_string() ? parsed.get<std::string>() : json;
 }
 
-std::string ownFieldsJson(const std::vector<std::pair<std::string, std::string>>& fields) {
+std::string customFieldsJson(const std::vector<std::pair<std::string, std::string>>& fields) {
   nlohmann::json json = nlohmann::json::object();
   for (const auto& [name, value] : fields) json[name] = jsonOrDiscarded(value);
   return json.dump();

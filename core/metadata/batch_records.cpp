@@ -9,11 +9,11 @@
 #include "files/json.h"
 #include "files/json_numbers.h"
 #include "metadata/json_fields.h"
+#include "metadata/restored_rows.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "records/words.h"
 #include "sherds/pair_decisions.h"
-#include "sherds/restore.h"
 #include "store/database.h"
 #include "tables/import_places.h"
 
@@ -73,7 +73,7 @@ class Writing {
     put(one, "program", b.program);
     put(one, "settings_sha256", b.settings_sha256);
     put(one, "note", b.note);
-    ids_ = valueOrThrow(sherds::idsOf(catalogue_, row));
+    ids_ = valueOrThrow(idsOf(catalogue_, row));
     photographs(b, one);
     scans(b, one);
     decisions(b, one);
@@ -140,7 +140,7 @@ class Writing {
   }
 
   void pieces(const records::BatchRecord& b, ordered_json& one) {
-    for (const sherds::PieceRow& d : valueOrThrow(sherds::pieceRows(catalogue_, b.row))) {
+    for (const PieceRow& d : valueOrThrow(pieceRows(catalogue_, b.row))) {
       ordered_json out = {
           {"id", d.id}, {"at_ms", d.at_ms}, {"side", d.side}, {"verdict", d.verdict}};
       put(out, "decision", d.decision);
@@ -172,7 +172,7 @@ class Writing {
   std::map<std::string, const archive::BagFile*> exported_;  ///< by their paths in the bag
   std::map<store::PersonRow, std::string> persons_;
   std::map<store::BagRow, std::string> bag_ids_;
-  sherds::BatchIds ids_;  ///< of the present batch
+  BatchIds ids_;  ///< of the present batch
 };
 
 class Entering {
@@ -220,13 +220,12 @@ class Entering {
     for (const json& s : listOf(b, "scans")) scan(s, added);
     for (const json& d : listOf(b, "decisions")) decision(d, added);
     for (const json& d : listOf(b, "piece_decisions")) {
-      const sherds::PieceRow piece{
-          text(d, "id"),      text(d, "decision"),
-          text(d, "by"),      text(d, "side"),
-          text(d, "verdict"), text(d, "pieces"),
-          text(d, "cut_mm"),  text(d, "replaces"),
-          text(d, "note"),    wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX)};
-      valueOrThrow(sherds::restorePieceRow(catalogue_, added, {row(d, "by")}, piece));
+      const PieceRow piece{text(d, "id"),      text(d, "decision"),
+                           text(d, "by"),      text(d, "side"),
+                           text(d, "verdict"), text(d, "pieces"),
+                           text(d, "cut_mm"),  text(d, "replaces"),
+                           text(d, "note"),    wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX)};
+      valueOrThrow(restorePieceRow(catalogue_, added, {row(d, "by")}, piece));
     }
     for (const json& f : listOf(b, "files")) file(f, added);
   }
@@ -265,7 +264,7 @@ class Entering {
     take(p, "sharpness", photograph.sharpness);
     photograph.used = p.value("used", true);
     photograph.reason = text(p, "reason");
-    valueOrThrow(sherds::restorePhotograph(catalogue_, photograph, text(p, "id"), provenance_));
+    valueOrThrow(restorePhotograph(catalogue_, photograph, text(p, "id"), provenance_));
   }
 
   void scan(const json& s, store::BatchRow batch) {
@@ -281,7 +280,7 @@ class Entering {
     take(s, "plate_y_mm", scan.plate_y_mm);
     scan.state = records::fromWord<records::ScanState>(text(s, "state"));
     own_[text(s, "id")] =
-        valueOrThrow(sherds::restoreScan(catalogue_, scan, text(s, "id"), provenance_)).value;
+        valueOrThrow(restoreScan(catalogue_, scan, text(s, "id"), provenance_)).value;
   }
 
   void decision(const json& d, store::BatchRow batch) {

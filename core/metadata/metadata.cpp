@@ -16,6 +16,8 @@
 #include "metadata/vocabularies.h"
 #include "records/records.h"
 #include "records/sherd.h"
+#include "sherds/filter.h"
+#include "sherds/sherds.h"
 #include "store/database.h"
 #include "store/names.h"
 
@@ -180,7 +182,7 @@ ordered_json contextJson(const records::ContextRecord& c, const std::string& sit
   put(one, "period", c.period);
   put(one, "date_edtf", c.date_edtf);
   put(one, "note", c.note);
-  one["closed"] = c.closed;
+  if (c.closed) one["closed"] = *c.closed;
   if (const auto own = orderedJsonOrDiscarded(c.extra_json); own.is_object() && !own.empty())
     one["extra"] = own;
   return one;
@@ -270,7 +272,7 @@ class Reading {
       context.period = text(c, "period");
       context.date_edtf = text(c, "date_edtf");
       context.note = text(c, "note");
-      context.closed = c.value("closed", false);
+      if (c.contains("closed")) context.closed = c.at("closed").get<bool>();
       if (c.contains("extra")) context.extra_json = c.at("extra").dump();
       add(context);
     }
@@ -351,17 +353,26 @@ json jsonOf(const archive::BagReader& bag, const std::string& path) {
 
 }  // namespace
 
+std::set<store::ContextRow> contextsOf(const Catalogue& catalogue,
+                                       const std::vector<records::SherdRecord>& sherds) {
+  std::set<store::ContextRow> contexts;
+  for (const records::SherdRecord& sherd : sherds)
+    if (sherd.context) contexts.insert(sherd.context);
+  if (sherds.size() >= valueOrThrow(sherds::Sherds(catalogue).rows(sherds::Filter{}, {})).size())
+    for (const records::ContextRecord& context : valueOrThrow(Places(catalogue).contexts()))
+      contexts.insert(context.row);
+  return contexts;
+}
+
 Result<std::vector<MetadataFile>> metadataOf(const Catalogue& catalogue,
                                              const std::vector<records::SherdRecord>& sherds,
                                              const records::ProjectRecord& project,
                                              const std::string& program, const Content& exported) {
-  std::set<store::ContextRow> contexts;
   std::set<store::BatchRow> batches;
-  for (const records::SherdRecord& sherd : sherds) {
-    if (sherd.context) contexts.insert(sherd.context);
+  for (const records::SherdRecord& sherd : sherds)
     if (sherd.batch) batches.insert(sherd.batch);
-  }
   return catalogue.database().asResult([&] {
+    std::set<store::ContextRow> contexts = contextsOf(catalogue, sherds);
     // And of the bags that the batches were made of, wherever their sherds are now.
     const auto bags = valueOrThrow(Places(catalogue).bags());
     for (const store::BatchRow row : batches) {

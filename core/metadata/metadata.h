@@ -1,4 +1,5 @@
 #pragma once
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,11 @@
 #include "records/sherd.h"
 
 namespace ostraka::metadata {
+
+/// The contexts that an export of these sherds tells of: theirs, and where these are all sherds of
+/// the project, those in which none was found, too. Throws Refused.
+std::set<store::ContextRow> contextsOf(const catalogue::Catalogue& catalogue,
+                                       const std::vector<records::SherdRecord>& sherds);
 
 struct MetadataFile {
   std::string path, text;

@@ -26,7 +26,7 @@ struct ReadSherdJson {
   std::vector<SherdFile> files;
   std::string front, back;  ///< names of the scans that it was made from
 };
-/// Unknown keys survive as the user's own fields. Errors: another format, a value of a wrong type.
+/// Unknown keys survive as custom fields. Errors: another format, a value of a wrong type.
 Result<ReadSherdJson> parseSherdJson(std::string_view text, const std::string& where);
 
 }  // namespace ostraka::metadata

@@ -52,8 +52,10 @@ struct ContextRecord {
   store::TrenchRow trench;  ///< none: directly in the site
   std::string id, number;   ///< a text: 0012 and 12 differ
   std::string kind, excavated_on, period, date_edtf, note;
-  bool closed = false;
-  std::string site_code, trench_code, extra_json = "{}";  ///< codes read only; own fields
+  std::optional<bool> closed;                             ///< none: nobody said
+  std::string site_code, trench_code, extra_json = "{}";  ///< codes read only; custom fields
+  /// As in tables: yes, no, or empty.
+  const char* closedWord() const { return !closed ? "" : *closed ? "yes" : "no"; }
 };
 
 struct BagRecord {

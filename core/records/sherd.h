@@ -27,7 +27,7 @@ struct SherdRecord {
   std::string ware, fabric, inclusions, manufacture, firing, surface_out, surface_in;
   std::string munsell_out, munsell_in, munsell_core, period, date_edtf, vessel, note;
   std::vector<store::SherdRow> joins;  ///< sherds that it joins; goes both ways
-  std::string extra_json = "{}";       ///< the user's own fields
+  std::string extra_json = "{}";       ///< custom fields
   int revision = 0;
   // read only, from the tables beside it
   std::vector<std::string> join_numbers;  ///< of joins; the id of a sherd without a number

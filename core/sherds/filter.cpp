@@ -16,7 +16,7 @@ struct Piece {
   std::string text;             ///< as typed
   std::string plain;            ///< without the quotes
   std::size_t operator_at = 0;  ///< of the first : < > = outside quotes, npos when there is none
-  bool quoted = false;
+  bool value_quoted = false;    ///< quotes behind it
 };
 
 Result<std::vector<Piece>> pieces(std::string_view line) {
@@ -33,7 +33,7 @@ Result<std::vector<Piece>> pieces(std::string_view line) {
       piece.text += line[i];
       if (line[i] == '"') {
         inside = !inside;
-        piece.quoted = true;
+        piece.value_quoted |= piece.operator_at != std::string::npos;
         continue;
       }
       const bool is_operator = std::string_view(":<>=").find(line[i]) != std::string_view::npos;
@@ -83,6 +83,21 @@ Result<Condition> conditionOfLabel(const std::string& code) {
   return condition;
 }
 
+// extra.NAME, or a name in quotation marks; empty: no such name.
+std::string customField(const std::string& name, const std::string& typed) {
+  if (name.starts_with("extra.")) return name;
+  return typed.starts_with('"') || typed.starts_with("-\"") ? "extra." + name : std::string();
+}
+
+// A text that may hold several words.
+bool isFreeText(const SherdColumn& column) {
+  using K = records::FieldKind;
+  const K kind = column.field.kind;
+  return column.text && column.field.editable &&
+         (kind == K::Text || kind == K::Munsell || kind == K::Edtf) &&
+         column.field.name != std::string_view("number");
+}
+
 Result<Condition> conditionOf(Piece piece) {
   Condition condition;
   condition.text = piece.text;
@@ -108,26 +123,30 @@ Result<Condition> conditionOf(Piece piece) {
     return label;
   }
   const SherdColumn* column = sherdColumn(name);
-  if (!column)
-    return Error::unusable(message("The filter has no field '%1'; enclose the word in quotation "
-                                   "marks to search for it literally.",
+  condition.field = column ? column->field.name : customField(name, piece.text);
+  if (condition.field.empty())
+    return Error::unusable(message("The filter has no field '%1'; write extra.%1 for a custom "
+                                   "field, or enclose the word in quotation marks to search for it "
+                                   "literally.",
                                    name),
                            piece.text);
-  condition.field = column->field.name;
-  const bool is_day = column->field.kind == records::FieldKind::Day;
-  if (isComparison(condition.is) && !column->measure && !is_day)
+  const bool measure = column && column->measure;
+  const bool is_day = column && column->field.kind == records::FieldKind::Day;
+  if (isComparison(condition.is) && !measure && !is_day)
     return Error::unusable(
         message("Only measurements and days accept < and >; write %1:value.", name), piece.text);
   if (condition.is == Condition::Is::Equal && condition.value == "*")
     condition.is = Condition::Is::NotEmpty;
   else if (condition.is == Condition::Is::Equal && condition.value.empty())
     condition.is = Condition::Is::Empty;
-  else if (column->measure) {
+  else if (measure) {
     if (const Result<double> number = store::parsedNumber(condition.value); !number)
       return Error::unusable(number.error().what, piece.text);
   } else if (is_day) {
     if (const Result<std::string> day = store::checkedDay(firstDay(condition.value)); !day)
       return Error::unusable(day.error().what, piece.text);
+  } else if (!piece.value_quoted && (!column || isFreeText(*column))) {
+    condition.is = Condition::Is::Contains;
   }
   return condition;
 }

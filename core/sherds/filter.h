@@ -14,9 +14,9 @@ namespace ostraka::sherds {
 
 /// One condition of the filter line; all of a filter must hold.
 struct Condition {
-  enum class Is { Word, Equal, Less, LessEqual, Greater, GreaterEqual, Empty, NotEmpty };
+  enum class Is { Word, Contains, Equal, Less, LessEqual, Greater, GreaterEqual, Empty, NotEmpty };
   Is is = Is::Word;
-  /// Of filterFields(), or what a label says.
+  /// Of filterFields(), extra.NAME in small letters, or what a label says.
   std::string field;
   std::string value;
   bool negated = false;  ///< -word, -part:lid
@@ -24,8 +24,10 @@ struct Condition {
 };
 
 /// `rim T3 thickness>6 -burnt ware:grey surface_out:"" note:*`: words are looked for in all texts,
-/// short ones (below three letters) as whole place or term; name:value is equality, name:* any
-/// value, name:"" none; < <= > >= compare numbers (12,5 and 12.5 mean the same) and days, months or
+/// short ones (below three letters) as whole place or term; name:word is a text that has the word
+/// in it (numbers and short words only whole), another field that equals it; name:"value" equality,
+/// name:* any value, name:"" none; extra.NAME:word or "Its name":word a custom field; < <= > >=
+/// compare numbers (12,5 and 12.5 mean the same) and days, months or
 /// years: entered>=2026-07-01 excavated:2025. The code of a sherd's label finds the sherd that
 /// carries it, though its number is another by now.
 struct Filter {

@@ -25,12 +25,6 @@ struct Query {
   }
 };
 
-std::size_t letters(const std::string& text) {
-  std::size_t count = 0;
-  for (const char c : text) count += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  return count;
-}
-
 // Site, trench and context are found through the context, which few rows share.
 std::string inContext(const std::string& condition) {
   return "s.context IN (SELECT context.row FROM context JOIN site ON site.row = context.site LEFT "
@@ -41,15 +35,14 @@ std::string inContext(const std::string& condition) {
 // The terms that are meant, as they are spelled in the vocabularies and so at the sherds: capitals
 // make no difference, and a label in another language will do.
 std::vector<std::string> termsCalled(Query& query, const std::string& word) {
-  const std::string key = store::uniqueKey(catalogue::searched(word));
+  const std::string key = catalogue::searchKey(word);
   std::vector<std::string> terms;
   store::Statement rows = query.database.sql("SELECT term, labels FROM vocabulary");
   for (std::string term, labels; rows.read(term, labels);) {
-    bool meant = store::uniqueKey(catalogue::searched(term)) == key;
+    bool meant = catalogue::searchKey(term) == key;
     const nlohmann::json names = jsonOrDiscarded(labels);
     for (const nlohmann::json& name : names)
-      meant |=
-          name.is_string() && store::uniqueKey(catalogue::searched(name.get<std::string>())) == key;
+      meant |= name.is_string() && catalogue::searchKey(name.get<std::string>()) == key;
     if (meant) terms.push_back(term);
   }
   return terms;
@@ -62,7 +55,7 @@ std::string isTerm(Query& query, const std::string& word) {
 }
 
 std::string wordSql(Query& query, const std::string& word) {
-  if (letters(word) >= 3) {
+  if (!catalogue::isShort(word)) {
     std::string quoted = "\"";
     for (const char c : catalogue::searched(word)) {
       quoted += c;
@@ -84,6 +77,25 @@ std::string wordSql(Query& query, const std::string& word) {
          inContext("site.code_key = " + key + " OR trench.code_key = " + key +
                    " OR context.number_key = " + key) +
          " OR s.bag IN (SELECT row FROM bag WHERE number_key = " + key + "))";
+}
+
+// Of a text field and of custom ones; SQLite itself folds ASCII letters alone.
+std::string textSql(Query& query, const SherdColumn* column, const Condition& condition) {
+  using Is = Condition::Is;
+  std::vector<store::SherdRow> rows;
+  store::Statement texts = query.database.sql(
+      column ? std::string("SELECT s.row, '', ") + column->sql + " FROM sherd s"
+             : "SELECT s.row, 'extra.' || e.key, ifnull(e.value, '') FROM sherd s, "
+               "json_each(s.extra) e WHERE json_type(s.extra) = 'object'");
+  store::SherdRow row;
+  for (std::string field, text; texts.read(row, field, text);)
+    if (!text.empty() && (column || store::uniqueKey(field) == condition.field) &&
+        (condition.is != Is::Contains || catalogue::hasWord(text, condition.value)) &&
+        (condition.is != Is::Equal ||
+         catalogue::searchKey(text) == catalogue::searchKey(condition.value)))
+      rows.push_back(row);
+  return (condition.is == Is::Empty ? "s.row NOT IN (" : "s.row IN (") +
+         ("SELECT value FROM json_each(" + query.mark(rowsJson(rows)) + "))");
 }
 
 constexpr const char* kDoubtfulSql =
@@ -147,8 +159,10 @@ const char* signOf(Condition::Is is) {
 std::string conditionSql(Query& query, const Condition& condition) {
   using Is = Condition::Is;
   if (condition.is == Is::Word) return wordSql(query, condition.value);
+  if (condition.field.starts_with("extra.")) return textSql(query, nullptr, condition);
   const SherdColumn* column = sherdColumn(condition.field);
   if (!column) store::refuse(message("There is no field '%1'.", condition.field), condition.text);
+  if (condition.is == Is::Contains) return textSql(query, column, condition);
   if (condition.is == Is::Empty) return emptySql(*column);
   if (condition.is == Is::NotEmpty) return "NOT (" + emptySql(*column) + ")";
   if (column->measure) {

@@ -12,7 +12,6 @@
 #include "records/sherd.h"
 #include "records/words.h"
 #include "sherds/kept_models.h"
-#include "sherds/restore.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherd_columns.h"
 #include "sherds/sherds.h"

@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -18,6 +19,12 @@ class PairDecisions : public catalogue::Subject {
   /// The draft sherds of the batch follow.
   Result<store::DecisionRow> add(const records::PairDecision&, const records::Provenance&);
 };
+
+/// For reading back what another catalogue exported: with its id, time and person; sherds and scans
+/// do not follow it.
+Result<store::DecisionRow> restoreDecision(const catalogue::Catalogue& catalogue,
+                                           const records::PairDecision& decision,
+                                           const std::string& id);
 
 /// Why a sherd is void, for a person: the program's own reason is translated, a typed one is not.
 Message voidReason(const std::string& reason);

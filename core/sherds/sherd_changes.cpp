@@ -25,7 +25,7 @@ constexpr const char* kPlusMinus = " ± ";  // as values and the history show it
 // A change that was looked at: what the preview shows, and what is needed to do it.
 struct Examined {
   records::ChangePreview shown;
-  const SherdColumn* column = nullptr;  ///< null for the user's own fields
+  const SherdColumn* column = nullptr;  ///< null for custom fields
   double number = 0;
   store::ContextRow context;  ///< of a place, once for all its parts
   store::BagRow bag;
@@ -292,9 +292,12 @@ class Examination {
         wanted[change->shown.change.field] = change->shown.new_value;
     store::ContextRow context;
     store::BagRow bag;
+    // A sherd has its site and trench by its context.
+    const std::string codes = wanted["site"] + wanted["trench"];
+    if (wanted["context"].empty() ? !codes.empty() && codes != sherd.site + sherd.trench
+                                  : wanted["site"].empty())
+      refuse(message("Enter the context with its site and trench, such as KT26-A-012."));
     if (!wanted["context"].empty()) {
-      if (wanted["site"].empty())
-        refuse(message("The context %1 needs its site; enter both.", wanted["context"]));
       context = store::valueOrThrow(
           catalogue::Places(catalogue_)
               .contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
@@ -305,10 +308,8 @@ class Examination {
       refuse(message("A numbered sherd needs its context."));
     }
     if (!wanted["bag"].empty()) {
-      store::Statement rows =
-          catalogue_.database().sql("SELECT row FROM bag WHERE context = ? AND number_key = ?",
-                                    context, store::uniqueKey(wanted["bag"]));
-      if (!rows.read(bag))
+      bag = store::valueOrThrow(catalogue::Places(catalogue_).bagByNumber(context, wanted["bag"]));
+      if (!bag)
         refuse(
             !context ? message("A bag belongs to a context; enter the context first.")
             : wanted["bag"] == sherd.bag_number
@@ -347,8 +348,7 @@ class Examination {
   const catalogue::Catalogue& catalogue_;
   std::map<std::string, std::map<std::string, std::string>> vocabularies_;
   std::map<std::string, store::SherdRow> numbers_;
-  std::optional<std::map<std::string, std::string>>
-      waiting_;  ///< on plates, once they are asked for
+  std::optional<std::map<std::string, std::string>> waiting_;  ///< on plates, once asked for
 };
 
 struct Batch {

@@ -57,7 +57,7 @@ void setNumber(const catalogue::Catalogue& catalogue, const records::SherdRecord
 /// All that it joins, and that they join it.
 void setJoins(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
               const std::vector<store::SherdRow>& joins);
-/// One of the user's own fields; an empty value deletes it.
+/// One custom field; an empty value deletes it.
 void setExtra(const catalogue::Catalogue& catalogue, store::SherdRow sherd, const std::string& name,
               const std::string& value);
 

@@ -122,13 +122,15 @@ const records::SherdField* sherdField(std::string_view name) {
   return nullptr;
 }
 
+std::string customText(const std::string& extra_json, const std::string& name) {
+  const nlohmann::json extra = jsonOrDiscarded(extra_json);
+  const auto found = extra.is_object() ? extra.find(name) : extra.end();
+  if (!extra.is_object() || found == extra.end()) return {};
+  return found->is_string() ? found->get<std::string>() : found->dump();
+}
+
 std::string textOf(const records::SherdRecord& sherd, const std::string& field) {
-  if (field.starts_with("extra.")) {
-    const nlohmann::json extra = jsonOrDiscarded(sherd.extra_json);
-    const auto found = extra.is_object() ? extra.find(field.substr(6)) : extra.end();
-    if (!extra.is_object() || found == extra.end()) return {};
-    return found->is_string() ? found->get<std::string>() : found->dump();
-  }
+  if (field.starts_with("extra.")) return customText(sherd.extra_json, field.substr(6));
   const SherdColumn* column = sherdColumn(field);
   if (!column) return {};
   if (column->text) return sherd.*column->text;

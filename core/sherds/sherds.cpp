@@ -176,7 +176,7 @@ Result<std::vector<store::SherdRow>> Sherds::rows(store::BatchRow batch) const {
   });
 }
 
-Result<std::vector<std::string>> Sherds::ownFields() const {
+Result<std::vector<std::string>> Sherds::customFields() const {
   return database_->asResult([&] {
     return database_
         ->sql(

@@ -24,8 +24,8 @@ class Sherds : public catalogue::Subject {
   Result<records::SherdRecord> get(store::SherdRow) const;
   Result<store::SherdRow> byNumber(const std::string&) const;  ///< none when there is no such sherd
   Result<store::SherdRow> byId(const std::string& uuid) const;  ///< likewise
-  /// The user's own fields that any sherd has, as a change names them: extra.NAME, in order.
-  Result<std::vector<std::string>> ownFields() const;
+  /// Custom fields that any sherd has, as a change names them: extra.NAME, in order.
+  Result<std::vector<std::string>> customFields() const;
   /// As a draft, or with its number.
   Result<store::SherdRow> add(const records::SherdRecord&, const records::Provenance&);
   /// Which model and picture show it; relative paths.

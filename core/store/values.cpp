@@ -109,7 +109,7 @@ Result<std::string> checkedEdtf(std::string_view typed) {
   if (good) return text;
   return Error::unusable(message(
       "Write the date in EDTF, for example -0599/-0549~ (600 to about 550 BC), -1149? or 0350/..; "
-      "years have four digits."));
+      "years have four digits, and words such as MB II belong in the field for the period."));
 }
 
 Result<std::string> checkedMunsell(std::string_view typed) {

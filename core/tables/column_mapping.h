@@ -17,7 +17,7 @@ enum class ChosenBy { Name, Earlier, Person, Nobody };
 /// What becomes of one column of a table.
 struct ColumnChoice {
   std::string column;  ///< as the table names it
-  /// One of sherdFields() or of the columns of contexts; extra.NAME: a field of the user's own;
+  /// One of sherdFields() or of the columns of contexts; extra.NAME: a custom field;
   /// empty: the column is left out.
   std::string field;
   std::string unit = {};  ///< of its values, see unitsOf(); empty of texts
@@ -58,7 +58,7 @@ Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping
 /// COLUMN=FIELD or COLUMN=FIELD:unit, as typed; FIELD may lack its unit (weight), be extra.NAME, or
 /// '-' to leave the column out. Errors: neither.
 Result<ColumnChoice> parseColumnChoice(std::string_view text);
-/// All that a column may be chosen as, own fields aside.
+/// All that a column may be chosen as, custom fields aside.
 std::vector<std::string> fieldsOfTables(bool of_contexts);
 
 /// A value in `unit` as one in the field's own, exactly: 1.5 kg is 1500, 1,2 cm is 12. A unit

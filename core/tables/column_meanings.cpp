@@ -76,7 +76,7 @@ const std::vector<ColumnMeaning>& columnMeanings() {
       {"licence", "", "licence of the project"},
       {"kind", "", "kind of context"},
       {"excavated_on", "", "day of the excavation"},
-      {"closed", "", "yes: the context is finished"},
+      {"closed", "", "yes: the context is finished; no: it is not; empty: nobody said"},
       {"collected_on", "", "day on which the bag was filled"},
       {"count_written", "", "number of sherds written on the bag"},
       {"storage", "", "where the bag is kept"}};

@@ -143,7 +143,7 @@ constexpr Names kOfSherds[] = {
 constexpr Names kOfContexts[] = {
     {"kind", "kind|kind of context|type|Art|Befundart|Typ|tipo|genre|είδος|τύπος|tür|տեսակ"},
     {"excavated_on",
-     "excavated on|excavated|date excavated|ausgegraben am|Grabungsdatum|"
+     "excavated on|excavated|date excavated|excavation date|ausgegraben am|Grabungsdatum|"
      "date de fouille|fouillé le|fecha de excavación|excavado el|"
      "ημερομηνία ανασκαφής|kazı tarihi|պեղման օր"},
     {"closed",

@@ -43,7 +43,7 @@ class Values {
     return index < row_.values.size() ? row_.values[index] : std::string();
   }
   void text(const std::string& column, std::string& value) const { take(raw(column), value); }
-  // The user's own fields with what their columns say.
+  // Custom fields with what their columns say.
   std::string extra(const std::string& before) const {
     nlohmann::ordered_json fields = orderedJsonOrDiscarded(before);
     if (!fields.is_object()) fields = nlohmann::ordered_json::object();
@@ -89,8 +89,8 @@ std::string placeOf(const records::ContextRecord& context) {
 }
 
 std::vector<SavedField> fieldsOf(const records::ContextRecord& c) {
-  return {{"kind", c.kind},           {"excavated_on", c.excavated_on},    {"period", c.period},
-          {"date_edtf", c.date_edtf}, {"closed", c.closed ? "yes" : "no"}, {"note", c.note},
+  return {{"kind", c.kind},           {"excavated_on", c.excavated_on}, {"period", c.period},
+          {"date_edtf", c.date_edtf}, {"closed", c.closedWord()},       {"note", c.note},
           {"extra", c.extra_json}};
 }
 
@@ -139,7 +139,10 @@ std::vector<ChangedValue> enterRow(Catalogue& catalogue, Places& places, const V
   const std::string closed = store::uniqueKey(values.raw("closed"));
   if (!closed.empty() && closed != "yes" && closed != "no" && closed != "<clear>")
     faults.emplace_back("closed", message("The column 'closed' accepts only yes or no."));
-  if (!closed.empty()) context.closed = closed == "yes";
+  if (closed == "<clear>")
+    context.closed.reset();
+  else if (!closed.empty())
+    context.closed = closed == "yes";
   context.extra_json = values.extra(context.extra_json);
   if (!checked(store::checkedDay(context.excavated_on), "excavated_on", faults))
     context.excavated_on = found.excavated_on;

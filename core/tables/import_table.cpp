@@ -105,7 +105,7 @@ void nameColumns(std::vector<Refusal>& refusals, const TableMapping& mapping) {
 }
 
 // A column that has no field: its name says nothing, or another one has its field.
-Message ownField(const ColumnChoice& choice, const TableMapping& mapping) {
+Message customField(const ColumnChoice& choice, const TableMapping& mapping) {
   std::string field = fieldOfColumn(choice.column, mapping.of_contexts);
   if (field.empty()) field = fieldOfColumn(nameAndUnit(choice.column).name, mapping.of_contexts);
   for (const ColumnChoice& other : mapping.columns)
@@ -154,7 +154,7 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
   nameColumns(report->refusals, *mapping);
   nameColumns(report->questions, *mapping);
   for (const ColumnChoice& choice : mapping->columns)
-    if (choice.by == ChosenBy::Nobody) report->warnings.push_back(ownField(choice, *mapping));
+    if (choice.by == ChosenBy::Nobody) report->warnings.push_back(customField(choice, *mapping));
   report->held = held;
   if (named.mode == ImportMode::Enter)
     if (Result<void> saved = rememberColumns(catalogue, *mapping); !saved) return saved.error();

@@ -37,7 +37,7 @@ struct ImportOptions {
 
 constexpr const char* kClear = "<clear>";
 
-/// One sherd to be entered: values by the names of sherdFields(); others go to the user's own
+/// One sherd to be entered: values by the names of sherdFields(); others become custom
 /// fields. A blank value keeps what is there, kClear deletes it.
 struct ImportRow {
   int line = 0;

@@ -1,6 +1,6 @@
 -- The first catalogue: what a record holds stands in the header files of core/catalogue.
 -- Every table that people see has: row, id (UUID), created/updated at (ms UTC) and by, revision,
--- extra (JSON: the user's own fields). created_by and updated_by NULL: the program.
+-- extra (JSON: custom fields). created_by and updated_by NULL: the program.
 
 -- The file's header says what kind of SQLite file it is: the letters OSTR, as in the MIME type's magic.
 PRAGMA application_id = 1330861138;
@@ -65,7 +65,7 @@ CREATE TABLE context (
   kind TEXT NOT NULL DEFAULT ''
     CHECK (kind IN ('', 'layer', 'cut', 'fill', 'structure', 'surface', 'unstratified')),
   excavated_on TEXT NOT NULL DEFAULT '', period TEXT NOT NULL DEFAULT '',
-  date_edtf TEXT NOT NULL DEFAULT '', closed INTEGER NOT NULL DEFAULT 0,
+  date_edtf TEXT NOT NULL DEFAULT '', closed INTEGER CHECK (closed IN (0, 1)),
   note TEXT NOT NULL DEFAULT ''
 ) STRICT;
 CREATE UNIQUE INDEX context_place ON context (site, ifnull(trench, 0), number_key);
@@ -304,7 +304,8 @@ CREATE VIEW sherd_words AS
     || char(10) || s.inclusions || char(10) || s.manufacture || char(10) || s.firing
     || char(10) || s.surface_out || char(10) || s.surface_in || char(10) || s.munsell_out
     || char(10) || s.munsell_in || char(10) || s.munsell_core || char(10) || s.period
-    || char(10) || s.date_edtf || char(10) || s.vessel || char(10) || s.note AS words
+    || char(10) || s.date_edtf || char(10) || s.vessel || char(10) || s.note
+    || char(10) || ifnull((SELECT group_concat(value, char(10)) FROM json_each(s.extra)), '') AS words
   FROM sherd s LEFT JOIN context ON context.row = s.context LEFT JOIN site ON site.row = context.site
     LEFT JOIN trench ON trench.row = context.trench LEFT JOIN batch ON batch.row = s.batch;
 

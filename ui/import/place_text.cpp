@@ -7,6 +7,7 @@
 
 #include "catalogue/label_codes.h"
 #include "catalogue/places.h"
+#include "catalogue/typed_place.h"
 #include "store/names.h"
 
 namespace ostraka::ui {
@@ -40,36 +41,9 @@ bool beginWith(const QStringList& typed, const QStringList& start) {
          std::equal(start.begin(), start.end(), typed.begin(), isSame);
 }
 
-// The bag as the rest of the typed parts names it; only one that is known may have several parts.
-QString bagOf(const Catalogue& rows, store::ContextRow context, const QStringList& rest) {
-  if (rest.size() == 1) return rest.front();
-  if (const auto bags = catalogue::Places(rows).bags(context))
-    for (const records::BagRecord& bag : *bags)
-      if (const QStringList parts = partsOf(bag.number);
-          parts.size() == rest.size() &&
-          std::equal(parts.begin(), parts.end(), rest.begin(), isSame))
-        return QString::fromStdString(bag.number);
-  return {};
-}
-
-// The longest name counts: of 0012 and 0012-a, the second.
-std::optional<PlaceText> inKnownContext(const Catalogue& rows, const QStringList& typed) {
-  const auto contexts = catalogue::Places(rows).contexts();
-  if (!contexts) return {};
-  std::optional<PlaceText> found;
-  qsizetype longest = 0;
-  for (const records::ContextRecord& context : *contexts) {
-    const QStringList start =
-        partsOf(context.site_code) + partsOf(context.trench_code) + partsOf(context.number);
-    if (start.size() <= longest || !beginWith(typed, start)) continue;
-    const QString bag = bagOf(rows, context.row, typed.mid(start.size()));
-    if (bag.isEmpty()) continue;
-    longest = start.size();
-    found = PlaceText{QString::fromStdString(context.site_code),
-                      QString::fromStdString(context.trench_code),
-                      QString::fromStdString(context.number), bag};
-  }
-  return found;
+PlaceText placeText(const catalogue::BagPlace& place) {
+  return {QString::fromStdString(place.site), QString::fromStdString(place.trench),
+          QString::fromStdString(place.context), QString::fromStdString(place.bag)};
 }
 
 std::optional<PlaceText> inKnownSite(const Catalogue& rows, const QStringList& typed) {
@@ -136,14 +110,14 @@ std::optional<PlaceText> findPlaceText(const Catalogue& rows, const QString& tex
   if (const auto label = catalogue::readLabelCode(text.toStdString())) {
     if (label->of != catalogue::LabelCode::Of::Bag) return {};
     if (const auto known = catalogue::placeOfLabel(rows, *label); known && *known)
-      return PlaceText{
-          QString::fromStdString((*known)->site), QString::fromStdString((*known)->trench),
-          QString::fromStdString((*known)->context), QString::fromStdString((*known)->bag)};
+      return placeText(**known);
     plain = QString::fromStdString(label->number);
   }
   if (lacksAPart(plain)) return {};
   const QStringList typed = partsOf(plain);
-  if (auto known = inKnownContext(rows, typed)) return known;
+  if (const auto known = catalogue::typedPlace(rows, plain.toStdString(), catalogue::Named::Bag);
+      known && *known)
+    return placeText(**known);
   if (auto known = inKnownSite(rows, typed)) return known;
   auto read = readPlaceText(plain);
   // Words of a sentence are no place: a site that is new has a code as new projects have.

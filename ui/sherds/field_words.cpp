@@ -21,7 +21,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr qsizetype kMostNamed = 4;
-constexpr QLatin1String kOwnField("extra.");
+constexpr QLatin1String kCustomField("extra.");
 
 // In English; null for a field that has none.
 const char* labelOf(const QString& field) {
@@ -126,7 +126,7 @@ QString fieldLabel(const std::string& field) {
   const QString name = QString::fromStdString(field);
   const char* label = labelOf(name);
   if (label) return QCoreApplication::translate("Fields", label);
-  return name.startsWith(kOwnField) ? name.mid(kOwnField.size()) : name;
+  return name.startsWith(kCustomField) ? name.mid(kCustomField.size()) : name;
 }
 
 bool isNumber(const std::string& field) {

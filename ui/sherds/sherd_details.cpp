@@ -127,24 +127,25 @@ void SherdDetails::addRow(int at, QWidget* editor) {
   form_->insertRow(at, label, editor);
 }
 
-// The user's own fields stand above what voids a sherd, for Tab too.
-void SherdDetails::setOwnFields(const std::vector<std::string>& fields) {
+// Custom fields stand above what voids a sherd, for Tab too.
+void SherdDetails::setCustomFields(const std::vector<std::string>& fields) {
   if (!sherd_) {  // they may be another project's, and nobody types in them
-    for (const std::string& field : own_fields_)
+    for (const std::string& field : custom_fields_)
       form_->removeRow(editors_.take(QString::fromStdString(field)));
-    own_fields_.clear();
+    custom_fields_.clear();
   }
   QWidget* last = editors_.value("void_reason");
   for (const std::string& field : fields) {
     if (editors_.contains(QString::fromStdString(field))) continue;
-    QWidget* before = editors_.value(
-        own_fields_.empty() ? QStringLiteral("note") : QString::fromStdString(own_fields_.back()));
+    QWidget* before =
+        editors_.value(custom_fields_.empty() ? QStringLiteral("note")
+                                              : QString::fromStdString(custom_fields_.back()));
     int row = 0;
     QFormLayout::ItemRole role = QFormLayout::FieldRole;
     form_->getWidgetPosition(last, &row, &role);
     addRow(row, editorFor(field, records::FieldKind::Text));
     QWidget::setTabOrder(before, editors_.value(QString::fromStdString(field)));
-    own_fields_.push_back(field);
+    custom_fields_.push_back(field);
   }
 }
 
@@ -170,6 +171,8 @@ QWidget* SherdDetails::editorFor(const std::string& field, records::FieldKind ki
       line->setToolTip(
           tr("7 is the running number in the sherd's context; =7 is the number 7 "
              "itself."));
+    if (kind == records::FieldKind::Edtf)
+      line->setPlaceholderText(QStringLiteral("-0599/-0549~, 0350/.."));
     if (kind == records::FieldKind::Terms) {
       auto* completer = new QCompleter(new QStringListModel(line), line);
       completer->setCaseSensitivity(Qt::CaseInsensitive);
@@ -190,7 +193,7 @@ QWidget* SherdDetails::editorFor(const std::string& field, records::FieldKind ki
 
 void SherdDetails::setVocabularies(const catalogue::Catalogue& catalogue) {
   words_.read(catalogue);
-  if (const auto own = sherds::Sherds(catalogue).ownFields()) setOwnFields(*own);
+  if (const auto own = sherds::Sherds(catalogue).customFields()) setCustomFields(*own);
   for (const records::SherdField& field : sherds::sherdFields()) {
     if (std::string_view(field.vocabulary).empty()) continue;
     const QStringList terms = words_.of(field);
@@ -322,7 +325,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
     if (field.editable)
       setText(field.name,
               words_.shown(field, typedText(field, sherds::textOf(*sherd, field.name))));
-  for (const std::string& field : own_fields_)
+  for (const std::string& field : custom_fields_)
     setText(field, QString::fromStdString(sherds::textOf(*sherd, field)));
   place_->clear();
   if (const auto contexts = catalogue::Places(catalogue).contexts())
@@ -349,7 +352,7 @@ void SherdDetails::clear() {
   place_->clear();
   for (const records::SherdField& field : sherds::sherdFields())
     if (field.editable) setText(field.name, {});
-  for (const std::string& field : own_fields_) setText(field, {});
+  for (const std::string& field : custom_fields_) setText(field, {});
   clearTables();
   widget()->setEnabled(false);
 }

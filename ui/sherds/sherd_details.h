@@ -17,7 +17,7 @@ class QVBoxLayout;
 
 namespace ostraka::ui {
 
-/// One sherd: number, fields with their vocabularies, the user's own fields, measures with where
+/// One sherd: number, fields with their vocabularies, custom fields, measures with where
 /// they come from, history, files. It shows and asks; who saves is told by signals.
 class SherdDetails final : public QScrollArea {
   Q_OBJECT
@@ -25,7 +25,7 @@ class SherdDetails final : public QScrollArea {
  public:
   explicit SherdDetails(QWidget* parent = nullptr);
 
-  /// Which terms a field offers, and the user's own fields. Call after either changed.
+  /// Which terms a field offers, and custom fields. Call after either changed.
   void setVocabularies(const catalogue::Catalogue& catalogue);
   void showSherd(const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
                  store::SherdRow sherd);
@@ -60,7 +60,7 @@ class SherdDetails final : public QScrollArea {
   void buildRefusal(QWidget* page);
   void addPlace();
   void addRow(int at, QWidget* editor);
-  void setOwnFields(const std::vector<std::string>& fields);
+  void setCustomFields(const std::vector<std::string>& fields);
   QWidget* editorFor(const std::string& field, records::FieldKind kind);
   void setText(const std::string& field, const QString& text);
   void put(const QString& field, const QString& text);
@@ -84,7 +84,7 @@ class SherdDetails final : public QScrollArea {
   QFormLayout* form_ = nullptr;
   QComboBox* place_ = nullptr;
   QHash<QString, QWidget*> editors_;
-  std::vector<std::string> own_fields_;  ///< of the user's own, that have a row
+  std::vector<std::string> custom_fields_;  ///< that have a row
   TermWords words_;
   QHash<QString, QString> shown_;  ///< what the catalogue says
   QHash<QString, QString> put_;    ///< into the lines; what is other is typed

@@ -11,7 +11,7 @@
 namespace ostraka::ui {
 namespace {
 
-QString ownField(const tables::ColumnChoice& choice) {
+QString customField(const tables::ColumnChoice& choice) {
   return QStringLiteral("extra.") +
          QString::fromStdString(choice.isOwn() ? choice.field.substr(6) : choice.column);
 }
@@ -30,7 +30,7 @@ QString whyOf(const tables::ColumnChoice& choice) {
     case tables::ChosenBy::Nobody:
       break;
   }
-  return ColumnTable::tr("no field of this name; kept as your own field");
+  return ColumnTable::tr("no field of this name; kept as a custom field");
 }
 
 bool wantsACheck(const tables::ColumnChoice& choice) {
@@ -83,7 +83,7 @@ QWidget* ColumnTable::fieldBox(int row, const tables::ColumnChoice& choice, bool
   box->setObjectName(QStringLiteral("columnField%1").arg(row));
   box->setAccessibleName(tr("Field of the column %1").arg(QString::fromStdString(choice.column)));
   box->addItem(tr("skip"), QString());
-  box->addItem(tr("own field: %1").arg(ownField(choice).mid(6)), ownField(choice));
+  box->addItem(tr("custom field: %1").arg(customField(choice).mid(6)), customField(choice));
   std::vector<std::string> fields = tables::fieldsOfTables(of_contexts);
   if (of_contexts) fields.insert(fields.begin(), "number");  // then it is a table of sherds
   for (const std::string& field : fields)

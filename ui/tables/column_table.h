@@ -13,7 +13,7 @@ class ColumnTable final : public QTableWidget {
  public:
   explicit ColumnTable(ImportModel& model, QWidget* parent = nullptr);
   void fill();
-  /// Columns that become fields of the user's own, are left out, or whose unit is guessed.
+  /// Columns that become custom fields, are left out, or whose unit is guessed.
   static int toCheck(const tables::TableMapping& mapping);
 
  private:

@@ -289,7 +289,12 @@ QString ImportModel::summary() const {
 }
 
 QStringList ImportModel::warnings() const {
-  return report_ ? listOf(report_->warnings) : QStringList();
+  QStringList words = report_ ? listOf(report_->warnings) : QStringList();
+  if (isOfContexts())
+    words << tr(
+        "Undo does not take back contexts and bags; the catalogue is backed up before the "
+        "import.");
+  return words;
 }
 
 bool ImportModel::isOfContexts() const {

@@ -300,55 +300,6 @@ TEST_F(Export, TheTableNamesTheFilesOfEachSherd) {
   EXPECT_EQ(value(2, "length_mm"), "52");
 }
 
-TEST_F(Export, TablesSayWhereTheMassLiesOfModelsThatGoAlong) {
-  ASSERT_TRUE(exportTo("with", {Form::Csv, Form::Ply}));
-  ASSERT_TRUE(exportTo("without", {Form::Csv}));
-  for (const auto& [folder, centre] : {std::pair("with", "2"), std::pair("without", "")}) {
-    const auto table =
-        tables::parseCsv(*readFile(folder_.path() / folder / "data/sherds.csv"), "sherds.csv");
-    ASSERT_TRUE(table);
-    for (const char* column : {"mass_centre_x_mm", "mass_centre_y_mm", "mass_centre_z_mm"}) {
-      const auto at = std::find(table->columns.begin(), table->columns.end(), column);
-      ASSERT_NE(at, table->columns.end());
-      // Of a tetrahedron the mean of its corners.
-      EXPECT_EQ(table->rows[1].values[static_cast<std::size_t>(at - table->columns.begin())],
-                centre);
-    }
-  }
-}
-
-TEST_F(Export, EachColumnOfItsTablesIsExplained) {
-  ASSERT_TRUE(exportTo("out", {Form::Csv}));
-  const fs::path data = folder_.path() / "out/data";
-  const auto meanings = tables::parseCsv(*readFile(data / "columns.csv"), "columns.csv");
-  ASSERT_TRUE(meanings);
-  std::set<std::string> explained;
-  for (const tables::CsvRow& row : meanings->rows) {
-    EXPECT_TRUE(explained.insert(row.values[0]).second) << row.values[0];
-    EXPECT_FALSE(row.values[2].empty()) << row.values[0];
-  }
-  for (const char* file : {"sherds.csv", "contexts.csv"}) {
-    const auto table = tables::parseCsv(*readFile(data / file), file);
-    ASSERT_TRUE(table);
-    for (const std::string& column : table->columns)
-      EXPECT_TRUE(explained.contains(column) || column.starts_with("extra.")) << column;
-  }
-}
-
-TEST_F(Export, TheSpreadsheetHoldsNumbersAsNumbersAndTextsAsTexts) {
-  ASSERT_TRUE(exportTo("out", {Form::Ods}));
-  const std::string ods = *readFile(folder_.path() / "out/data/sherds.ods");
-  const auto holds = [&](const std::string& part) { return ods.find(part) != std::string::npos; };
-  for (const char* sheet : {"sherds", "contexts", "columns"})
-    EXPECT_TRUE(holds("table:name=\"" + std::string(sheet) + "\"")) << sheet;
-  EXPECT_TRUE(holds(R"(office:value-type="float" office:value="23.4")"));
-  EXPECT_TRUE(
-      holds("office:value-type=\"string\"><text:p>=SUM(A1), &quot;quoted&quot;; "
-            "Գառնի</text:p><text:p>second line</text:p>"));
-  EXPECT_TRUE(holds("office:value-type=\"string\"><text:p>0012</text:p>"))
-      << "zeros in front of a context's number stay";
-}
-
 TEST_F(Export, TheSpreadsheetHasThePersonsHeadingsAndTheCsvTheSameForAll) {
   ExportOptions options;
   options.target = folder_.path() / "out";

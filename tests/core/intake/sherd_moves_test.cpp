@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "catalogue/places.h"
 #include "catalogue/settings.h"
 #include "records/records.h"
 #include "records/sherd.h"
@@ -64,6 +65,47 @@ TEST_F(Moves, ThatAreNoneOrAreRefusedLeaveNothing) {
     EXPECT_THAT(none.numbers, IsEmpty()) << context;
   }
   EXPECT_EQ(move({{draft(context12, bag4), "context", ""}}).without_bag, 1) << "a draft may";
+}
+
+TEST_F(Moves, ByWholeNamesBringAllCodes) {
+  records::SiteRecord record;
+  record.code = record.name = "KT26";
+  records::ContextRecord c;
+  c.site = *catalogue::Places(catalogue()).save(record, anna);
+  c.number = "7";
+  const store::ContextRow seven = *catalogue::Places(catalogue()).save(c, anna);
+  bag(seven, "2");
+  const auto placeOf = [&](store::SherdRow sherd) {
+    return valueOf(sherd, "site") + "|" + valueOf(sherd, "trench") + "|" +
+           valueOf(sherd, "context") + "|" + valueOf(sherd, "bag");
+  };
+  const std::vector<std::pair<records::FieldChange, std::string>> typed = {
+      {{first, "context", "KT26-7"}, "KT26||7|"},
+      {{first, "context", "KT26 7 2"}, "KT26||7|2"},
+      {{first, "bag", "kt26/7/2"}, "KT26||7|2"},
+      {{first, "context", "ARM1-T3-0013"}, "ARM1|T3|0013|"},
+      {{draft({}), "context", "KT26-7"}, "KT26||7|"},
+      {{draft({}), "context", "0013"}, "ARM1|T3|0013|"}};
+  for (const auto& [change, place] : typed) {
+    const std::string before = placeOf(change.sherd);
+    const Move whole = move({change});
+    EXPECT_EQ(whole.changes.front().field, change.field);
+    const auto undo = sherds::SherdChanges(catalogue()).apply(whole.changes, anna);
+    ASSERT_TRUE(undo) << change.value << ": " << undo.error().sentence();
+    EXPECT_EQ(placeOf(change.sherd), place) << change.value;
+    ASSERT_TRUE(sherds::SherdChanges(catalogue()).apply(*undo, anna)) << change.value;
+    EXPECT_EQ(placeOf(change.sherd), before) << change.value;
+  }
+}
+
+TEST_F(Moves, OutOfEveryPlaceCanBeUndone) {
+  const store::SherdRow third = draft(context12, bag4);
+  const auto undo =
+      sherds::SherdChanges(catalogue()).apply(move({{third, "context", ""}}).changes, anna);
+  ASSERT_TRUE(undo) << undo.error().sentence();
+  EXPECT_EQ(valueOf(third, "site"), "");
+  ASSERT_TRUE(sherds::SherdChanges(catalogue()).apply(*undo, anna));
+  EXPECT_EQ(valueOf(third, "context") + " " + valueOf(third, "bag"), "0012 4");
 }
 
 TEST_F(Moves, TellNoNumbersWhereTheSchemeNamesNoContext) {

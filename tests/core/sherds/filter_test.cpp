@@ -123,12 +123,45 @@ TEST_F(Filters, DaysMonthsAndYearsAreCompared) {
     EXPECT_FALSE(parseFilter(line)) << line;
 }
 
-TEST_F(Filters, FieldsAreComparedWhole) {
+TEST_F(Filters, ATextFieldIsFoundByAWordInIt) {
+  const store::SherdRow row = *Sherds(catalogue()).byNumber("ARM1-T3-0013-0002");
+  ASSERT_TRUE(set(row, "fabric", "shell tempered, Ähren, 2 mm"));
+  ASSERT_TRUE(set(row, "vessel", "pot 12"));
+  for (const char* line : {"fabric:shell", "fabric:TEMPER", "fabric:ähren", "fabric:mm", "fabric:2",
+                           "vessel:12", "fabric:\"shell tempered, Ähren, 2 mm\""})
+    EXPECT_EQ(letters(line), "d") << line;
+  EXPECT_EQ(letters("-fabric:shell"), "abc");
+  EXPECT_EQ(letters("fabric:\"shell\""), "") << "in quotation marks the whole field is meant";
+  EXPECT_EQ(letters("vessel:1"), "") << "a number is not a part of another";
+  EXPECT_EQ(letters("fabric:sh"), "") << "nor a short word of a longer one";
+  EXPECT_EQ(letters("ware:gre"), "ac");
+  EXPECT_EQ(letters("ware:slipped"), "b");
+}
+
+TEST_F(Filters, CustomFieldsAreSearchedLikeTexts) {
+  const store::SherdRow row = *Sherds(catalogue()).byNumber("ARM1-T3-0013-0002");
+  ASSERT_TRUE(set(row, "extra.Drawn by", "Méline K."));
+  ASSERT_TRUE(set(row, "extra.shelf", "12"));
+  for (const char* line :
+       {"méline", "extra.shelf:12", "extra.SHELF:*", "\"Drawn by\":MÉLINE",
+        "extra.\"drawn by\":méline", "\"Drawn by\":\"méline k.\"", "extra.shelf:\"12\""})
+    EXPECT_EQ(letters(line), "d") << line;
+  EXPECT_EQ(letters("-\"Drawn by\":méline"), "abc");
+  EXPECT_EQ(letters("extra.shelf:\"\""), "abc");
+  EXPECT_EQ(letters("extra.shelf:1"), "");
+  EXPECT_EQ(letters("\"Drawn by\":\"méline\""), "");
+  EXPECT_EQ(letters("extra.nothing:12"), "");
+  EXPECT_FALSE(parseFilter("extra.shelf>5"));
+  ASSERT_TRUE(set(row, "extra.Drawn by", ""));
+  EXPECT_EQ(letters("méline"), "");
+}
+
+TEST_F(Filters, OtherFieldsAreComparedWhole) {
   EXPECT_EQ(letters("part:rim"), "ab");
   EXPECT_EQ(letters("part:neck"), "b");
   EXPECT_EQ(letters("ware:grey"), "ac");
   EXPECT_EQ(letters("ware:GREY"), "ac");
-  EXPECT_EQ(letters("ware:gre"), "");
+  EXPECT_EQ(letters("part:ri"), "");
   EXPECT_EQ(letters("context:0013"), "cd");
   EXPECT_EQ(letters("trench:t3 bag:5"), "b");
   EXPECT_EQ(letters("site:ARM1 bag:\"\""), "d");

@@ -153,6 +153,17 @@ TEST_F(Changes, ASherdMovesOnlyToPlacesThatAreThere) {
   EXPECT_TRUE(set(a, "bag", "1"));
 }
 
+TEST_F(Changes, ASiteOrTrenchWithoutAContextIsRefused) {
+  const store::SherdRow a = draft({});
+  for (const auto& [field, code] :
+       {std::pair("site", "ARM1"), std::pair("trench", "T3"), std::pair("context", "0012")}) {
+    const auto refused = set(a, field, code);
+    ASSERT_FALSE(refused) << field;
+    EXPECT_NE(refused.error().sentence().english().find("such as KT26-A-012"), std::string::npos);
+  }
+  EXPECT_TRUE(set(a, "site", ""));
+}
+
 TEST_F(Changes, ANumberedSherdNeedsItsContext) {
   const store::SherdRow a = numbered(context12);
   EXPECT_FALSE(set(a, "context", ""));

@@ -94,15 +94,15 @@ TEST_F(SherdsTest, JoinsGoBothWays) {
   EXPECT_FALSE(set(a, "joins", "ARM1-T3-0012-0009"));
 }
 
-TEST_F(SherdsTest, OwnFieldsAreThoseThatAnySherdHas) {
+TEST_F(SherdsTest, CustomFieldsAreThoseThatAnySherdHas) {
   const store::SherdRow a = numbered(context12), b = numbered(context12);
-  EXPECT_THAT(*Sherds(catalogue()).ownFields(), IsEmpty());
+  EXPECT_THAT(*Sherds(catalogue()).customFields(), IsEmpty());
   ASSERT_TRUE(set(a, "extra.shelf", "4"));
   ASSERT_TRUE(set(b, "extra.shelf", "5"));
   ASSERT_TRUE(set(b, "extra.glaze", "lead"));
-  EXPECT_THAT(*Sherds(catalogue()).ownFields(), ElementsAre("extra.glaze", "extra.shelf"));
+  EXPECT_THAT(*Sherds(catalogue()).customFields(), ElementsAre("extra.glaze", "extra.shelf"));
   ASSERT_TRUE(set(b, "extra.glaze", ""));
-  EXPECT_THAT(*Sherds(catalogue()).ownFields(), ElementsAre("extra.shelf"));
+  EXPECT_THAT(*Sherds(catalogue()).customFields(), ElementsAre("extra.shelf"));
 }
 
 TEST_F(SherdsTest, HistoryTellsWhoChangedWhatAndWhy) {

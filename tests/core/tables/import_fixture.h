@@ -6,6 +6,12 @@
 
 namespace ostraka::tables {
 
+/// A table of two sherds.
+inline constexpr const char* kTwo =
+    "number,site,trench,context,bag,part,weight_g,note\r\n"
+    "ARM1-T3-0012-0001,ARM1,T3,0012,4,rim; neck,\"23,4\",\"'=1+1\"\r\n"
+    "ARM1-T3-0013-0001,arm1,t3,0013,,body,,\r\n";
+
 class Import : public catalogue::SmallProject {
  protected:
   ImportReport import(const std::string& text, ImportMode mode = ImportMode::Enter,

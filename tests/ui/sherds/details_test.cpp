@@ -63,6 +63,9 @@ class DetailsTest : public CatalogueWindow {
     };
     auto* date = child<QLineEdit>("field_date_edtf");
     const QString before = date->text();
+    QVERIFY(date->placeholderText().contains("-0599/-0549~"));
+    type("field_date_edtf", "MB II");
+    QVERIFY(child<QLabel>("refusalText")->text().contains("belong in the field for the period"));
     type("field_date_edtf", "27-30 AD");
     type("field_weight_g", "12,75");
     QCOMPARE(sample_->value(0, "weight_g"), QString("12.75"));

@@ -7,7 +7,7 @@
 #include "records/records.h"
 
 /// For reading back what another catalogue exported: rows keep the ids that they had there.
-namespace ostraka::sherds {
+namespace ostraka::metadata {
 
 /// The ids of a batch's rows.
 struct BatchIds {
@@ -26,10 +26,6 @@ Result<store::PhotographRow> restorePhotograph(const catalogue::Catalogue& catal
 Result<store::ScanRow> restoreScan(const catalogue::Catalogue& catalogue,
                                    const records::ScanRecord& scan, const std::string& id,
                                    const records::Provenance& provenance);
-/// With its time and person; sherds and scans do not follow it.
-Result<store::DecisionRow> restoreDecision(const catalogue::Catalogue& catalogue,
-                                           const records::PairDecision& decision,
-                                           const std::string& id);
 /// A decision about pieces as its row says it, with ids in place of rows.
 struct PieceRow {
   std::string id, decision, by, side, verdict, pieces_json, cut_json, replaces, note;
@@ -44,4 +40,4 @@ Result<void> restorePieceRow(const catalogue::Catalogue& catalogue, store::Batch
 Result<void> restoreScans(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
                           store::ScanRow front, store::ScanRow back);
 
-}  // namespace ostraka::sherds
+}  // namespace ostraka::metadata

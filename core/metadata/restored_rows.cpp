@@ -1,13 +1,12 @@
-#include "sherds/restore.h"
+#include "metadata/restored_rows.h"
 
 #include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/batches.h"
 #include "records/words.h"
-#include "sherds/sherd_columns.h"
 #include "store/database.h"
 
-namespace ostraka::sherds {
+namespace ostraka::metadata {
 namespace {
 
 template <class Row>
@@ -108,4 +107,4 @@ Result<void> restoreScans(const catalogue::Catalogue& catalogue, store::SherdRow
   });
 }
 
-}  // namespace ostraka::sherds
+}  // namespace ostraka::metadata

@@ -1145,6 +1145,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Kopie lässt sich nicht an ihren Platz legen: %1.</translation>
     </message>
+    <message numerus="yes">
+      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Das Blatt wurde erkannt: %n Marke. Ihre Seite wurde als %1 mm eingegeben; mit einem Lineal nachmessen, wenn Maße stimmen müssen.</numerusform>
+        <numerusform>Das Blatt wurde erkannt: %n Marken. Ihre Seite wurde als %1 mm eingegeben; eine mit einem Lineal nachmessen, wenn Maße stimmen müssen.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -1358,6 +1366,11 @@
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Berechnung wurde unterbrochen. Neu verarbeiten.</translation>
+    </message>
+    <message>
+      <source>No bag was given; its sherds get their context in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Beutel angegeben; die Scherben bekommen ihren Kontext im Katalog.</translation>
     </message>
 </context>
 <context>
@@ -3607,19 +3620,9 @@
       <translation>&amp;Beutel</translation>
     </message>
     <message>
-      <source>scan its label, or ARM1-T3-0012-4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Etikett scannen, oder ARM1-T3-0012-4</translation>
-    </message>
-    <message>
       <source>Site, trench, context and bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fundort, Schnitt, Befund und Beutel</translation>
-    </message>
-    <message>
-      <source>no bag: no numbers yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kein Beutel: noch keine Nummern</translation>
     </message>
     <message>
       <source>write site-trench-context-bag</source>
@@ -3630,6 +3633,16 @@
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Neu: %1</translation>
+    </message>
+    <message>
+      <source>scan its label, or %1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Etikett scannen, oder %1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Beutel: Die Scherben bekommen keine Nummern, bis der Katalog ihnen einen Kontext gibt.</translation>
     </message>
 </context>
 <context>
@@ -3797,6 +3810,11 @@
         <source>Keep processing</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Weiter verarbeiten</translation>
+    </message>
+    <message>
+      <source>Marker side…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Markenseite…</translation>
     </message>
 </context>
 <context>
@@ -10055,6 +10073,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Den Befund mit Fundort und Schnitt eingeben, zum Beispiel KT26-A-012.</translation>
     </message>
+    <message>
+      <source>Scale: none; lengths in mm are based on a guess.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab: keiner; Längen in mm beruhen auf einer Schätzung.</translation>
+    </message>
+    <message>
+      <source>Scale: the board of board.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab: das Brett aus board.json.</translation>
+    </message>
+    <message>
+      <source>Scale: the lengths marked in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab: die in scale.json markierten Längen.</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as typed at the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab: Marken von %1 mm, wie beim Import eingegeben.</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as in plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab: Marken von %1 mm, wie in plate.json.</translation>
+    </message>
+    <message>
+      <source>Scale: the markers that plate.json describes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab: die Marken, die plate.json beschreibt.</translation>
+    </message>
+    <message>
+      <source>Scale: that of the imported scans.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab: der der importierten Scans.</translation>
+    </message>
+    <message>
+      <source>The scale of this batch is its rig&apos;s; calibrate the rig to correct it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Maßstab dieses Durchgangs ist der seines Aufbaus; den Aufbau kalibrieren, um ihn zu berichtigen.</translation>
+    </message>
+    <message>
+      <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Marken dieses Blatts sind verschieden groß; seine plate.json von Hand berichtigen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10208,6 +10271,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ordner eines Durchgangs oder mit Fotos</translation>
     </message>
+    <message>
+      <source>Folder of the back photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ordner mit den Fotos der Rückseiten</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10287,11 +10355,6 @@
       <translation>Die Reihe ist dort geteilt, wo die Scherben umgedreht wurden.</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Keine Pause zwischen den Fotos fällt auf. Den Regler dorthin ziehen, wo die Scherben umgedreht wurden.</translation>
-    </message>
-    <message>
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bogen: %1</translation>
@@ -10308,6 +10371,26 @@
         <numerusform>%1: %n Foto, %2 bis %3</numerusform>
         <numerusform>%1: %n Fotos, %2 bis %3</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>The marker size is proposed from the last import: check it with a ruler.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Markengröße ist vom letzten Import vorgeschlagen: mit einem Lineal prüfen.</translation>
+    </message>
+    <message>
+      <source>Choose back folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ordner der Rückseiten wählen…</translation>
+    </message>
+    <message>
+      <source>A folder that holds both sides is split where the sherds were turned over; the folder of the back photographs replaces the split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Ordner mit beiden Seiten wird dort geteilt, wo die Scherben gewendet wurden; der Ordner der Rückseiten ersetzt die Teilung</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zwischen den Fotos sticht keine Pause hervor. Den Schieber dorthin bewegen, wo die Scherben gewendet wurden, oder den Ordner der Rückseiten wählen.</translation>
     </message>
 </context>
 <context>
@@ -10615,6 +10698,24 @@
       <source>No program was found that opens %1. It is there: open it by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es wurde kein Programm gefunden, das %1 öffnet. Die Datei ist da: Öffnen Sie sie von Hand.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MarkerSide</name>
+    <message>
+      <source>Marker side of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Markenseite von %1</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s black square, mm. The batch is reprocessed with this size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Seite des schwarzen Quadrats einer Marke, mm. Der Durchgang wird mit dieser Größe neu verarbeitet.</translation>
+    </message>
+    <message>
+      <source>marker side typed anew</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Markenseite neu eingegeben</translation>
     </message>
 </context>
 </TS>

@@ -1145,6 +1145,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το αντίγραφο δεν μπορεί να μπει στη θέση του: %1.</translation>
     </message>
+    <message numerus="yes">
+      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Το φύλλο αναγνωρίστηκε: %n δείκτης. Η πλευρά του δόθηκε ως %1 mm· μετρήστε τον με χάρακα αν τα μεγέθη πρέπει να είναι σωστά.</numerusform>
+        <numerusform>Το φύλλο αναγνωρίστηκε: %n δείκτες. Η πλευρά τους δόθηκε ως %1 mm· μετρήστε έναν με χάρακα αν τα μεγέθη πρέπει να είναι σωστά.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -1358,6 +1366,11 @@
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διακόπηκε· επανεπεξεργαστείτε την.</translation>
+    </message>
+    <message>
+      <source>No bag was given; its sherds get their context in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν δόθηκε σακούλα· τα όστρακά της παίρνουν το πλαίσιό τους στον κατάλογο.</translation>
     </message>
 </context>
 <context>
@@ -3602,19 +3615,9 @@
       <translation>&amp;Σακούλα</translation>
     </message>
     <message>
-      <source>scan its label, or ARM1-T3-0012-4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>σαρώστε την ετικέτα, ή ARM1-T3-0012-4</translation>
-    </message>
-    <message>
       <source>Site, trench, context and bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Θέση, τομή, πλαίσιο και σακούλα</translation>
-    </message>
-    <message>
-      <source>no bag: no numbers yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>χωρίς σακούλα: ακόμη χωρίς αριθμούς</translation>
     </message>
     <message>
       <source>write site-trench-context-bag</source>
@@ -3625,6 +3628,16 @@
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Νέα: %1</translation>
+    </message>
+    <message>
+      <source>scan its label, or %1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σαρώστε την ετικέτα, ή %1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωρίς σακούλα: τα όστρακα δεν παίρνουν αριθμούς ώσπου να τους δοθεί πλαίσιο στον κατάλογο.</translation>
     </message>
 </context>
 <context>
@@ -3792,6 +3805,11 @@
         <source>Keep processing</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Συνέχιση επεξεργασίας</translation>
+    </message>
+    <message>
+      <source>Marker side…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πλευρά δείκτη…</translation>
     </message>
 </context>
 <context>
@@ -10050,6 +10068,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Γράψτε το πλαίσιο με τη θέση και την τομή του, για παράδειγμα KT26-A-012.</translation>
     </message>
+    <message>
+      <source>Scale: none; lengths in mm are based on a guess.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα: καμία· τα μήκη σε mm βασίζονται σε εκτίμηση.</translation>
+    </message>
+    <message>
+      <source>Scale: the board of board.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα: ο πίνακας του board.json.</translation>
+    </message>
+    <message>
+      <source>Scale: the lengths marked in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα: τα μήκη που σημειώθηκαν στο scale.json.</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as typed at the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα: δείκτες %1 mm, όπως πληκτρολογήθηκε κατά την εισαγωγή.</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as in plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα: δείκτες %1 mm, όπως στο plate.json.</translation>
+    </message>
+    <message>
+      <source>Scale: the markers that plate.json describes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα: οι δείκτες που περιγράφει το plate.json.</translation>
+    </message>
+    <message>
+      <source>Scale: that of the imported scans.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κλίμακα: αυτή των εισαγμένων σαρώσεων.</translation>
+    </message>
+    <message>
+      <source>The scale of this batch is its rig&apos;s; calibrate the rig to correct it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η κλίμακα αυτής της παρτίδας είναι της διάταξής της· βαθμονομήστε τη διάταξη για να διορθωθεί.</translation>
+    </message>
+    <message>
+      <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι δείκτες αυτού του φύλλου έχουν διάφορα μεγέθη· διορθώστε το plate.json του με το χέρι.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10203,6 +10266,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φάκελος παρτίδας ή με φωτογραφίες</translation>
     </message>
+    <message>
+      <source>Folder of the back photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Φάκελος φωτογραφιών της πίσω όψης</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10282,11 +10350,6 @@
       <translation>Η σειρά χωρίζεται εκεί όπου γύρισαν τα όστρακα.</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Καμία παύση δεν ξεχωρίζει ανάμεσα στις φωτογραφίες. Μετακινήστε τον δείκτη εκεί όπου γύρισαν τα όστρακα.</translation>
-    </message>
-    <message>
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Φύλλο: %1</translation>
@@ -10303,6 +10366,26 @@
         <numerusform>%1: %n φωτογραφία, %2 έως %3</numerusform>
         <numerusform>%1: %n φωτογραφίες, %2 έως %3</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>The marker size is proposed from the last import: check it with a ruler.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το μέγεθος των δεικτών προτείνεται από την τελευταία εισαγωγή: ελέγξτε το με χάρακα.</translation>
+    </message>
+    <message>
+      <source>Choose back folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιλογή φακέλου πίσω όψεων…</translation>
+    </message>
+    <message>
+      <source>A folder that holds both sides is split where the sherds were turned over; the folder of the back photographs replaces the split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένας φάκελος με τις δύο όψεις χωρίζεται εκεί όπου γύρισαν τα όστρακα· ο φάκελος των πίσω όψεων αντικαθιστά τον χωρισμό</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Καμία παύση δεν ξεχωρίζει ανάμεσα στις φωτογραφίες. Μετακινήστε τον δρομέα εκεί όπου γύρισαν τα όστρακα ή επιλέξτε τον φάκελο των πίσω όψεων.</translation>
     </message>
 </context>
 <context>
@@ -10610,6 +10693,24 @@
       <source>No program was found that opens %1. It is there: open it by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν βρέθηκε πρόγραμμα που να ανοίγει το %1. Υπάρχει: ανοίξτε το με το χέρι.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MarkerSide</name>
+    <message>
+      <source>Marker side of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πλευρά δείκτη της %1</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s black square, mm. The batch is reprocessed with this size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πλευρά του μαύρου τετραγώνου ενός δείκτη, mm. Η παρτίδα υποβάλλεται ξανά σε επεξεργασία με αυτό το μέγεθος.</translation>
+    </message>
+    <message>
+      <source>marker side typed anew</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>η πλευρά του δείκτη δόθηκε ξανά</translation>
     </message>
 </context>
 </TS>

@@ -415,4 +415,14 @@
       </translation>
     </message>
 </context>
+<context>
+    <name>ostraka::ui::BatchImporter</name>
+    <message numerus="yes">
+      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <translation>
+        <numerusform>The sheet was recognised: %n marker. Its marker side was typed as %1 mm; measure it with a ruler if sizes must be right.</numerusform>
+        <numerusform>The sheet was recognised: %n markers. Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</numerusform>
+      </translation>
+    </message>
+</context>
 </TS>

@@ -1145,6 +1145,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La copia no se puede poner en su sitio: %1.</translation>
     </message>
+    <message numerus="yes">
+      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Se reconoció la hoja: %n marcador. Su lado se escribió como %1 mm; mídalo con una regla si los tamaños deben ser exactos.</numerusform>
+        <numerusform>Se reconoció la hoja: %n marcadores. Su lado se escribió como %1 mm; mida uno con una regla si los tamaños deben ser exactos.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -1358,6 +1366,11 @@
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se interrumpió. Reprocésela.</translation>
+    </message>
+    <message>
+      <source>No bag was given; its sherds get their context in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No se indicó ninguna bolsa; sus fragmentos reciben su contexto en el catálogo.</translation>
     </message>
 </context>
 <context>
@@ -3602,19 +3615,9 @@
       <translation>&amp;Bolsa</translation>
     </message>
     <message>
-      <source>scan its label, or ARM1-T3-0012-4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>escanee su etiqueta, o ARM1-T3-0012-4</translation>
-    </message>
-    <message>
       <source>Site, trench, context and bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yacimiento, corte, contexto y bolsa</translation>
-    </message>
-    <message>
-      <source>no bag: no numbers yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>sin bolsa: aún sin números</translation>
     </message>
     <message>
       <source>write site-trench-context-bag</source>
@@ -3625,6 +3628,16 @@
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nuevo: %1</translation>
+    </message>
+    <message>
+      <source>scan its label, or %1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>escanee su etiqueta, o %1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sin bolsa: los fragmentos no reciben números hasta que el catálogo les dé un contexto.</translation>
     </message>
 </context>
 <context>
@@ -3792,6 +3805,11 @@
         <source>Keep processing</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Seguir procesando</translation>
+    </message>
+    <message>
+      <source>Marker side…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lado del marcador…</translation>
     </message>
 </context>
 <context>
@@ -10050,6 +10068,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Indique el contexto con su yacimiento y su corte, por ejemplo KT26-A-012.</translation>
     </message>
+    <message>
+      <source>Scale: none; lengths in mm are based on a guess.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala: ninguna; las longitudes en mm se basan en una suposición.</translation>
+    </message>
+    <message>
+      <source>Scale: the board of board.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala: el tablero de board.json.</translation>
+    </message>
+    <message>
+      <source>Scale: the lengths marked in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala: las longitudes marcadas en scale.json.</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as typed at the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala: marcadores de %1 mm, como se escribió al importar.</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as in plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala: marcadores de %1 mm, como en plate.json.</translation>
+    </message>
+    <message>
+      <source>Scale: the markers that plate.json describes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala: los marcadores que describe plate.json.</translation>
+    </message>
+    <message>
+      <source>Scale: that of the imported scans.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Escala: la de los escaneos importados.</translation>
+    </message>
+    <message>
+      <source>The scale of this batch is its rig&apos;s; calibrate the rig to correct it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La escala de este lote es la de su equipo; calibre el equipo para corregirla.</translation>
+    </message>
+    <message>
+      <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los marcadores de esta hoja son de varios tamaños; corrija su plate.json a mano.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10203,6 +10266,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Carpeta de una tanda, o con fotos</translation>
     </message>
+    <message>
+      <source>Folder of the back photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Carpeta de las fotografías de reversos</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10282,11 +10350,6 @@
       <translation>La serie se divide donde se dio la vuelta a los fragmentos.</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No destaca ninguna pausa entre las fotos. Mueva el control hasta donde se dio la vuelta a los fragmentos.</translation>
-    </message>
-    <message>
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hoja: %1</translation>
@@ -10303,6 +10366,26 @@
         <numerusform>%1: %n foto, de %2 a %3</numerusform>
         <numerusform>%1: %n fotos, de %2 a %3</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>The marker size is proposed from the last import: check it with a ruler.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El tamaño de los marcadores se propone de la última importación: compruébelo con una regla.</translation>
+    </message>
+    <message>
+      <source>Choose back folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Elegir carpeta de reversos…</translation>
+    </message>
+    <message>
+      <source>A folder that holds both sides is split where the sherds were turned over; the folder of the back photographs replaces the split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una carpeta con ambos lados se divide donde se dio la vuelta a los fragmentos; la carpeta de los reversos sustituye esa división</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ninguna pausa destaca entre las fotografías. Mueva el control hasta donde se dio la vuelta a los fragmentos, o elija la carpeta de los reversos.</translation>
     </message>
 </context>
 <context>
@@ -10610,6 +10693,24 @@
       <source>No program was found that opens %1. It is there: open it by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se encontró ningún programa que abra %1. Está ahí: ábralo a mano.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MarkerSide</name>
+    <message>
+      <source>Marker side of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lado del marcador de %1</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s black square, mm. The batch is reprocessed with this size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Lado del cuadrado negro de un marcador, mm. El lote se vuelve a procesar con este tamaño.</translation>
+    </message>
+    <message>
+      <source>marker side typed anew</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>lado del marcador escrito de nuevo</translation>
     </message>
 </context>
 </TS>

@@ -1145,6 +1145,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La copie ne peut pas être mise à sa place : %1.</translation>
     </message>
+    <message numerus="yes">
+      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>La feuille a été reconnue : %n marqueur. Son côté a été saisi comme %1 mm ; le mesurer avec une règle si les tailles doivent être justes.</numerusform>
+        <numerusform>La feuille a été reconnue : %n marqueurs. Leur côté a été saisi comme %1 mm ; en mesurer un avec une règle si les tailles doivent être justes.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -1358,6 +1366,11 @@
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il a été interrompu ; retraitez-le.</translation>
+    </message>
+    <message>
+      <source>No bag was given; its sherds get their context in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucun sac indiqué ; ses tessons reçoivent leur contexte dans le catalogue.</translation>
     </message>
 </context>
 <context>
@@ -3602,19 +3615,9 @@
       <translation>&amp;Sac</translation>
     </message>
     <message>
-      <source>scan its label, or ARM1-T3-0012-4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>scannez son étiquette, ou ARM1-T3-0012-4</translation>
-    </message>
-    <message>
       <source>Site, trench, context and bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Site, tranchée, contexte et sac</translation>
-    </message>
-    <message>
-      <source>no bag: no numbers yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>pas de sac : pas encore de numéros</translation>
     </message>
     <message>
       <source>write site-trench-context-bag</source>
@@ -3625,6 +3628,16 @@
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nouveau : %1</translation>
+    </message>
+    <message>
+      <source>scan its label, or %1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>scanner son étiquette, ou %1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas de sac : les tessons n&apos;ont pas de numéro tant que le catalogue ne leur donne pas de contexte.</translation>
     </message>
 </context>
 <context>
@@ -3792,6 +3805,11 @@
         <source>Keep processing</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Poursuivre le traitement</translation>
+    </message>
+    <message>
+      <source>Marker side…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Côté du marqueur…</translation>
     </message>
 </context>
 <context>
@@ -10050,6 +10068,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Indiquez le contexte avec son site et sa tranchée, par exemple KT26-A-012.</translation>
     </message>
+    <message>
+      <source>Scale: none; lengths in mm are based on a guess.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échelle : aucune ; les longueurs en mm reposent sur une estimation.</translation>
+    </message>
+    <message>
+      <source>Scale: the board of board.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échelle : la mire de board.json.</translation>
+    </message>
+    <message>
+      <source>Scale: the lengths marked in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échelle : les longueurs marquées dans scale.json.</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as typed at the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échelle : marqueurs de %1 mm, comme saisi à l&apos;importation.</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as in plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échelle : marqueurs de %1 mm, comme dans plate.json.</translation>
+    </message>
+    <message>
+      <source>Scale: the markers that plate.json describes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échelle : les marqueurs décrits par plate.json.</translation>
+    </message>
+    <message>
+      <source>Scale: that of the imported scans.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Échelle : celle des scans importés.</translation>
+    </message>
+    <message>
+      <source>The scale of this batch is its rig&apos;s; calibrate the rig to correct it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L&apos;échelle de ce lot est celle de son banc ; étalonner le banc pour la corriger.</translation>
+    </message>
+    <message>
+      <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les marqueurs de cette feuille sont de plusieurs tailles ; corriger son plate.json à la main.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10203,6 +10266,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dossier d’un lot, ou avec des photos</translation>
     </message>
+    <message>
+      <source>Folder of the back photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dossier des photos de revers</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10282,11 +10350,6 @@
       <translation>La série est divisée là où les tessons ont été retournés.</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aucune pause ne ressort entre les photos. Placez le curseur là où les tessons ont été retournés.</translation>
-    </message>
-    <message>
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Feuille : %1</translation>
@@ -10303,6 +10366,26 @@
         <numerusform>%1 : %n photo, %2 à %3</numerusform>
         <numerusform>%1 : %n photos, %2 à %3</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>The marker size is proposed from the last import: check it with a ruler.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La taille des marqueurs est proposée d&apos;après la dernière importation : la vérifier avec une règle.</translation>
+    </message>
+    <message>
+      <source>Choose back folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Choisir le dossier des revers…</translation>
+    </message>
+    <message>
+      <source>A folder that holds both sides is split where the sherds were turned over; the folder of the back photographs replaces the split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un dossier contenant les deux faces est divisé là où les tessons ont été retournés ; le dossier des revers remplace cette division</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aucune pause ne se distingue entre les photos. Déplacer le curseur là où les tessons ont été retournés, ou choisir le dossier des revers.</translation>
     </message>
 </context>
 <context>
@@ -10610,6 +10693,24 @@
       <source>No program was found that opens %1. It is there: open it by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun programme trouvé pour ouvrir %1. Le fichier est là : ouvrez-le à la main.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MarkerSide</name>
+    <message>
+      <source>Marker side of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Côté du marqueur de %1</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s black square, mm. The batch is reprocessed with this size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Côté du carré noir d&apos;un marqueur, mm. Le lot est retraité avec cette taille.</translation>
+    </message>
+    <message>
+      <source>marker side typed anew</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>côté du marqueur saisi de nouveau</translation>
     </message>
 </context>
 </TS>

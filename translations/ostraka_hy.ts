@@ -1145,6 +1145,14 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պատճենը հնարավոր չէ դնել իր տեղը՝ %1։</translation>
     </message>
+    <message numerus="yes">
+      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Թերթը ճանաչվեց՝ %n նշիչ։ Դրա կողմը մուտքագրվել է %1 մմ. չափեք քանոնով, եթե չափերը պետք է ճիշտ լինեն։</numerusform>
+        <numerusform>Թերթը ճանաչվեց՝ %n նշիչ։ Դրանց կողմը մուտքագրվել է %1 մմ. չափեք մեկը քանոնով, եթե չափերը պետք է ճիշտ լինեն։</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -1358,6 +1366,11 @@
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ընդհատվել է. վերամշակեք։</translation>
+    </message>
+    <message>
+      <source>No bag was given; its sherds get their context in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տոպրակ չի նշվել. դրա բեկորները կոնտեքստը ստանում են քարտարանում։</translation>
     </message>
 </context>
 <context>
@@ -3602,19 +3615,9 @@
       <translation>&amp;Տոպրակ</translation>
     </message>
     <message>
-      <source>scan its label, or ARM1-T3-0012-4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>կարդացրեք պիտակը կամ ARM1-T3-0012-4</translation>
-    </message>
-    <message>
       <source>Site, trench, context and bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հուշարձան, խրամատ, համատեքստ և տոպրակ</translation>
-    </message>
-    <message>
-      <source>no bag: no numbers yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>տոպրակ չկա՝ համարներ դեռ չկան</translation>
     </message>
     <message>
       <source>write site-trench-context-bag</source>
@@ -3625,6 +3628,16 @@
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նոր՝ %1</translation>
+    </message>
+    <message>
+      <source>scan its label, or %1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սկանավորեք պիտակը կամ %1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տոպրակ չկա. բեկորները համար չեն ստանում, մինչև քարտարանը դրանց կոնտեքստ չտա։</translation>
     </message>
 </context>
 <context>
@@ -3792,6 +3805,11 @@
         <source>Keep processing</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Շարունակել մշակումը</translation>
+    </message>
+    <message>
+      <source>Marker side…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշիչի կողմը…</translation>
     </message>
 </context>
 <context>
@@ -10050,6 +10068,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Գրեք համատեքստը իր հուշարձանի և խրամատի հետ, օրինակ՝ KT26-A-012։</translation>
     </message>
+    <message>
+      <source>Scale: none; lengths in mm are based on a guess.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբ՝ չկա. մմ-ով երկարությունները ենթադրության վրա են հիմնված։</translation>
+    </message>
+    <message>
+      <source>Scale: the board of board.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբ՝ board.json-ի տախտակը։</translation>
+    </message>
+    <message>
+      <source>Scale: the lengths marked in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբ՝ scale.json-ում նշված երկարությունները։</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as typed at the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբ՝ %1 մմ նշիչներ, ինչպես մուտքագրվել է ներմուծելիս։</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as in plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբ՝ %1 մմ նշիչներ, ինչպես plate.json-ում։</translation>
+    </message>
+    <message>
+      <source>Scale: the markers that plate.json describes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբ՝ plate.json-ի նկարագրած նշիչները։</translation>
+    </message>
+    <message>
+      <source>Scale: that of the imported scans.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մասշտաբ՝ ներմուծված սկաների մասշտաբը։</translation>
+    </message>
+    <message>
+      <source>The scale of this batch is its rig&apos;s; calibrate the rig to correct it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակի մասշտաբը սարքավորմանն է. այն ուղղելու համար տրամաչափեք սարքավորումը։</translation>
+    </message>
+    <message>
+      <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս թերթի նշիչները տարբեր չափերի են. ուղղեք դրա plate.json-ը ձեռքով։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10203,6 +10266,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Խմբաքանակի կամ լուսանկարներով պանակ</translation>
     </message>
+    <message>
+      <source>Folder of the back photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դարձերեսի լուսանկարների պանակ</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10282,11 +10350,6 @@
       <translation>Շարքը բաժանված է այնտեղ, որտեղ բեկորները շրջվել են։</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Լուսանկարների միջև ոչ մի դադար չի առանձնանում։ Տեղափոխեք սահիչն այնտեղ, որտեղ բեկորները շրջվել են։</translation>
-    </message>
-    <message>
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Թերթ՝ %1</translation>
@@ -10303,6 +10366,26 @@
         <numerusform>%1՝ %n լուսանկար, %2-ից %3</numerusform>
         <numerusform>%1՝ %n լուսանկար, %2-ից %3</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>The marker size is proposed from the last import: check it with a ruler.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշիչների չափն առաջարկված է վերջին ներմուծումից. ստուգեք քանոնով։</translation>
+    </message>
+    <message>
+      <source>Choose back folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընտրել դարձերեսների պանակը…</translation>
+    </message>
+    <message>
+      <source>A folder that holds both sides is split where the sherds were turned over; the folder of the back photographs replaces the split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու երեսները պարունակող պանակը բաժանվում է այնտեղ, որտեղ բեկորները շրջվել են. դարձերեսների պանակը փոխարինում է այդ բաժանումը</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարների միջև ակնառու դադար չկա։ Տեղափոխեք սահիչը այնտեղ, որտեղ բեկորները շրջվել են, կամ ընտրեք դարձերեսների պանակը։</translation>
     </message>
 </context>
 <context>
@@ -10610,6 +10693,24 @@
       <source>No program was found that opens %1. It is there: open it by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը բացող ծրագիր չգտնվեց։ Այն տեղում է. բացեք ձեռքով։</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MarkerSide</name>
+    <message>
+      <source>Marker side of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի նշիչի կողմը</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s black square, mm. The batch is reprocessed with this size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նշիչի սև քառակուսու կողմը, մմ։ Խմբաքանակը նորից մշակվում է այս չափով։</translation>
+    </message>
+    <message>
+      <source>marker side typed anew</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>նշիչի կողմը նորից մուտքագրվեց</translation>
     </message>
 </context>
 </TS>

@@ -1141,6 +1141,13 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kopya yerine konamıyor: %1.</translation>
     </message>
+    <message numerus="yes">
+      <source>The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure one with a ruler if sizes must be right.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Sayfa tanındı: %n işaret. Kenarı %1 mm olarak yazıldı; boyutların doğru olması gerekiyorsa birini cetvelle ölçün.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchQueue</name>
@@ -1347,6 +1354,11 @@
       <source>It was interrupted. Reprocess it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yarıda kesildi; yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>No bag was given; its sherds get their context in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Torba verilmedi; parçaların bağlamı katalogda girilir.</translation>
     </message>
 </context>
 <context>
@@ -3565,19 +3577,9 @@
       <translation>&amp;Torba</translation>
     </message>
     <message>
-      <source>scan its label, or ARM1-T3-0012-4</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>etiketini okutun ya da ARM1-T3-0012-4</translation>
-    </message>
-    <message>
       <source>Site, trench, context and bag</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Alan, açma, kontekst ve torba</translation>
-    </message>
-    <message>
-      <source>no bag: no numbers yet</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>torba yok: henüz numara yok</translation>
     </message>
     <message>
       <source>write site-trench-context-bag</source>
@@ -3588,6 +3590,16 @@
       <source>New: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yeni: %1</translation>
+    </message>
+    <message>
+      <source>scan its label, or %1-T3-0012-4</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>etiketini tarayın ya da %1-T3-0012-4</translation>
+    </message>
+    <message>
+      <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Torba yok: katalog bir bağlam verene kadar parçalara numara verilmez.</translation>
     </message>
 </context>
 <context>
@@ -3753,6 +3765,11 @@
         <source>Keep processing</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>İşlemeyi sürdür</translation>
+    </message>
+    <message>
+      <source>Marker side…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İşaret kenarı…</translation>
     </message>
 </context>
 <context>
@@ -10006,6 +10023,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Konteksti alanı ve açmasıyla birlikte yazın, örneğin KT26-A-012.</translation>
     </message>
+    <message>
+      <source>Scale: none; lengths in mm are based on a guess.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçek: yok; mm cinsinden uzunluklar bir tahmine dayanır.</translation>
+    </message>
+    <message>
+      <source>Scale: the board of board.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçek: board.json dosyasındaki tahta.</translation>
+    </message>
+    <message>
+      <source>Scale: the lengths marked in scale.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçek: scale.json içinde işaretlenen uzunluklar.</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as typed at the import.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçek: içe aktarmada yazıldığı gibi %1 mm işaretler.</translation>
+    </message>
+    <message>
+      <source>Scale: markers of %1 mm, as in plate.json.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçek: plate.json dosyasındaki gibi %1 mm işaretler.</translation>
+    </message>
+    <message>
+      <source>Scale: the markers that plate.json describes.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçek: plate.json dosyasının tanımladığı işaretler.</translation>
+    </message>
+    <message>
+      <source>Scale: that of the imported scans.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçek: içe aktarılan taramalarınki.</translation>
+    </message>
+    <message>
+      <source>The scale of this batch is its rig&apos;s; calibrate the rig to correct it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu partinin ölçeği düzeneğinden gelir; düzeltmek için düzeneği kalibre edin.</translation>
+    </message>
+    <message>
+      <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu sayfanın işaretleri farklı boyutlarda; plate.json dosyasını elle düzeltin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10158,6 +10220,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir partinin ya da fotoğrafların klasörü</translation>
     </message>
+    <message>
+      <source>Folder of the back photographs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüz fotoğraflarının klasörü</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SidesView</name>
@@ -10237,11 +10304,6 @@
       <translation>Dizi, parçaların çevrildiği yerde bölündü.</translation>
     </message>
     <message>
-      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fotoğraflar arasında belirgin bir ara yok. Kaydırıcıyı parçaların çevrildiği yere getirin.</translation>
-    </message>
-    <message>
       <source>Sheet: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sayfa: %1</translation>
@@ -10257,6 +10319,26 @@
       <translation>
         <numerusform>%1: %n fotoğraf, %2 – %3</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>The marker size is proposed from the last import: check it with a ruler.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İşaret boyutu son içe aktarmadan önerildi: cetvelle denetleyin.</translation>
+    </message>
+    <message>
+      <source>Choose back folder…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Arka yüz klasörünü seç…</translation>
+    </message>
+    <message>
+      <source>A folder that holds both sides is split where the sherds were turned over; the folder of the back photographs replaces the split</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İki yüzü de içeren klasör, parçaların çevrildiği yerde bölünür; arka yüz klasörü bu bölmenin yerini alır</translation>
+    </message>
+    <message>
+      <source>No pause stands out between the photographs. Move the slider to where the sherds were turned over, or choose the folder of the back photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraflar arasında belirgin bir ara yok. Kaydırıcıyı parçaların çevrildiği yere getirin ya da arka yüz klasörünü seçin.</translation>
     </message>
 </context>
 <context>
@@ -10562,6 +10644,24 @@
       <source>No program was found that opens %1. It is there: open it by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 öğesini açacak bir program bulunamadı. Dosya yerinde: elle açın.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::MarkerSide</name>
+    <message>
+      <source>Marker side of %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 için işaret kenarı</translation>
+    </message>
+    <message>
+      <source>Side of a marker&apos;s black square, mm. The batch is reprocessed with this size.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir işaretin siyah karesinin kenarı, mm. Parti bu boyutla yeniden işlenir.</translation>
+    </message>
+    <message>
+      <source>marker side typed anew</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>işaret kenarı yeniden yazıldı</translation>
     </message>
 </context>
 </TS>

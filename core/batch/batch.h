@@ -49,6 +49,8 @@ struct Plate {
   /// plate.json, or asSheet).
   std::optional<Eigen::AlignedBox2d> sheet;
   std::vector<Marker> markers;
+  /// The side of its markers where a person typed it; else it is as the file, or a guess, has it.
+  std::optional<double> typed_marker_mm;
 };
 
 struct Board {
@@ -120,6 +122,12 @@ Result<Plate> readPlate(const std::filesystem::path& file);
 /// the frame moved into its middle, since files of others count from a corner. A round plate is as
 /// wide as it says, about its own origin.
 Plate asSheet(Plate plate);
+/// Of a marker's black square, mm: the mean of its four edges.
+double sideOf(const Marker& marker);
+/// Of all its markers; nothing where they are of several sizes, or none.
+std::optional<double> markerSide(const Plate& plate);
+/// As large as a person typed a marker's side. plate: markerSide() is known.
+Plate withMarkerSide(Plate plate, double side_mm);
 Result<Board> readBoard(const std::filesystem::path& file);
 /// {"unit":"mm","lengths":[{"side":"front","length":50,"ends":[[{"file","pixel"},...],[...]]}]}
 Result<std::vector<KnownLength>> readKnownLengths(const std::filesystem::path& file);

@@ -18,6 +18,7 @@ constexpr double kMost_mm = limits::kPlateReach_mm.most;
 constexpr int kMostSquares = limits::kBoardSquares.most;
 constexpr int kMostId = 1'000'000;         // beyond every dictionary
 constexpr double kLeastOverlap_mm = 0.01;  // markers may touch
+constexpr double kSameSide = 0.1;          // as far as sides differ that were found in photographs
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -164,6 +165,8 @@ Result<Plate> readPlate(const std::filesystem::path& file) {
     plate.diameter_mm =
         json->contains("diameter") ? numberAt(*json, "diameter", 1, 2 * kMost_mm) : 0;
     if (json->contains("sheet")) plate.sheet = sheetFromJson(json->at("sheet"));
+    if (json->contains("typed_marker_mm"))
+      plate.typed_marker_mm = numberAt(*json, "typed_marker_mm", 0.01, kMost_mm);
     plate.round = plate.diameter_mm > 0 && !plate.sheet;
   } catch (const nlohmann::json::exception& refused) {
     return unusableJson(
@@ -191,6 +194,37 @@ Plate asSheet(Plate plate) {
     for (Eigen::Vector3d& corner : marker.corners) corner.head<2>() -= middle;
   plate.sheet = Eigen::AlignedBox2d(box.min() - middle, box.max() - middle);
   plate.diameter_mm = markedDiameter(plate);
+  return plate;
+}
+
+double sideOf(const Marker& marker) {
+  double around = 0;
+  for (std::size_t c = 0; c < 4; ++c)
+    around += (marker.corners[(c + 1) % 4] - marker.corners[c]).norm();
+  return around / 4;
+}
+
+std::optional<double> markerSide(const Plate& plate) {
+  double least = std::numeric_limits<double>::max(), most = 0, sum = 0;
+  for (const Marker& marker : plate.markers) {
+    const double side = sideOf(marker);
+    least = std::min(least, side);
+    most = std::max(most, side);
+    sum += side;
+  }
+  if (plate.markers.empty() || most > (1 + kSameSide) * least) return {};
+  return sum / static_cast<double>(plate.markers.size());
+}
+
+Plate withMarkerSide(Plate plate, double side_mm) {
+  // What was typed before is what the markers' mean stands for.
+  const double factor = side_mm / plate.typed_marker_mm.value_or(*markerSide(plate));
+  for (Marker& marker : plate.markers)
+    for (Eigen::Vector3d& corner : marker.corners) corner *= factor;
+  plate.diameter_mm *= factor;
+  if (plate.sheet)
+    plate.sheet = Eigen::AlignedBox2d(plate.sheet->min() * factor, plate.sheet->max() * factor);
+  plate.typed_marker_mm = side_mm;
   return plate;
 }
 

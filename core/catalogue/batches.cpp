@@ -91,19 +91,24 @@ void checkBatch(const records::BatchRecord& b) {
 
 // Of what a record may change.
 constexpr const char* kBatchColumns =
-    "operator counted state started_ms ended_ms reprojection_px scale_error_pct scale_doubts "
+    "operator counted state started_ms ended_ms reprojection_px scale_error_pct scale scale_doubts "
     "rig_sha256 program settings_sha256 note";
+
+std::string scaleText(const records::BatchRecord& b) {
+  return b.scale.empty() ? std::string() : textOf({b.scale});
+}
 
 constexpr const char* kBatches =
     "SELECT row, id, number, operator, counted, state, started_ms, ended_ms, reprojection_px, "
-    "scale_error_pct, scale_doubts, rig_sha256, program, settings_sha256, note FROM batch ";
+    "scale_error_pct, scale, scale_doubts, rig_sha256, program, settings_sha256, note FROM batch ";
 
 records::BatchRecord readBatchRow(store::Database& database, store::Statement& row) {
   records::BatchRecord b;
-  std::string state, doubts;
+  std::string state, scale, doubts;
   row >> b.row >> b.id >> b.number >> b.operator_ >> b.counted >> state >> b.started_ms >>
-      b.ended_ms >> b.reprojection_px >> b.scale_error_pct >> doubts >> b.rig_sha256 >> b.program >>
-      b.settings_sha256 >> b.note;
+      b.ended_ms >> b.reprojection_px >> b.scale_error_pct >> scale >> doubts >> b.rig_sha256 >>
+      b.program >> b.settings_sha256 >> b.note;
+  for (Message& source : messagesFromText(scale, b.number)) b.scale = std::move(source);
   b.scale_doubts = messagesFromText(doubts, b.number);
   b.state = records::fromWord<records::BatchState>(state);
   b.bags = bagsOf(database, b.row);
@@ -136,11 +141,11 @@ Result<store::BatchRow> Batches::add(const records::BatchRecord& wanted,
       store::refuse(message("The uuid of a batch is not well formed."), b.id);
     store::Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?", b.number);
     if (same.next()) store::refuse(message("The batch %1 already exists.", b.number));
-    const store::BatchRow row{addRow(catalogue_, provenance, "batch", b.id,
-                                     std::string("number ") + kBatchColumns, b.number, b.operator_,
-                                     b.counted, records::wordOf(b.state), b.started_ms, b.ended_ms,
-                                     b.reprojection_px, b.scale_error_pct, textOf(b.scale_doubts),
-                                     b.rig_sha256, b.program, b.settings_sha256, b.note)};
+    const store::BatchRow row{
+        addRow(catalogue_, provenance, "batch", b.id, std::string("number ") + kBatchColumns,
+               b.number, b.operator_, b.counted, records::wordOf(b.state), b.started_ms, b.ended_ms,
+               b.reprojection_px, b.scale_error_pct, scaleText(b), textOf(b.scale_doubts),
+               b.rig_sha256, b.program, b.settings_sha256, b.note)};
     setBags(*database_, row, b.bags);
     remember(catalogue_, provenance, "batch", row.value, "", "", b.number);
     return row;
@@ -160,6 +165,7 @@ Result<void> Batches::save(const records::BatchRecord& b, const records::Provena
                              {"ended_ms", optionalText(b.ended_ms)},
                              {"reprojection_px", optionalText(b.reprojection_px)},
                              {"scale_error_pct", optionalText(b.scale_error_pct)},
+                             {"scale", scaleText(b)},
                              {"scale_doubts", textOf(b.scale_doubts)},
                              {"rig_sha256", b.rig_sha256},
                              {"program", b.program},
@@ -173,8 +179,8 @@ Result<void> Batches::save(const records::BatchRecord& b, const records::Provena
     if (!changed) return;
     changeRow(catalogue_, provenance, "batch", b.row.value, kBatchColumns, b.operator_, b.counted,
               records::wordOf(b.state), b.started_ms, b.ended_ms, b.reprojection_px,
-              b.scale_error_pct, textOf(b.scale_doubts), b.rig_sha256, b.program, b.settings_sha256,
-              b.note);
+              b.scale_error_pct, scaleText(b), textOf(b.scale_doubts), b.rig_sha256, b.program,
+              b.settings_sha256, b.note);
   });
 }
 

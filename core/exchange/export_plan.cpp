@@ -90,14 +90,15 @@ void ExportPlan::photographs(store::BatchRow batch, const std::string& number) {
   if (!options_.forms.contains(Form::Photographs) && !options_.forms.contains(Form::Views)) return;
   const std::string folder = "batches/" + number + "/";
   for (const records::FileRecord& file : valueOrThrow(Files(catalogue_).of(batch))) {
-    if (file.role != "photo") continue;
-    if (options_.forms.contains(Form::Views)) viewed_photographs_.push_back(project_ / file.path);
+    if (file.role != "photo" && file.role != "scale") continue;
+    if (file.role == "photo" && options_.forms.contains(Form::Views))
+      viewed_photographs_.push_back(project_ / file.path);
     if (!options_.forms.contains(Form::Photographs)) continue;
     const std::string inside = file.path.starts_with(folder)
                                    ? file.path.substr(folder.size())
                                    : fs::path(file.path).filename().string();
     files_.push_back({{},
-                      "photo",
+                      file.role,
                       "photographs/" + number + "/" + inside,
                       project_ / file.path,
                       file.sha256,

@@ -184,8 +184,8 @@ class ReadingBack {
     int files = 0;
     for (const upkeep::KnownFile& file : *known) {
       const auto from = with_hash.find(file.sha256);
-      if (from == with_hash.end() || (file.role == "photo" && under_cameras.contains(file.batch)))
-        continue;
+      const bool taken = file.role == "photo" || file.role == "scale";
+      if (from == with_hash.end() || (taken && under_cameras.contains(file.batch))) continue;
       const Result<ContainedPath> to = ContainedPath::parse(file.path);
       if (!to) return to.error();
       std::error_code failed;  // what lies behind a link is not lost

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
+#include <system_error>
+#include <tuple>
 #include <utility>
 
 #include "base/message.h"
@@ -101,6 +103,7 @@ class Entering {
                                                      : records::BatchState::Done;
     batch.reprojection_px = read.reprojection_px;
     batch.scale_error_pct = read.scale_error_pct;
+    batch.scale = read.scale;
     batch.scale_doubts = read.scale_doubts;
     valueOrThrow(catalogue::Batches(catalogue_).save(batch, provenance_));
   }
@@ -284,6 +287,36 @@ Result<bool> enterLostModels(const fs::path& project, const std::string& batch, 
   });
 }
 
+namespace {
+
+// Without following links: what they lead to is not the project's.
+std::pair<records::FileRecord, std::string> fileOf(const fs::path& project, const fs::path& at,
+                                                   store::BatchRow batch, const char* role) {
+  records::FileRecord file;
+  file.path = relativeTo(project, at);
+  OpenFile open = valueOrThrow(OpenFile::within(project, file.path));
+  std::string bytes = valueOrThrow(open.readAll());
+  file.sha256 = sha256(bytes);
+  file.bytes = static_cast<std::int64_t>(bytes.size());
+  file.media_type = mediaTypeOf(at);
+  file.role = role;
+  file.batch = batch;
+  return {std::move(file), std::move(bytes)};
+}
+
+// What says how long something in the photographs is.
+std::vector<records::FileRecord> scaleFilesOf(const fs::path& project, const fs::path& folder,
+                                              store::BatchRow batch) {
+  std::vector<records::FileRecord> files;
+  std::error_code failed;
+  for (const char* name : {"plate.json", "board.json", "scale.json"})
+    if (fs::is_regular_file(fs::symlink_status(folder / name, failed)))
+      files.push_back(fileOf(project, folder / name, batch, "scale").first);
+  return files;
+}
+
+}  // namespace
+
 Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& project,
                              store::BatchRow batch, const records::Provenance& provenance,
                              Progress& progress, std::stop_token stop) {
@@ -304,11 +337,10 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
     std::vector<Photograph> all;
     for (const batch::Shot& shot : folder->shots) {
       if (stop.stop_requested()) throw store::Refused(Error::cancelled());
-      // Without following links: what they lead to is not the project's.
       Photograph p;
-      p.shot.path = relativeTo(project, shot.file);
-      OpenFile open = valueOrThrow(OpenFile::within(project, p.shot.path));
-      const std::string bytes = valueOrThrow(open.readAll());
+      std::string bytes;
+      std::tie(p.file, bytes) = fileOf(project, shot.file, batch, "photo");
+      p.shot.path = p.file.path;
       p.shot.batch = batch;
       p.shot.side = shot.side;
       // Of free cameras it is one camera's, photograph after photograph.
@@ -325,12 +357,6 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
         p.shot.angle_deg = entry->angle_seen_deg.value_or(entry->angle_deg);
         if (entry->checked) p.shot.sharpness = entry->sharpness;
       }
-      p.file.path = p.shot.path;
-      p.file.sha256 = sha256(bytes);
-      p.file.bytes = static_cast<std::int64_t>(bytes.size());
-      p.file.media_type = mediaTypeOf(shot.file);
-      p.file.role = "photo";
-      p.file.batch = batch;
       all.push_back(std::move(p));
       progress.report(static_cast<std::int64_t>(all.size()),
                       static_cast<std::int64_t>(folder->shots.size()));
@@ -338,7 +364,12 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
     return all;
   });
   if (!read) return read.error();
+  const auto scale = catalogue.database().asResult(
+      [&] { return scaleFilesOf(project, project / "batches" / record->number, batch); });
+  if (!scale) return scale.error();
   return catalogue.database().inTransaction([&] {
+    for (const records::FileRecord& file : *scale)
+      valueOrThrow(catalogue::Files(catalogue).save(file, provenance));
     for (const Photograph& p : *read) {
       valueOrThrow(catalogue::Batches(catalogue).save(p.shot, provenance));
       valueOrThrow(catalogue::Files(catalogue).save(p.file, provenance));

@@ -78,6 +78,10 @@ class Reading {
       for (const json& sherd : report.at("sherds")) sherdOf(sherd, report.value("has_scale", true));
       for (const json& stage : report.at("stages"))
         if (stage.at("stage") == "cameras") camerasOf(stage.at("figures"));
+      if (report.contains("scale"))
+        results_.scale = store::valueOrThrow(
+            messageFromJson(report.at("scale"), (out_ / "report.json").string()));
+      checkTextOf("report.json", results_.scale.english());
       results_.scale_doubts = store::valueOrThrow(messagesFromJson(
           report.value("scale_doubts", json::array()), (out_ / "report.json").string()));
       checkTextOf("report.json", textOf(results_.scale_doubts));

@@ -31,6 +31,7 @@ struct ReadResults {
   std::vector<ReadSherd> sherds;
   std::vector<ReadFile> files;
   std::optional<double> reprojection_px, scale_error_pct;
+  Message scale;  ///< what makes it
   std::vector<Message> scale_doubts;
 };
 

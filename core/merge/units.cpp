@@ -29,6 +29,7 @@ std::string unitNamed(const std::string& table, const std::string& column) {
         {"ended_ms", "results"},
         {"reprojection_px", "results"},
         {"scale_error_pct", "results"},
+        {"scale", "results"},
         {"scale_doubts", "results"},
         {"rig_sha256", "results"},
         {"program", "results"},

@@ -68,6 +68,7 @@ class Writing {
     put(one, "ended_ms", b.ended_ms);
     put(one, "reprojection_px", b.reprojection_px);
     put(one, "scale_error_pct", b.scale_error_pct);
+    put(one, "scale", b.scale.english());
     put(one, "scale_doubts", linesOf(b.scale_doubts));
     put(one, "rig_sha256", b.rig_sha256);
     put(one, "program", b.program);
@@ -157,9 +158,10 @@ class Writing {
     for (const records::FileRecord& f : valueOrThrow(Files(catalogue_).of(b.row))) {
       const std::string at = exportedAs(f.path, b.number);
       const auto exported = exported_.find("data/" + at);
-      if (f.role != "photo" || exported == exported_.end()) continue;
+      if ((f.role != "photo" && f.role != "scale") || exported == exported_.end()) continue;
       // Of what goes along: the photograph may have changed since it was entered.
       one["files"].push_back({{"id", f.id},
+                              {"role", f.role},
                               {"path", f.path},
                               {"sha256", exported->second->sha256},
                               {"bytes", exported->second->bytes},
@@ -209,6 +211,7 @@ class Entering {
     take(b, "ended_ms", batch.ended_ms);
     take(b, "reprojection_px", batch.reprojection_px);
     take(b, "scale_error_pct", batch.scale_error_pct);
+    if (const std::string scale = text(b, "scale"); !scale.empty()) batch.scale = Message(scale);
     if (const std::string doubts = text(b, "scale_doubts"); !doubts.empty())
       batch.scale_doubts.emplace_back(doubts);
     batch.rig_sha256 = text(b, "rig_sha256");
@@ -317,7 +320,7 @@ class Entering {
     file.sha256 = verified.sha256;
     file.bytes = verified.bytes;
     file.media_type = text(f, "media_type");
-    file.role = "photo";
+    file.role = text(f, "role") == "scale" ? "scale" : "photo";
     file.batch = batch;
     valueOrThrow(Files(catalogue_).save(file, provenance_));
     read.copies.push_back({text(f, "at"), file.path});

@@ -159,6 +159,7 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
       if (batch.started_ms) digitisation["shot_on"] = utcDay(*batch.started_ms);
       put(digitisation, "operator", initialsOf(catalogue, batch.operator_));
       put(digitisation, "scale_error_pct", batch.scale_error_pct);
+      put(digitisation, "scale", batch.scale.english());
       put(digitisation, "scale_doubts", linesOf(batch.scale_doubts));
       if (!batch.program.empty()) used_program = batch.program;
     }

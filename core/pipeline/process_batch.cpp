@@ -14,6 +14,7 @@
 #include "checks/camera_settings.h"
 #include "checks/lone_scans.h"
 #include "checks/no_scale.h"
+#include "checks/scale_source.h"
 #include "checks/stillness.h"
 #include "cloud/ply.h"
 #include "decisions/candidate_table.h"
@@ -355,6 +356,7 @@ Result<ProcessSummary> runChain(Run run, const std::vector<Message>& reading) {
   Result<Staged<Poses>> poses = poseStage(run);
   if (!poses) return poses.error();
   report.stages.push_back({"cameras", poses->record});
+  report.scale = checks::scaleSource(run.batch, poses->value.has_scale);
   Result<Staged<std::optional<colour::Correction>>> colours = colourStage(run);
   if (!colours) return colours.error();
   run.colours = std::move(*colours);
@@ -411,6 +413,7 @@ Result<ProcessSummary> runImported(const Run& run, const decisions::ScanFolder& 
                                    const decisions::ScanFolder& backs,
                                    const std::vector<Message>& reading) {
   ReportInput report;
+  report.scale = message("Scale: that of the imported scans.");
   const Result<Sides> front = importedSide(run, batch::Side::Front, fronts, report.stages);
   if (!front) return front.error();
   Result<Sides> back = importedSide(run, batch::Side::Back, backs, report.stages);

@@ -1,4 +1,5 @@
 #pragma once
+#include <filesystem>
 #include <stop_token>
 
 #include "base/progress.h"
@@ -16,6 +17,12 @@ namespace ostraka::pipeline {
 /// says), NotEnough, Cancelled.
 Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& options,
                                  Progress& progress, std::stop_token stop);
+
+/// A batch by hand gets this size: its plate.json is written anew with it, or for the first time by
+/// what its photographs show, and returned. Errors: UnusableInput (a rig's batch, markers of
+/// several sizes), those of proposeMissingSheet; the folder is as it was then.
+Result<batch::Plate> setMarkerSide(const std::filesystem::path& folder, double marker_mm,
+                                   Progress& progress, std::stop_token stop);
 
 /// Whether the plate is such a proposal; process writes it to OUT/plate.json if its size is known.
 bool isProposed(const batch::Batch& batch);

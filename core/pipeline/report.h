@@ -32,6 +32,7 @@ struct ReportInput {
   std::vector<ReportSherd> sherds;
   std::vector<std::string> unpaired_front, unpaired_back, set_aside, reshoot;
   std::vector<Message> warnings;
+  Message scale;                       ///< what makes it: checks::scaleSource
   std::vector<Message> scale_doubts;   ///< while there is one a person must decide
   bool draft = false;                  ///< ProcessSummary::draft
   std::vector<std::string> decisions;  ///< ids of those that were followed

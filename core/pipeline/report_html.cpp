@@ -300,7 +300,7 @@ std::string reportHtml(const ReportInput& input) {
       " sherds, " +
       (doubtful == 0 ? std::string("all pairs certain.")
                      : "<span class=\"ask\">" + std::to_string(doubtful) + " to review.</span>") +
-      "</p>";
+      "</p><p>" + markupText(input.scale.english()) + "</p>";
   for (const Message& doubt : input.scale_doubts)
     html += "<p class=\"ask\">Resolve this before you measure anything: " +
             markupText(doubt.english()) + "</p>";

@@ -37,6 +37,7 @@ ordered_json reportJson(const ReportInput& input) {
   return {{"format", "ostraka-report/1"},
           {"unit", "mm"},
           {"has_scale", input.poses == nullptr || input.poses->has_scale},
+          {"scale", toJson(input.scale)},
           {"scale_doubts", toJson(input.scale_doubts)},
           {"draft", input.draft},
           {"decisions", input.decisions},

@@ -80,6 +80,7 @@ struct BatchRecord {
   std::optional<std::int64_t> started_ms, ended_ms;
   std::optional<double> reprojection_px;
   std::optional<double> scale_error_pct;  ///< the worst of the known lengths that took no part
+  Message scale;                          ///< what makes it, one sentence; empty: not computed
   std::vector<Message> scale_doubts;      ///< why its measures are in doubt; empty: they are not
   std::string rig_sha256, program, settings_sha256, note;
 };

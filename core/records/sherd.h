@@ -60,7 +60,7 @@ enum class FileState { Present, Missing, Changed };
 struct FileRecord {
   store::FileRow row;
   std::string id, path;                  ///< relative to the project, with '/'
-  std::string sha256, media_type, role;  ///< photo mask scan model preview drawing report
+  std::string sha256, media_type, role;  ///< photo mask scan model preview drawing report scale
   std::int64_t bytes = 0;
   FileState state = FileState::Present;
   store::SherdRow sherd;  ///< none: of the batch as a whole

@@ -28,6 +28,7 @@ ordered_json describedPlate(const batch::Plate& plate) {
     all["sheet"] = {plate.sheet->sizes().x(), plate.sheet->sizes().y()};
   else
     all["diameter"] = plate.diameter_mm;
+  if (plate.typed_marker_mm) all["typed_marker_mm"] = *plate.typed_marker_mm;
   all["markers"] = markers;
   return all;
 }

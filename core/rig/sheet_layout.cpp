@@ -338,13 +338,17 @@ Error unread(std::size_t photographs) {
 
 }  // namespace
 
+Result<void> checkMarkerSide(double marker_mm) {
+  if (marker_mm > 0.5 && marker_mm < 1000) return {};
+  return Error::unusable(
+      message("The side of a marker must be between 0.5 and 1000 mm; measure a black square on the "
+              "paper."));
+}
+
 Result<SheetLayout> proposeSheet(const std::vector<fs::path>& photographs,
                                  const SheetLayoutOptions& options, Progress& progress,
                                  std::stop_token stop) {
-  if (!(options.marker_mm > 0.5 && options.marker_mm < 1000))
-    return Error::unusable(message(
-        "The side of a marker must be between 0.5 and 1000 mm; measure a black square on the "
-        "paper."));
+  if (const Result<void> good = checkMarkerSide(options.marker_mm); !good) return good.error();
   const Result<Read> read = readMost(spread(photographs, static_cast<std::size_t>(options.probed)),
                                      options, progress, stop);
   if (!read) return read.error();

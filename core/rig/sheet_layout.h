@@ -25,6 +25,9 @@ struct SheetLayout {
       left_out;  ///< ids read that lie elsewhere than on the sheet, or in one photograph
 };
 
+/// Whether this may be the side of a marker on a sheet. Error: UnusableInput.
+Result<void> checkMarkerSide(double marker_mm);
+
 /// Markers of equal size on a flat sheet, in photographs from any places: which of OpenCV's
 /// dictionaries they are of, and where they lie. Photographs of different sizes are taken as of
 /// different lenses. The size is known as well as `marker_mm`, the shape to 0.3 % where eight

@@ -68,9 +68,10 @@ class VirtualPlace {
   const VirtualDevicesOptions& options() const { return options_; }
   // Other sherds, another lens: another camera, so that no batch gets the back of another one.
   std::string serial(int camera) const {
-    return batch::kVirtualSerial + batch::cameraLetter(camera) + " (seed " + std::to_string(options_.seed) +
-           ", " + std::to_string(options_.sherds) + " sherds, " + std::to_string(options_.width) +
-           " px" + (options_.near_duplicates > 0 ? ", near-duplicates" : "") +
+    return batch::kVirtualSerial + batch::cameraLetter(camera) + " (seed " +
+           std::to_string(options_.seed) + ", " + std::to_string(options_.sherds) + " sherds, " +
+           std::to_string(options_.width) + " px" +
+           (options_.near_duplicates > 0 ? ", near-duplicates" : "") +
            (options_.touching > 0 ? ", touching" : "") + ")";
   }
 

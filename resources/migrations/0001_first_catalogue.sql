@@ -96,6 +96,8 @@ CREATE TABLE batch (
   started_ms INTEGER, ended_ms INTEGER, reprojection_px REAL, scale_error_pct REAL,
   rig_sha256 TEXT NOT NULL DEFAULT '', program TEXT NOT NULL DEFAULT '',
   settings_sha256 TEXT NOT NULL DEFAULT '', note TEXT NOT NULL DEFAULT '',
+  -- What makes the scale, one sentence; empty: not computed yet.
+  scale TEXT NOT NULL DEFAULT '',
   -- Why the scale is in doubt, whole sentences, one a line; empty: nothing speaks against it. Until
   -- it is settled all measures that the program took of its sherds are in doubt.
   scale_doubts TEXT NOT NULL DEFAULT ''
@@ -248,7 +250,7 @@ CREATE TABLE file (
   path TEXT NOT NULL UNIQUE, sha256 TEXT NOT NULL, bytes INTEGER NOT NULL CHECK (bytes >= 0),
   media_type TEXT NOT NULL,
   role TEXT NOT NULL CHECK (role IN ('photo', 'mask', 'scan', 'model', 'preview', 'drawing',
-                                     'report')),
+                                     'report', 'scale')),
   state TEXT NOT NULL DEFAULT 'present' CHECK (state IN ('present', 'missing', 'changed')),
   sherd INTEGER REFERENCES sherd, batch INTEGER REFERENCES batch
 ) STRICT;

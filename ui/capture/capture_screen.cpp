@@ -277,6 +277,7 @@ void CaptureScreen::openProject(ProjectSession& session) {
     edit->setReader([&session](const QString& text) {
       return findPlaceText(session.project().catalogue(), text);
     });
+    edit->setSite(siteOf(session.project().catalogue()));
     edit->setNews(
         [&session](const PlaceText& place) { return newOf(session.project().catalogue(), place); });
   }
@@ -335,10 +336,13 @@ void CaptureScreen::showFailure(const Error& error) {
   emit said(sentenceOf(error));
 }
 
-void CaptureScreen::showImported(const QString& number, int files, const QStringList& doubts) {
+void CaptureScreen::showImported(const QString& number, int files, const QStringList& doubts,
+                                 const QString& note) {
   const QString words =
       tr("%1: %n file(s) imported; it is in the queue.", nullptr, files).arg(number);
-  if (!doubts.isEmpty()) failure_->showWords(words, doubts.join(QLatin1Char('\n')), tr("OK"));
+  const QStringList more = note.isEmpty() ? doubts : QStringList(note) + doubts;
+  if (!more.isEmpty())
+    failure_->showSuccess(words, more.join(QLatin1Char('\n')), !doubts.isEmpty(), tr("OK"));
   emit said(words);
 }
 
@@ -351,10 +355,13 @@ void CaptureScreen::placeTyped() {
 void CaptureScreen::follow() {
   const CapturePhase phase = wizard_->phase();
   const bool no_rig = phase == CapturePhase::NoRig && !wizard_->fault();
-  rig_page_->setVisible(no_rig);
+  // While an import asks, it is the one thing to do: its bag, its button, and no key of the rig.
+  const bool importing = import_ask_->isAsking();
+  const bool rig_in_sight = !importing || wizard_->isShooting();
+  rig_page_->setVisible(no_rig && rig_in_sight);
   rig_page_->setCanKeep(wizard_->rig()->canRestore());
   rig_page_->setCanLeave(no_rig && rigChoice().kind != RigChoice::Kind::None);
-  work_page_->setVisible(!no_rig);
+  work_page_->setVisible(!no_rig && rig_in_sight);
   const bool shooting = phase == CapturePhase::ShootFront || phase == CapturePhase::ShootBack;
   // What was photographed stays in sight when it is done.
   const bool board = shooting || (phase == CapturePhase::Done && !wizard_->side()->shots().empty());
@@ -363,9 +370,7 @@ void CaptureScreen::follow() {
   headline_->setFont(scaledFont(*this, headlineSize(), true));
   instruction_->setText(text_.instruction());
   instruction_->setVisible(!compact_ && !instruction_->text().isEmpty());
-  // While an import asks, it is the one thing to do: its bag, its button, and no key of the rig.
-  const bool importing = import_ask_->isAsking();
-  foot_->setVisible(!importing || wizard_->isShooting());
+  foot_->setVisible(rig_in_sight);
   foot_->follow();
   place_->setVisible(!importing);
   place_->follow();

@@ -76,7 +76,8 @@ class CaptureScreen final : public Screen {
   void followRig(const std::optional<Error>& why_not);
   void buildImport(QVBoxLayout* all);
   void showFailure(const Error& error);
-  void showImported(const QString& number, int files, const QStringList& doubts);
+  void showImported(const QString& number, int files, const QStringList& doubts,
+                    const QString& note);
   RigChoice rigChoice() const;
   void keepChoice(const RigChoice& choice);
   void leaveRig();

@@ -1,5 +1,6 @@
 #include "ui/import/batch_importer.h"
 
+#include <QLocale>
 #include <algorithm>
 #include <system_error>
 
@@ -12,6 +13,20 @@
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
+namespace {
+
+QString noteOn(const Imported& copied) {
+  if (!copied.found_sheet) return {};
+  const QLocale locale;
+  return BatchImporter::tr(
+             "The sheet was recognised: %n marker(s). Its marker side was typed as %1 mm; measure "
+             "one with a ruler if sizes must be right.",
+             nullptr, static_cast<int>(copied.found_sheet->markers.size()))
+      .arg(locale.toString(copied.found_sheet->typed_marker_mm.value_or(0), 'g',
+                           QLocale::FloatingPointShortest));
+}
+
+}  // namespace
 
 void BatchImporter::setSession(ProjectSession* session) {
   if (job_ != nullptr) {
@@ -71,7 +86,7 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
       return;
     }
     if (options.kind == ImportKind::Photographs) recordPhotographs(*session_, *number, "import");
-    emit imported(*number, copied->files, doubts_);
+    emit imported(*number, copied->files, doubts_, noteOn(*copied));
     session_->tellBatchChanged(*number);
   });
   emit started(tr("Import of %1").arg(folder));

@@ -31,8 +31,8 @@ class BatchImporter final : public QObject {
  signals:
   void started(const QString& title);
   void progressed(double fraction);
-  /// doubts: what is not usable of it, whole sentences.
-  void imported(const QString& number, int files, const QStringList& doubts);
+  /// doubts: what is not usable of it, whole sentences; note: what else to know of it, or empty.
+  void imported(const QString& number, int files, const QStringList& doubts, const QString& note);
   void failed(const ostraka::Error& error);
   /// The project has these photographs or scans: nothing was imported.
   /// Of its files; not all need to be there.

@@ -10,6 +10,7 @@
 #include "ui/import/sides_view.h"
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
+#include "ui/widgets/page_area.h"
 
 namespace ostraka::ui {
 
@@ -33,12 +34,17 @@ ImportAsk::ImportAsk(QWidget* parent)
     button->setMinimumHeight(targetSize(*this));
     row->addWidget(button);
   }
+  auto* middle = new QWidget(this);
+  auto* looked_at = bareLayout<QVBoxLayout>(middle);
+  looked_at->addWidget(words_);
+  looked_at->addWidget(sides_);
+  looked_at->addStretch();
+  // What is looked at is scrolled where it finds no room; what decides, and why not, is not.
   auto* column = bareLayout<QVBoxLayout>(this);
-  column->addWidget(words_);
-  column->addWidget(sides_);
-  column->addLayout(row);
+  column->addWidget(new PageArea(middle, this), 1);
   column->addWidget(reason_);
   column->addWidget(place_->note());
+  column->addLayout(row);
   connect(import_, &QPushButton::clicked, this, &ImportAsk::confirm);
   connect(leave, &QPushButton::clicked, this, &ImportAsk::leave);
   connect(place_, &PlaceEdit::entered, this, &ImportAsk::confirm);

@@ -16,7 +16,6 @@
 #include "batch/photographs.h"
 #include "files/files.h"
 #include "pipeline/proposed_sheet.h"
-#include "rig/plate_print.h"
 
 namespace ostraka::ui {
 namespace {
@@ -103,18 +102,6 @@ Result<std::vector<Taken>> sidesOf(const ImportSides& sides, Progress& progress)
     files.push_back({shot.file, batch::name(shot.side) / shot.file.filename()});
   if (!batch->plate_file.empty()) files.push_back({batch->plate_file, "plate.json"});
   return files;
-}
-
-// Where the size of a marker was said, the sheet is sought in the copies and described beside them.
-Result<void> describeSheet(const fs::path& copy, double marker_mm, Progress& progress,
-                           const std::stop_token& stop) {
-  Result<batch::Batch> batch = batch::readBatch(copy, {}, progress);
-  if (!batch) return batch.error();
-  pipeline::ProcessOptions options;
-  options.marker_mm = marker_mm;
-  if (Result<void> found = pipeline::proposeMissingSheet(*batch, options, progress, stop); !found)
-    return found;
-  return batch->plate ? rig::writePlate(copy / "plate.json", *batch->plate) : Result<void>();
 }
 
 // What was photographed or scanned, by size; the same picture has the same size.
@@ -243,10 +230,11 @@ Result<Imported> copyBatch(const ImportOptions& options, Progress& progress, std
   const Result<void> copied = [&]() -> Result<void> {
     if (Result<void> all = copyFiles(*files, imported, progress, stop); !all) return all;
     if (!options.sides || !options.sides->marker_mm) return {};
-    const Result<void> described =
-        describeSheet(imported.folder, *options.sides->marker_mm, progress, stop);
-    return described ? described
-                     : Error{described.error().code, described.error().what, options.from.string()};
+    Result<batch::Plate> found =
+        pipeline::setMarkerSide(imported.folder, *options.sides->marker_mm, progress, stop);
+    if (!found) return Error{found.error().code, found.error().what, options.from.string()};
+    imported.found_sheet = std::move(*found);
+    return {};
   }();
   if (copied) return imported;
   std::error_code ignored;

@@ -33,6 +33,7 @@ ImportChooser::ImportChooser(QWidget* screen, ImportAsk* ask)
   connect(ask_->sides(), &SidesView::sheetChosen, this, [this](const QString& file) {
     if (session_ != nullptr) session_->keepSetting(kSheetKey, file);
   });
+  connect(ask_->sides(), &SidesView::backWanted, this, &ImportChooser::chooseBack);
   connect(ask_->sides(), &SidesView::markerChosen, this, [this](double side_mm) {
     if (session_ != nullptr) session_->keepSetting(kMarkerKey, QString::number(side_mm));
   });
@@ -67,6 +68,15 @@ void ImportChooser::choose(ImportKind kind) {
   });
 }
 
+void ImportChooser::chooseBack() {
+  QFileDialog* dialog = askForFile(screen_, tr("Folder of the back photographs"), {}, {});
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) {
+    const Result<SidesPlan> both = withBack(ask_->sides()->plan(), folder);
+    if (!both) return emit failed(both.error());
+    ask_->sides()->setPlan(*both);
+  });
+}
+
 void ImportChooser::take(const QStringList& paths) {
   if (session_ == nullptr || paths.isEmpty()) return;
   dropJob(job_);
@@ -78,6 +88,7 @@ void ImportChooser::take(const QStringList& paths) {
     if (!plan) return emit failed(plan.error());
     if (*plan) {
       (*plan)->marker_mm = lastMarker();
+      (*plan)->marker_proposed = (*plan)->marker_mm.has_value();
       ask_->askSides(**plan);
     } else
       ask_->ask(paths.front(), ImportKind::Photographs);

@@ -35,6 +35,7 @@ class ImportChooser final : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void chooseBack();
   std::filesystem::path lastSheet() const;
   std::optional<double> lastMarker() const;
 

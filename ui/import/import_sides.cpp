@@ -177,4 +177,15 @@ Result<std::optional<SidesPlan>> planSides(const QStringList& dropped, const fs:
   return std::optional<SidesPlan>(std::move(plan));
 }
 
+Result<SidesPlan> withBack(SidesPlan plan, const QString& folder) {
+  const std::vector<fs::path> backs = batch::photographsIn(folder.toStdString());
+  if (backs.empty()) return refused(kNoPhotographs, folder.toStdString());
+  if (!plan.divisible && !plan.one_side) plan.files = plan.sides().front;
+  plan.first_second = plan.files.size();
+  plan.files.insert(plan.files.end(), backs.begin(), backs.end());
+  plan.divisible = plan.one_side = plan.backs_first = false;
+  plan.flip_found = true;
+  return plan;
+}
+
 }  // namespace ostraka::ui

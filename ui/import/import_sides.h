@@ -28,6 +28,7 @@ struct SidesPlan {
   bool one_side = false;
   std::optional<std::filesystem::path> sheet;
   std::optional<double> marker_mm;
+  bool marker_proposed = false;  ///< it is the last import's, and nobody has confirmed it
 
   ImportSides sides() const;
   /// No person needs to say anything more.
@@ -44,5 +45,9 @@ inline constexpr std::size_t kLeastOfASide = 3;
 /// wrote about each photograph: for a job. Errors: UnusableInput.
 Result<std::optional<SidesPlan>> planSides(const QStringList& dropped,
                                            const std::filesystem::path& last_sheet);
+
+/// The same with the photographs of this folder for its back: a series that was divided, or one
+/// side only, is the front as a whole. Errors: UnusableInput (no photographs).
+Result<SidesPlan> withBack(SidesPlan plan, const QString& folder);
 
 }  // namespace ostraka::ui

@@ -16,7 +16,6 @@ PlaceEdit::PlaceEdit(QWidget* parent)
   auto* label = new QLabel(tr("&Bag"), this);
   label->setBuddy(edit_);
   edit_->setObjectName(QStringLiteral("capturePlace"));
-  edit_->setPlaceholderText(tr("scan its label, or ARM1-T3-0012-4"));
   edit_->setAccessibleDescription(tr("Site, trench, context and bag"));
   edit_->setMinimumHeight(targetSize(*this));
   edit_->installEventFilter(this);
@@ -31,8 +30,14 @@ PlaceEdit::PlaceEdit(QWidget* parent)
     follow();
     emit edited();
   });
+  setSite({});
   setCompact(false);
   follow();
+}
+
+void PlaceEdit::setSite(const QString& code) {
+  edit_->setPlaceholderText(
+      tr("scan its label, or %1-T3-0012-4").arg(code.isEmpty() ? QStringLiteral("ARM1") : code));
 }
 
 void PlaceEdit::setReader(std::function<std::optional<PlaceText>(const QString&)> reader) {
@@ -93,7 +98,7 @@ void PlaceEdit::follow() {
 QString PlaceEdit::noteWords() {
   if (text().isEmpty()) {
     known_.clear();
-    return tr("no bag: no numbers yet");
+    return tr("No bag: the sherds get no numbers until the catalogue gives them a context.");
   }
   if (!isUsable()) return tr("write site-trench-context-bag");
   const QString news = news_ ? news_(place()) : QString();

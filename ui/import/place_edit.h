@@ -20,6 +20,8 @@ class PlaceEdit final : public QWidget {
   /// What of a place is new and would be made: it is said beside the field. Esc while the
   /// cursor is in the field brings back the text of before.
   void setNews(std::function<QString(const PlaceText&)> news);
+  /// Of the project, for the example in the empty field; empty: there is none yet.
+  void setSite(const QString& code);
   void setText(const QString& text);
   QString text() const;
   void setCompact(bool compact);

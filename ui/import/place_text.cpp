@@ -125,6 +125,11 @@ std::optional<PlaceText> findPlaceText(const Catalogue& rows, const QString& tex
   return read;
 }
 
+QString siteOf(const Catalogue& rows) {
+  const auto sites = catalogue::Places(rows).sites();
+  return sites && !sites->empty() ? QString::fromStdString(sites->front().code) : QString();
+}
+
 QString newOf(const Catalogue& rows, const PlaceText& place) {
   if (place.isEmpty()) return {};
   const auto words = [](const char* form, const QString& value) {

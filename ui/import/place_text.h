@@ -34,6 +34,9 @@ std::optional<PlaceText> readPlaceText(const QString& text);
 /// are by now, and codes that have marks themselves (AR-TS) are recognised, in any capitals.
 std::optional<PlaceText> findPlaceText(const catalogue::Catalogue& catalogue, const QString& text);
 
+/// The code of the project's site, the first of several; empty where there is none yet.
+QString siteOf(const catalogue::Catalogue& catalogue);
+
 /// What of a place the project does not know yet and would make: "site XX, trench 9, context 12,
 /// bag 4". Empty when it knows all.
 QString newOf(const catalogue::Catalogue& catalogue, const PlaceText& place);

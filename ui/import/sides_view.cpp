@@ -64,6 +64,13 @@ SidesView::SidesView(QWidget* parent)
   dividing->addWidget(one_side_);
   dividing->addWidget(swap_);
   dividing->addStretch();
+  auto* back = new QPushButton(tr("Choose back folder…"), this);
+  back->setObjectName(QStringLiteral("importBackFolder"));
+  back->setToolTip(
+      tr("A folder that holds both sides is split where the sherds were turned over; the folder of "
+         "the back photographs replaces the split"));
+  dividing->addWidget(back);
+  connect(back, &QPushButton::clicked, this, &SidesView::backWanted);
   auto* beneath = new QHBoxLayout;
   beneath->addWidget(sheet_, 1);
   beneath->addWidget(marker_label_);
@@ -92,6 +99,7 @@ SidesView::SidesView(QWidget* parent)
   connect(clear_sheet_, &QPushButton::clicked, this, [this] { useSheet({}); });
   connect(marker_, &QDoubleSpinBox::valueChanged, this, [this](double side_mm) {
     plan_.marker_mm = side_mm > 0 ? std::optional(side_mm) : std::nullopt;
+    plan_.marker_proposed = false;
     follow();
     emit markerChosen(side_mm);
   });
@@ -153,12 +161,14 @@ void SidesView::follow() {
       plan_.flip_found
           ? tr("The series is divided where the sherds were turned over.")
           : tr("No pause stands out between the photographs. Move the slider to where the "
-               "sherds were turned over."));
+               "sherds were turned over, or choose the folder of the back photographs."));
   clear_sheet_->setVisible(plan_.sheet.has_value());
   for (QWidget* widget : {static_cast<QWidget*>(marker_label_), static_cast<QWidget*>(marker_)})
     widget->setVisible(!plan_.sheet);
   if (plan_.sheet)
     sheet_->setText(tr("Sheet: %1").arg(QString::fromStdString(plan_.sheet->string())));
+  else if (plan_.marker_mm && plan_.marker_proposed)
+    sheet_->setText(tr("The marker size is proposed from the last import: check it with a ruler."));
   else if (plan_.marker_mm)
     sheet_->setText(tr("The sheet will be found in the photographs."));
   else

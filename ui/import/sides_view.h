@@ -30,6 +30,7 @@ class SidesView final : public QWidget {
   void changed();
   void sheetChosen(const QString& file);  ///< empty: there is no file
   void markerChosen(double side_mm);
+  void backWanted();  ///< from a folder of its own
 
  private:
   struct Part {

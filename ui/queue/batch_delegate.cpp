@@ -47,6 +47,7 @@ QString wordsBelow(const QueueRow& row) {
   if (row.state == QueueState::Review && !row.scale_doubts.isEmpty()) below << row.scale_doubts;
   if (row.figures && !row.figures->moved.empty()) below << movedWords(*row.figures);
   if (row.state == QueueState::Failed) below << row.failure;
+  if (row.without_bag) below << withoutBagWords();
   return below.join(QLatin1Char('\n'));
 }
 

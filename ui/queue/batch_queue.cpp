@@ -97,6 +97,7 @@ QueueRow BatchQueue::rowFrom(const records::BatchRecord& batch, const QueueRow* 
   row.batch_row = batch.row.value;
   row.state = stateOf(batch.state);
   row.scale_doubts = wordsOf(batch.scale_doubts);
+  row.without_bag = batch.bags.empty();
   row.about = aboutBatch(project.catalogue(), batch);
   if (row.number == computation_->number()) {
     row.state = switches_->isPaused() ? QueueState::Paused : QueueState::Busy;
@@ -171,6 +172,7 @@ QVariant BatchQueue::data(const QModelIndex& index, int role) const {
   if (shown.figures) words += QStringLiteral(". ") + figuresWords(*shown.figures);
   if (shown.figures && !shown.figures->moved.empty())
     words += QStringLiteral(". ") + movedWords(*shown.figures);
+  if (shown.without_bag) words += QStringLiteral(". ") + withoutBagWords();
   if (!shown.failure.isEmpty()) words += QStringLiteral(". ") + shown.failure;
   if (!shown.scale_doubts.isEmpty()) words += QStringLiteral(". ") + shown.scale_doubts;
   return words;

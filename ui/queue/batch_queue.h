@@ -37,7 +37,8 @@ struct QueueRow {
   JobProgress progress;
   QString failure;  ///< the sentence of the error, of Failed
   bool cancelled = false;
-  bool aside = false;  ///< Failed, and nobody wants it
+  bool aside = false;        ///< Failed, and nobody wants it
+  bool without_bag = false;  ///< its sherds have no context but by hand
   bool has_masks = false;
   bool masks_edited = false;  ///< Review: since its results were computed
   QString scale_doubts;       ///< why no measure is sure, a sentence a line
@@ -120,6 +121,7 @@ QString queueStateWords(QueueState state);
 QString stateWords(const QueueRow& row);  ///< with what a review left to be done
 QString figuresWords(const intake::BatchFigures& figures);
 QString movedWords(const intake::BatchFigures& figures);  ///< empty: no camera was bumped
+QString withoutBagWords();
 QString stageWords(const QString& stage);
 
 }  // namespace ostraka::ui

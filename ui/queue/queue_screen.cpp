@@ -17,6 +17,7 @@
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_delegate.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/queue/marker_side.h"
 #include "ui/queue/queue_switches.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
@@ -25,6 +26,7 @@
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/widgets/tool_row.h"
+#include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
@@ -61,8 +63,14 @@ QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
   calibrate_ = addPageAct(this, "queueCalibrate", "turntable", tr("Recalibrate rig"), Qt::Key_C);
   calibrate_->setToolTip(
       tr("A camera was bumped: this batch's photographs tell where the cameras stand now (C)"));
+  marker_action_ = addPageAct(this, "queueMarkerSide", "measure", tr("Marker side…"), {});
+  marker_side_ = new MarkerSide(this);
   buildLayout();
 
+  connect(marker_action_, &QAction::triggered, this, [this] { marker_side_->ask(selected()); });
+  connect(marker_side_, &MarkerSide::changed, queue_, &BatchQueue::retry);
+  connect(marker_side_, &MarkerSide::failed, this,
+          [this](const Error& error) { emit said(sentenceOf(error)); });
   connect(calibrate_, &QAction::triggered, this, [this] {
     emit wantsScreen(QStringLiteral("capture"), QStringLiteral("calibrate:") + selected());
   });
@@ -136,7 +144,7 @@ void QueueScreen::buildLayout() {
 QWidget* QueueScreen::buildList() {
   auto* page = new QWidget(this);
   tools_ = new ToolRow(page);
-  tools_->addGroup(tr("Batch"), {review_, report_, masks_, again_, cancel_});
+  tools_->addGroup(tr("Batch"), {review_, report_, masks_, again_, marker_action_, cancel_});
   tools_->addGroup(tr("Queue"), {drafts_, calibrate_});
   next_ = new BigButton(QStringLiteral("queueNext"), {}, page);
   next_->setKeyHint(tr("Enter"));
@@ -182,6 +190,7 @@ void QueueScreen::openProject(ProjectSession& session) {
   connect(thumbnails_, &Thumbnails::ready, list_->viewport(),
           [this] { list_->viewport()->update(); });
   queue_->setSession(&session);
+  marker_side_->setSession(&session);
   drafts_->setChecked(queue_->switches()->makesDrafts());
   log_->setPlainText(queue_->log().join(QLatin1Char('\n')));
   if (queue_->rowCount() > 0) list_->setCurrentIndex(queue_->index(0));
@@ -191,6 +200,7 @@ void QueueScreen::openProject(ProjectSession& session) {
 void QueueScreen::closeProject() {
   leaveMasks();
   queue_->setSession(nullptr);
+  marker_side_->setSession(nullptr);
   delegate_->setThumbnails(nullptr);
   if (thumbnails_ != nullptr) thumbnails_->deleteLater();
   thumbnails_ = nullptr;
@@ -249,6 +259,7 @@ void QueueScreen::follow() {
   if (mending)
     for (QAction* action : {cancel_, again_, report_, review_, masks_, calibrate_})
       action->setEnabled(false);
+  marker_action_->setEnabled(again_->isEnabled() && marker_side_->isTyped(selected()));
   followNext(mending ? QueueState::Shooting : state);
   if (!queue_->switches()->trouble().isEmpty())
     message_->showError({ErrorCode::CannotWrite, queue_->switches()->trouble().toStdString(), {}},

@@ -15,6 +15,7 @@ class BatchDelegate;
 class BatchQueue;
 enum class QueueState;
 class BigButton;
+class MarkerSide;
 class MaskPage;
 class PageArea;
 class MessagePanel;
@@ -71,7 +72,8 @@ class QueueScreen final : public Screen {
   MaskPage* masks_page_;
   PageArea* masks_area_;
   QAction *pause_, *cancel_, *again_, *report_, *review_, *masks_, *log_action_, *drafts_,
-      *calibrate_, *open_;
+      *calibrate_, *open_, *marker_action_;
+  MarkerSide* marker_side_;
   BigButton* next_;
   QPushButton* to_capture_;
   ToolRow* tools_;

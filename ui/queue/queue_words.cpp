@@ -91,6 +91,10 @@ QString movedWords(const intake::BatchFigures& figures) {
   return sentences.join(QLatin1Char(' '));
 }
 
+QString withoutBagWords() {
+  return BatchQueue::tr("No bag was given; its sherds get their context in the catalogue.");
+}
+
 QString stageWords(const QString& stage) {
   struct Words {
     const char* stage;

@@ -48,13 +48,23 @@ MessagePanel::MessagePanel(const QString& name, QWidget* parent)
 }
 
 void MessagePanel::showError(const Error& error, const QString& act, const QString& key) {
-  failed_ = error.code != ErrorCode::Cancelled;
-  showWords(error.where.empty() ? QString() : QString::fromStdString(error.where),
-            wordsOf(error.what), act, key);
+  say(error.code == ErrorCode::Cancelled ? State::Ask : State::Failed,
+      QString::fromStdString(error.where), wordsOf(error.what), act, key);
+}
+
+void MessagePanel::showSuccess(const QString& headline, const QString& words, bool minded,
+                               const QString& act) {
+  say(minded ? State::Ask : State::Sure, headline, words, act, {});
 }
 
 void MessagePanel::showWords(const QString& headline, const QString& words, const QString& act,
                              const QString& key) {
+  say(State::Failed, headline, words, act, key);
+}
+
+void MessagePanel::say(State state, const QString& headline, const QString& words,
+                       const QString& act, const QString& key) {
+  state_ = state;
   headline_->setText(headline);
   headline_->setVisible(!headline.isEmpty());
   words_->setText(words);
@@ -101,15 +111,15 @@ void MessagePanel::changeEvent(QEvent* event) {
 void MessagePanel::lay() {
   const StateColours colours(QApplication::palette());
   QPalette ground;  // the one colour only: buttons on it follow the theme
-  ground.setColor(QPalette::Window, colours.behind(failed_ ? State::Failed : State::Ask));
+  ground.setColor(QPalette::Window, colours.behind(state_));
   if (ground.color(QPalette::Window) != palette().color(QPalette::Window)) setPalette(ground);
   headline_->setFont(scaledFont(*this, Look::kSection, true));
   words_->setFont(scaledFont(*this, compact_ ? 1 : Look::kSection));
   const int size = Look::kIcon * (compact_ ? 1 : 2);
-  const State state = failed_ ? State::Failed : State::Ask;
-  picture_->setPixmap(
-      icon(failed_ ? QStringLiteral("error") : QStringLiteral("warning"), colours.of(state))
-          .pixmap(size, size));
+  const QString name = state_ == State::Failed ? QStringLiteral("error")
+                       : state_ == State::Sure ? QStringLiteral("check")
+                                               : QStringLiteral("warning");
+  picture_->setPixmap(icon(name, colours.of(state_)).pixmap(size, size));
 }
 
 EmptyState::EmptyState(const QString& icon_name, const QString& headline, const QString& words,

@@ -2,6 +2,7 @@
 #include <QFrame>
 
 #include "base/result.h"
+#include "ui/look/state_colours.h"
 #include "ui/words/sentence.h"
 
 class QAbstractButton;
@@ -24,6 +25,8 @@ class MessagePanel final : public QFrame {
   void showError(const Error& error, const QString& act = {}, const QString& key = {});
   void showWords(const QString& headline, const QString& words, const QString& act = {},
                  const QString& key = {});
+  /// What went well; `minded`: something of it is to be minded all the same.
+  void showSuccess(const QString& headline, const QString& words, bool minded, const QString& act);
   /// A second, smaller act; empty hides it.
   void setSecondAct(const QString& act);
   /// Beside a page's own primary button: outlined.
@@ -41,6 +44,8 @@ class MessagePanel final : public QFrame {
   void changeEvent(QEvent* event) override;
 
  private:
+  void say(State state, const QString& headline, const QString& words, const QString& act,
+           const QString& key);
   void lay();
 
   QLabel* picture_;
@@ -48,7 +53,8 @@ class MessagePanel final : public QFrame {
   QLabel* words_;
   BigButton* act_;
   QPushButton* second_;
-  bool failed_ = true, compact_ = false;
+  State state_ = State::Failed;
+  bool compact_ = false;
 };
 
 /// A screen without contents says what to do first: a picture, a sentence, one button or several.

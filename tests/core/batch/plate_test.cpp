@@ -29,6 +29,22 @@ TEST(ReadPlate, ReadsMarkersWithTheirCorners) {
   EXPECT_EQ(plate->markers[0].corners[1], Eigen::Vector3d(1, 1, 0));
 }
 
+TEST(MarkerSide, ThatAPersonTypesMakesTheSheetAsLarge) {
+  auto plate = plateOf(
+      R"({"dictionary":"D","sheet":[40,60],"typed_marker_mm":2,"markers":[
+      {"id":3,"corners":[[0,2,0],[2,2,0],[2,0,0],[0,0,0]]},
+      {"id":4,"corners":[[9,2.1,0],[11.1,2.1,0],[11.1,0,0],[9,0,0]]}]})");
+  ASSERT_TRUE(plate.has_value()) << plate.error().sentence();
+  EXPECT_EQ(plate->typed_marker_mm, 2);
+  EXPECT_NEAR(*markerSide(*plate), 2.05, 1e-9) << "found in photographs they differ a little";
+  const Plate larger = withMarkerSide(*plate, 3);
+  EXPECT_EQ(larger.typed_marker_mm, 3);
+  EXPECT_EQ(larger.markers[0].corners[1], Eigen::Vector3d(3, 3, 0));
+  EXPECT_EQ(larger.sheet->sizes(), Eigen::Vector2d(60, 90));
+  plate->markers[1].corners[0].y() = 9;
+  EXPECT_FALSE(markerSide(*plate).has_value()) << "several sizes";
+}
+
 TEST(ReadPlate, WithoutADiameterReachesToTheFarthestMarker) {
   const auto plate = plateOf(R"({"unit":"mm","dictionary":"DICT_4X4_100","markers":[
       {"id":3,"corners":[[0,1,0],[1,1,0],[1,0,0],[0,0,0]]},

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
 #include "capture/manifest.h"
@@ -46,6 +48,21 @@ TEST_F(EnterPhotographs, GivesEachItsPlaceAndItsChecksum) {
   ASSERT_EQ(files.size(), 8u);
   EXPECT_EQ(files[0].role, "photo");
   EXPECT_EQ(files[0].sha256.size(), 64u);
+}
+
+TEST_F(EnterPhotographs, EntersWhatMakesTheScaleBesideThem) {
+  std::ofstream(project_->batchFolder("B0001") / "plate.json")
+      << R"({"dictionary":"DICT_4X4_100","markers":[{"id":3,"corners":[[0,1,0],[1,1,0],[1,0,0],)"
+      << R"([0,0,0]]}]})";
+  const Result<int> entered = enter();
+  ASSERT_TRUE(entered) << entered.error().sentence();
+  EXPECT_EQ(*entered, 8) << "it is no photograph";
+  const std::vector<records::FileRecord> files = *Files(catalogue()).of(batch);
+  ASSERT_EQ(files.size(), 9u);
+  const auto sheet =
+      std::find_if(files.begin(), files.end(), [](const auto& f) { return f.role == "scale"; });
+  ASSERT_NE(sheet, files.end());
+  EXPECT_EQ(sheet->path, "batches/B0001/plate.json");
 }
 
 TEST_F(EnterPhotographs, TakesNoLinkForAPhotograph) {

@@ -36,6 +36,7 @@ class ResultFolder {
   std::string photographs;
   double length_mm = 50;
   bool has_scale = true;
+  std::string scale;
   std::vector<std::string> scale_doubts;
   bool draft = false;
 
@@ -100,6 +101,7 @@ class ResultFolder {
         ordered_json(
             {{"format", "ostraka-report/1"},
              {"has_scale", has_scale},
+             {"scale", scale},
              {"scale_doubts", scale_doubts},
              {"draft", draft},
              {"stages",

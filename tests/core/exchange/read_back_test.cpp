@@ -280,11 +280,19 @@ TEST_F(ReadingBack, GivesEveryTableTheSameRows) {
   record.operator_ = anna.person;
   record.counted = 3;
   record.scale_error_pct = 0.62;
+  record.scale = "Scale: markers of 18 mm, as typed at the import.";
   record.scale_doubts = {"The scale is wrong: a length of 50 mm measures 49.69 mm."};
   ASSERT_TRUE(Batches(catalogue()).save(record, anna));
+  const std::string sheet = "batches/B0001/plate.json";
+  put(project_->folder() / sheet, "{}");
+  ASSERT_TRUE(
+      Files(catalogue())
+          .save({{}, {}, sheet, sha256("{}"), "application/json", "scale", 2, {}, {}, batch},
+                anna));
   ASSERT_TRUE(exportTo("out", all));
   upkeep::Project other = empty("other");
   const tables::ImportReport report = read(other, "out");
+  EXPECT_EQ(*readFile(other.folder() / sheet), "{}") << "what makes the scale goes along";
   for (const auto& [table, query] : kWholeTables) {
     const std::vector<std::string> before = rowsOf(catalogue(), query);
     EXPECT_FALSE(before.empty()) << table;

@@ -19,7 +19,7 @@ inline const std::map<std::string, std::string> kWholeTables = {
      "b.storage) FROM bag b JOIN context c ON c.row = b.context"},
     {"batch",
      "SELECT json_array(b.id, b.number, p.id, b.counted, b.state, b.started_ms, b.ended_ms, "
-     "b.reprojection_px, b.scale_error_pct, b.scale_doubts, b.rig_sha256, b.program, "
+     "b.reprojection_px, b.scale_error_pct, b.scale, b.scale_doubts, b.rig_sha256, b.program, "
      "b.settings_sha256, b.note) FROM batch b LEFT JOIN person p ON p.row = b.operator"},
     {"batch_bag",
      "SELECT json_array(b.id, k.position, g.id) FROM batch_bag k JOIN batch b ON b.row = k.batch "

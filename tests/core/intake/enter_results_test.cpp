@@ -166,11 +166,13 @@ TEST_F(Entering, CountsNoSherdAsNewWhosePairWasComputedAnew) {
 
 TEST_F(Entering, AScaleInDoubtMarksTheProgramsMeasuresUntilItIsSettled) {
   out.scale_doubts = {"The scale is wrong: 50.00 mm measure 49.51 mm."};
+  out.scale = "Scale: markers of 18 mm, as typed at the import.";
   out.write();
   enter();
   const records::BatchRecord held = *catalogue::Batches(catalogue()).get(batch);
   EXPECT_EQ(held.state, records::BatchState::Review)
       << "no pair is open, but the scale wants a person";
+  EXPECT_EQ(held.scale, out.scale);
   EXPECT_EQ(linesOf(held.scale_doubts), out.scale_doubts.front());
   EXPECT_EQ(held.scale_error_pct, -0.98) << "the length that is off most";
   const store::SherdRow row = sherds().front().row;

@@ -387,6 +387,8 @@ TEST_F(ProcessBatch, IsHeldWhenAMarkedLengthContradictsThePlate) {
   const Result<nlohmann::json> report = readJson(options.output / "report.json");
   ASSERT_TRUE(report.has_value());
   EXPECT_EQ(report->at("scale_doubts").at(0).at("text"), doubt);
+  EXPECT_TRUE(report->at("scale").at("text").get<std::string>().ends_with("as in plate.json."))
+      << report->at("scale");
   const nlohmann::json length = report->at("stages").at(0).at("figures").at("known_lengths").at(0);
   // 160 * 0.99 = 158.40; 0.48 mm a pixel, rounded, seen by three cameras: within 3 of its own sd.
   EXPECT_NEAR(length.at("found_mm").get<double>(), 158.4, 3 * length.at("sd_mm").get<double>());

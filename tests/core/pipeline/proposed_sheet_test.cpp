@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+
 #include "batch/photographs.h"
 
 namespace ostraka::pipeline {
@@ -65,7 +67,8 @@ TEST(ProposedSheet, OfUnknownSizeGivesWayToALengthThatWasMarked) {
   ProcessOptions options;
   options.marker_mm = 20;
   EXPECT_TRUE(proposeMissingSheet(batch, options, told, {}).has_value());
-  EXPECT_TRUE(batch.plate.has_value()) << "the length checks a size that was measured";
+  ASSERT_TRUE(batch.plate.has_value()) << "the length checks a size that was measured";
+  EXPECT_EQ(batch.plate->typed_marker_mm, 20);
 }
 
 TEST(ProposedSheet, IsNoneWhereAFileDescribesOneAndTheSizeGivenMustBeTheFiles) {
@@ -85,6 +88,27 @@ TEST(ProposedSheet, IsNoneWhereAFileDescribesOneAndTheSizeGivenMustBeTheFiles) {
   EXPECT_EQ(other.error().where, "/photographs/plate.json");
   EXPECT_THAT(other.error().what, HasSubstr("sides of 20.00 mm"));
   EXPECT_THAT(other.error().what, HasSubstr("says 25.00 mm"));
+}
+
+TEST(MarkerSide, IsWrittenIntoThePlateOfABatchByHandAndRefusedForARigs) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / "ostraka_marker_side";
+  fs::remove_all(folder);
+  fs::copy(std::string(OSTRAKA_SHARED_DIR) + "/batches/hand", folder, fs::copy_options::recursive);
+  Told told;
+  const Result<batch::Plate> typed = setMarkerSide(folder, 18, told, {});
+  ASSERT_TRUE(typed.has_value()) << typed.error().sentence();
+  const Result<batch::Plate> written = batch::readPlate(folder / "plate.json");
+  ASSERT_TRUE(written.has_value()) << written.error().sentence();
+  EXPECT_EQ(written->typed_marker_mm, 18);
+  EXPECT_NEAR(*batch::markerSide(*written), 18, 1e-6);
+  EXPECT_FALSE(setMarkerSide(folder, 0, told, {}).has_value());
+  EXPECT_EQ(batch::readPlate(folder / "plate.json")->typed_marker_mm, 18);
+  fs::remove_all(folder);
+  const Result<batch::Plate> rig =
+      setMarkerSide(std::string(OSTRAKA_SHARED_DIR) + "/batches/demo", 18, told, {});
+  ASSERT_FALSE(rig.has_value());
+  EXPECT_THAT(rig.error().what, HasSubstr("its rig's"));
 }
 
 TEST(ProposedSheet, IsNotSoughtOnARig) {

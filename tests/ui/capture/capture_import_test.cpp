@@ -14,6 +14,7 @@
 #include "capture_bench.h"
 #include "catalogue/batches.h"
 #include "ui/capture/capture_screen.h"
+#include "ui/capture/rig_page.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/batch_importer.h"
 #include "ui/import/import_ask.h"
@@ -88,6 +89,22 @@ class CaptureImportTest : public CaptureBench {
     QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());
   }
 
+  void whatImportsIsInSightOnASmallScreen() {
+    photographs("series", 8);
+    screen_->resize(900, 420);
+    drop({disk_->filePath("series")});
+    QTRY_VERIFY(screen_->findChild<ImportAsk*>()->isVisible());
+    QTRY_VERIFY(screen_->findChild<RigPage*>()->isHidden());
+    for (const char* name : {"importStart", "importReason"}) {
+      auto* widget = child<QWidget>(name);
+      QTRY_VERIFY2(
+          screen_->rect().contains(QRect(widget->mapTo(screen_.get(), QPoint()), widget->size())),
+          name);
+    }
+    screen_->findChild<ImportAsk*>()->leave();
+    QVERIFY(!screen_->findChild<RigPage*>()->isHidden());
+  }
+
   // A sheet that nobody described: its size is all that a person has to say of it.
   void theSheetIsFoundInThePhotographsWhenAMarkersSizeIsSaid() {
     virtualrig::SimulateOptions simulate;
@@ -115,14 +132,20 @@ class CaptureImportTest : public CaptureBench {
     QSignalSpy imported(screen_->importer(), &BatchImporter::imported);
     QTest::mouseClick(child<QPushButton>("importStart"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, 60'000);
+    QVERIFY(!imported[0][2].toStringList().join(' ').contains("plate.json"));  // all is well
+    QVERIFY(imported[0][3].toString().contains("with a ruler"));
+    QVERIFY(shownMessage() != nullptr && shownMessage()->words().contains("was recognised"));
     const auto found = batch::readPlate(session_->project().batchFolder("B0001") / "plate.json");
     QVERIFY(found.has_value());
     QVERIFY(found->markers.size() >= described->markers.size() / 2);
     QVERIFY(std::abs(side(*found) - side(*described)) < 0.02 * side(*described));
-    // The next import knows the size already.
+    // The next import proposes the size, and says so.
     drop({disk_->filePath("batch/front"), disk_->filePath("batch/back")});
     QTRY_VERIFY(ask->isVisible());
     QCOMPARE(marker->value(), side(*described));
+    QVERIFY(child<QLabel>("importSheet")->text().contains("last import"));
+    marker->setValue(marker->value() + 1);
+    QVERIFY(!child<QLabel>("importSheet")->text().contains("last import"));
   }
 
   void aSheetFileThatWasUsedLastCanBeLeftOut() {

@@ -3,7 +3,6 @@
 #include "ui/wizard/batch_description.h"
 
 #include <QAction>
-#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -51,47 +50,6 @@ class CaptureScreenTest : public CaptureBench {
     QVERIFY(child<QWidget>("useVirtualRig")->isVisible());
     QVERIFY(child<QWidget>("importPhotographsButton")->isVisible());
     QVERIFY(!child<QWidget>("captureButton")->isVisible());
-  }
-
-  // Its invented sherds would enter a real catalogue.
-  void spaceNeverTakesTheVirtualRig() {
-    auto* alike = child<QCheckBox>("virtualLookalikes");
-    alike->setFocus();
-    QTest::keyClick(alike, Qt::Key_Space);
-    QVERIFY(alike->isChecked());
-    QCOMPARE(wizard_->phase(), CapturePhase::NoRig);
-    screen_->setFocus();
-    QCOMPARE(screen_->primary(), child<QAbstractButton>("importPhotographsButton"));
-    auto* import = child<QAction>("importPhotographs");
-    import->setEnabled(false);  // its dialog would be in the way
-    QTest::keyClick(screen_.get(), Qt::Key_Space);
-    QCOMPARE(wizard_->phase(), CapturePhase::NoRig);
-  }
-
-  void theVirtualRigAsksOnceAndCanBeTakenAway() {
-    const auto rig = [this] {
-      return RigChoice::fromJson(session_->setting("rig")).kind;
-    };
-    auto* ask = child<MessagePanel>("virtualAsk");
-    QVERIFY(!child<QWidget>("noRig")->isVisible());
-    QTest::mouseClick(child<QPushButton>("useVirtualRig"), Qt::LeftButton);
-    QVERIFY(ask->isVisible());
-    QVERIFY2(ask->words().contains("invented"), qPrintable(ask->words()));
-    QTest::mouseClick(named<QPushButton>(*ask, "messageSecondAct"), Qt::LeftButton);
-    QVERIFY(!ask->isVisible());
-    QCOMPARE(rig(), RigChoice::Kind::None);
-    QTest::mouseClick(child<QPushButton>("useVirtualRig"), Qt::LeftButton);
-    QTest::mouseClick(ask->act(), Qt::LeftButton);
-    QVERIFY(wizard_->phase() != CapturePhase::NoRig);
-    QCOMPARE(rig(), RigChoice::Kind::Virtual);
-    child<QAction>("changeRig")->trigger();
-    QTRY_COMPARE(wizard_->phase(), CapturePhase::NoRig);
-    QVERIFY(!ask->isVisible());
-    QTest::mouseClick(child<QPushButton>("noRig"), Qt::LeftButton);
-    QCOMPARE(rig(), RigChoice::Kind::None);
-    for (const char* gone : {"noRig", "keepRig"}) QVERIFY(!child<QWidget>(gone)->isVisible());
-    QTest::mouseClick(child<QPushButton>("useVirtualRig"), Qt::LeftButton);
-    QVERIFY2(ask->isVisible(), "it is taken anew");
   }
 
   void spaceIsTheNextThingUntilTheBatchIsQueued() {

@@ -243,7 +243,7 @@ class ImportTest : public QObject {
     QTRY_COMPARE(batches.photographs(batch.row)->size(), std::size_t{8});
     const auto files = catalogue::Files(session_->project().catalogue()).of(batch.row);
     QVERIFY(files.has_value());
-    QCOMPARE(files->size(), std::size_t{8});
+    QCOMPARE(files->size(), std::size_t{10});  // with what describes the plate and the board
     QCOMPARE(files->front().sha256.size(), std::size_t{64});
   }
 
@@ -299,6 +299,25 @@ class ImportTest : public QObject {
              (QStringList{"IMG_8.jpg", "IMG_9.jpg", "IMG_10.jpg", "IMG_11.jpg"}));
     QCOMPARE(names(sides.back), (QStringList{"IMG_12.jpg", "IMG_13.jpg", "IMG_14.jpg"}));
     QCOMPARE(*sides.sheet, path("trench") / "plate.json");
+  }
+
+  void theFolderOfTheBacksTakesThePlaceOfTheSplit() {
+    for (int i = 0; i < 6; ++i) {
+      byHand(qPrintable(QString("fronts/%1.jpg").arg(i)), 2 * i);
+      byHand(qPrintable(QString("backs/%1.jpg").arg(i)), 40 + 2 * i);
+    }
+    const auto split = planSides({QString::fromStdString(path("fronts").string())}, {});
+    QVERIFY(split.has_value() && split->has_value() && (*split)->divisible);
+    const auto both = withBack(**split, QString::fromStdString(path("backs").string()));
+    QVERIFY(both.has_value());
+    QVERIFY(!both->divisible && both->isDecided());
+    QCOMPARE(both->sides().front.size(), std::size_t{6});
+    QCOMPARE(both->sides().back.front(), path("backs/0.jpg"));
+    const auto again = withBack(*both, QString::fromStdString(path("backs").string()));
+    QVERIFY(again.has_value());
+    QCOMPARE(again->sides().front.front(), path("fronts/0.jpg"));
+    QCOMPARE(again->sides().back.size(), std::size_t{6});
+    QVERIFY(!withBack(*both, QString::fromStdString(path("project").string())).has_value());
   }
 
   void withoutAPauseAPersonSaysWhereItIsDivided() {

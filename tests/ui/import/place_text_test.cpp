@@ -72,6 +72,7 @@ class PlaceTextTest : public QObject {
     QVERIFY(bagRowOf(rows, {"ARM1", "T3", "0012", "4"}, {}).has_value());
     QCOMPARE(newOf(rows, {"arm1", "T3", "0012", "4"}), QString());
     QCOMPARE(newOf(rows, {}), QString());
+    QCOMPARE(siteOf(rows), QStringLiteral("ARM1"));
     QCOMPARE(newOf(rows, {"ARM1", "T3", "0012", "5"}), QStringLiteral("bag 5"));
     QCOMPARE(newOf(rows, {"ARM1", "", "0012", "4"}), QStringLiteral("context 0012, bag 4"));
     QCOMPARE(newOf(rows, {"ARM1", "T9", "1", "5"}), QStringLiteral("trench T9, context 1, bag 5"));

@@ -6,6 +6,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <QInputDialog>
 #include <QListView>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -18,6 +19,7 @@
 #include "../named.h"
 #include "../project_in.h"
 #include "catalogue/batches.h"
+#include "files/files.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
@@ -219,6 +221,29 @@ class QueueScreenTest : public QObject {
     QTest::mouseClick(child<QPushButton>("messageAct"), Qt::LeftButton);
     QTRY_COMPARE(begun_.load(), 2);
     QVERIFY(!message->isVisible());
+  }
+
+  void theMarkerSideOfABatchByHandCanBeTypedAnew() {
+    addBatch(records::BatchState::Done);
+    screen_->openProject(*session_);
+    auto* action = screen_->findChild<QAction*>("queueMarkerSide");
+    QTRY_VERIFY(action->isEnabled());
+    const std::filesystem::path batch = session_->folder() / "batches" / "B0001";
+    QVERIFY(writeFileAtomically(batch / "plate.json",
+                                R"({"dictionary":"DICT_4X4_100","markers":[{"id":3,"corners":)"
+                                R"([[0,20,0],[20,20,0],[20,0,0],[0,0,0]]}]})")
+                .has_value());
+    action->trigger();
+    auto* dialog = screen_->findChild<QInputDialog*>("markerSide");
+    QVERIFY(dialog != nullptr && dialog->isVisible());
+    QCOMPARE(dialog->doubleValue(), 20.0);
+    QSignalSpy said(screen_.get(), &Screen::said);
+    dialog->accept();
+    QTRY_COMPARE(said.count(), 1);  // there are no photographs: nothing is queued
+    QCOMPARE(queue_->row(0).state, QueueState::Done);
+    QVERIFY(writeFileAtomically(batch / "rig.json", "{}").has_value());
+    session_->tellBatchChanged(QStringLiteral("B0001"));
+    QTRY_VERIFY(!action->isEnabled());  // its rig says how large it is
   }
 
  private:

@@ -1,0 +1,78 @@
+#include "ui/queue/marker_side.h"
+
+#include <QInputDialog>
+#include <filesystem>
+
+#include "batch/batch.h"
+#include "catalogue/batches.h"
+#include "intake/enter_results.h"
+#include "pipeline/proposed_sheet.h"
+#include "ui/frame/project_session.h"
+#include "ui/jobs/when_done.h"
+#include "upkeep/project.h"
+
+namespace ostraka::ui {
+namespace {
+
+constexpr double kLeastMarker_mm = 1, kMostMarker_mm = 500;
+
+std::filesystem::path folderOf(const ProjectSession& session, const QString& batch) {
+  return session.folder() / "batches" / batch.toStdString();
+}
+
+}  // namespace
+
+void MarkerSide::setSession(ProjectSession* session) {
+  dropJob(job_);
+  session_ = session;
+}
+
+bool MarkerSide::isTyped(const QString& batch) const {
+  std::error_code ignored;
+  return session_ != nullptr && !batch.isEmpty() &&
+         !std::filesystem::exists(folderOf(*session_, batch) / "rig.json", ignored);
+}
+
+void MarkerSide::ask(const QString& batch) {
+  if (!isTyped(batch)) return;
+  const Result<batch::Plate> plate = batch::readPlate(folderOf(*session_, batch) / "plate.json");
+  auto* dialog = new QInputDialog(screen_);
+  dialog->setObjectName(QStringLiteral("markerSide"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Marker side of %1").arg(batch));
+  dialog->setInputMode(QInputDialog::DoubleInput);
+  dialog->setLabelText(
+      tr("Side of a marker's black square, mm. The batch is reprocessed with this size."));
+  dialog->setDoubleRange(kLeastMarker_mm, kMostMarker_mm);
+  dialog->setDoubleDecimals(2);
+  if (plate)
+    dialog->setDoubleValue(
+        plate->typed_marker_mm.value_or(batch::markerSide(*plate).value_or(kLeastMarker_mm)));
+  connect(dialog, &QInputDialog::doubleValueSelected, this,
+          [this, batch](double side_mm) { apply(batch, side_mm); });
+  dialog->open();
+}
+
+void MarkerSide::apply(const QString& batch, double side_mm) {
+  if (session_ == nullptr || job_ != nullptr) return;
+  const records::Provenance provenance = session_->provenance(tr("marker side typed anew"));
+  job_ = session_->jobs().start(
+      makeJob([project = session_->folder(), folder = folderOf(*session_, batch),
+               number = batch.toStdString(), side_mm,
+               provenance](Progress& progress, std::stop_token stop) -> Result<int> {
+        const auto written = pipeline::setMarkerSide(folder, side_mm, progress, stop);
+        if (!written) return written.error();
+        Result<catalogue::Catalogue> rows = upkeep::Project::connect(project);
+        if (!rows) return rows.error();
+        const auto record = catalogue::Batches(*rows).byNumber(number);
+        if (!record) return record.error();
+        return intake::enterPhotographs(*rows, project, record->row, provenance, progress, stop);
+      }),
+      this);
+  whenDone<int>(job_, this, [this, batch](const auto& entered) {
+    if (!entered) return emit failed(entered.error());
+    emit changed(batch);
+  });
+}
+
+}  // namespace ostraka::ui

@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <cstdio>
+#include <system_error>
+#include <utility>
 
 namespace ostraka::app {
 namespace {
@@ -27,19 +29,25 @@ Interrupt::Interrupt() {
   if (::pipe2(ends, O_CLOEXEC) != 0) return;  // without it a signal simply ends the program
   wake_read_ = ends[0];
   wake_write = ends[1];
+  try {
+    listener_ = std::jthread([this] {
+      char byte = 0;
+      while (::read(wake_read_, &byte, 1) == 1 && byte == 's') {
+        if (source_.stop_requested()) ::_exit(1);
+        std::fputs("\nostraka: stopping; press Ctrl-C again to end immediately.\n", stderr);
+        source_.request_stop();
+      }
+    });
+  } catch (const std::system_error&) {  // no thread is free: the same
+    ::close(wake_write.exchange(-1));
+    ::close(std::exchange(wake_read_, -1));
+    return;
+  }
   struct sigaction action {};
   action.sa_handler = onSignal;
   action.sa_flags = SA_RESTART;
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
-  listener_ = std::jthread([this] {
-    char byte = 0;
-    while (::read(wake_read_, &byte, 1) == 1 && byte == 's') {
-      if (source_.stop_requested()) ::_exit(1);
-      std::fputs("\nostraka: stopping; press Ctrl-C again to end immediately.\n", stderr);
-      source_.request_stop();
-    }
-  });
 }
 
 Interrupt::~Interrupt() {

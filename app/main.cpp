@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -109,6 +110,7 @@ int runCommandLine(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   batch::makeOpenCvThrowBadAlloc();
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is told as a full disk
   const int status = runCommandLine(argc, argv);
   // What was printed waits in a buffer up to here: a full disk shows only now.
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;

@@ -7229,11 +7229,6 @@
       <translation>Projekt A hat eine andere Datei dieses Namens, die sein Katalog nicht kennt; verschieben Sie sie, es wurde nichts zusammengeführt.</translation>
     </message>
     <message>
-      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Ort von Fotos, Ergebnissen oder Modellen, den einzigen Dateien, die ein Zusammenführen schreibt; es wurde nichts zusammengeführt.</translation>
-    </message>
-    <message>
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zwei Dateien des Exports hätten denselben Namen.</translation>
@@ -9854,11 +9849,6 @@
       <translation>Der Scan hat nicht so viele Farben oder Gütewerte wie Punkte; für jeden Punkt einen Wert angeben.</translation>
     </message>
     <message>
-      <source>A point or a normal of the scan is not finite; leave such points out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein Punkt oder eine Normale des Scans ist nicht endlich; solche Punkte auslassen.</translation>
-    </message>
-    <message>
       <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Pixel oder die Maske passen nicht zur angegebenen Breite und Höhe; für jedes Pixel einen Wert angeben.</translation>
@@ -10117,6 +10107,36 @@
       <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Marken dieses Blatts sind verschieden groß; seine plate.json von Hand berichtigen.</translation>
+    </message>
+    <message>
+      <source>These results contain a measurement larger than any sherd; run &apos;ostraka process&apos; again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Diese Ergebnisse enthalten ein Maß, das größer ist als jede Scherbe; &apos;ostraka process&apos; noch einmal ausführen.</translation>
+    </message>
+    <message>
+      <source>This project lies in the archive &apos;%1&apos;, which any change would make invalid; restore the archive to a new folder, and open that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieses Projekt liegt im Archiv „%1“, das jede Änderung ungültig machen würde; das Archiv in einem neuen Ordner wiederherstellen und diesen öffnen.</translation>
+    </message>
+    <message>
+      <source>Not a location of photographs, results, models or imported files, the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kein Ort von Fotos, Ergebnissen, Modellen oder importierten Dateien, den einzigen Dateien, die ein Zusammenführen schreibt; es wurde nichts zusammengeführt.</translation>
+    </message>
+    <message>
+      <source>A point, a normal or a quality of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Punkt, eine Normale oder eine Güte des Scans ist nicht endlich; solche Punkte auslassen.</translation>
+    </message>
+    <message>
+      <source>The lists of this cloud or mesh differ in length, or a triangle names a vertex that does not exist; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Listen dieser Punktwolke oder dieses Netzes sind verschieden lang, oder ein Dreieck nennt einen Eckpunkt, den es nicht gibt; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+      <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Transformation legt die Rückseite %1 mm von der Vorderseite weg; eine angeben, die Punkte der Rückseite in das Koordinatensystem der Vorderseite bringt.</translation>
     </message>
 </context>
 <context>

@@ -7224,11 +7224,6 @@
       <translation>Το έργο A έχει άλλο αρχείο με αυτό το όνομα, που ο κατάλογός του δεν γνωρίζει· μετακινήστε το, τίποτα δεν συγχωνεύτηκε.</translation>
     </message>
     <message>
-      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν είναι θέση φωτογραφιών, αποτελεσμάτων ή μοντέλων, των μόνων αρχείων που γράφει μια συγχώνευση· τίποτα δεν συγχωνεύτηκε.</translation>
-    </message>
-    <message>
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δύο αρχεία της εξαγωγής θα είχαν το ίδιο όνομα.</translation>
@@ -9849,11 +9844,6 @@
       <translation>Τα χρώματα ή οι τιμές ποιότητας της σάρωσης δεν είναι όσα τα σημεία της· δώστε ένα για κάθε σημείο.</translation>
     </message>
     <message>
-      <source>A point or a normal of the scan is not finite; leave such points out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα σημείο ή μια κάθετος της σάρωσης δεν είναι πεπερασμένη· παραλείψτε τέτοια σημεία.</translation>
-    </message>
-    <message>
       <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα εικονοστοιχεία ή η μάσκα δεν αντιστοιχούν στο δηλωμένο πλάτος και ύψος· δώστε μία τιμή για κάθε εικονοστοιχείο.</translation>
@@ -10112,6 +10102,36 @@
       <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι δείκτες αυτού του φύλλου έχουν διάφορα μεγέθη· διορθώστε το plate.json του με το χέρι.</translation>
+    </message>
+    <message>
+      <source>These results contain a measurement larger than any sherd; run &apos;ostraka process&apos; again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτά τα αποτελέσματα περιέχουν μια μέτρηση μεγαλύτερη από κάθε όστρακο· εκτελέστε ξανά το &apos;ostraka process&apos;.</translation>
+    </message>
+    <message>
+      <source>This project lies in the archive &apos;%1&apos;, which any change would make invalid; restore the archive to a new folder, and open that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό το έργο βρίσκεται στο αρχείο έργου «%1», που θα έπαυε να ισχύει με κάθε αλλαγή· επαναφέρετε το αρχείο έργου σε νέο φάκελο και ανοίξτε εκείνον.</translation>
+    </message>
+    <message>
+      <source>Not a location of photographs, results, models or imported files, the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι θέση φωτογραφιών, αποτελεσμάτων, μοντέλων ή εισαγμένων αρχείων, των μόνων αρχείων που γράφει μια συγχώνευση· τίποτα δεν συγχωνεύτηκε.</translation>
+    </message>
+    <message>
+      <source>A point, a normal or a quality of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα σημείο, μια κάθετος ή μια ποιότητα της σάρωσης δεν είναι πεπερασμένη· παραλείψτε τέτοια σημεία.</translation>
+    </message>
+    <message>
+      <source>The lists of this cloud or mesh differ in length, or a triangle names a vertex that does not exist; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι λίστες αυτού του νέφους σημείων ή πλέγματος έχουν διαφορετικό μήκος, ή ένα τρίγωνο αναφέρει κορυφή που δεν υπάρχει· δεν γράφτηκε τίποτα.</translation>
+    </message>
+    <message>
+      <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο μετασχηματισμός τοποθετεί την πίσω όψη %1 mm μακριά από την μπροστινή όψη· δώστε έναν που μεταφέρει τα σημεία της πίσω όψης στο σύστημα της μπροστινής.</translation>
     </message>
 </context>
 <context>

@@ -7224,11 +7224,6 @@
       <translation>El proyecto A tiene otro archivo con este nombre que su catálogo no conoce; muévalo, no se ha fusionado nada.</translation>
     </message>
     <message>
-      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No es un lugar de fotografías, resultados o modelos, los únicos archivos que escribe una fusión; no se ha fusionado nada.</translation>
-    </message>
-    <message>
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dos archivos de la exportación tendrían el mismo nombre.</translation>
@@ -9849,11 +9844,6 @@
       <translation>El número de colores o calidades del escaneo difiere del de sus puntos; dé uno por punto.</translation>
     </message>
     <message>
-      <source>A point or a normal of the scan is not finite; leave such points out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un punto o una normal del escaneo no es finito; omita esos puntos.</translation>
-    </message>
-    <message>
       <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los píxeles o la máscara no corresponden a la anchura y la altura indicadas; dé un valor por píxel.</translation>
@@ -10112,6 +10102,36 @@
       <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los marcadores de esta hoja son de varios tamaños; corrija su plate.json a mano.</translation>
+    </message>
+    <message>
+      <source>These results contain a measurement larger than any sherd; run &apos;ostraka process&apos; again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Estos resultados contienen una medida mayor que cualquier fragmento; ejecute de nuevo &apos;ostraka process&apos;.</translation>
+    </message>
+    <message>
+      <source>This project lies in the archive &apos;%1&apos;, which any change would make invalid; restore the archive to a new folder, and open that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Este proyecto está en la copia de archivo «%1», que dejaría de ser válida con cualquier cambio; restaure la copia de archivo en una carpeta nueva y ábrala.</translation>
+    </message>
+    <message>
+      <source>Not a location of photographs, results, models or imported files, the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es un lugar de fotografías, resultados, modelos o archivos importados, los únicos archivos que escribe una fusión; no se ha fusionado nada.</translation>
+    </message>
+    <message>
+      <source>A point, a normal or a quality of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un punto, una normal o una calidad del escaneo no es finito; omita esos puntos.</translation>
+    </message>
+    <message>
+      <source>The lists of this cloud or mesh differ in length, or a triangle names a vertex that does not exist; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las listas de esta nube de puntos o malla tienen longitudes distintas, o un triángulo nombra un vértice que no existe; no se ha escrito nada.</translation>
+    </message>
+    <message>
+      <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La transformación coloca el reverso a %1 mm del anverso; indique una que lleve los puntos del reverso al sistema de coordenadas del anverso.</translation>
     </message>
 </context>
 <context>

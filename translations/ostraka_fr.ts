@@ -7224,11 +7224,6 @@
       <translation>Le projet A a un autre fichier de ce nom, que son catalogue ne connaît pas ; déplacez-le, rien n’a été fusionné.</translation>
     </message>
     <message>
-      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ce n’est pas un emplacement de photographies, de résultats ou de modèles, les seuls fichiers qu’une fusion écrit ; rien n’a été fusionné.</translation>
-    </message>
-    <message>
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deux fichiers de l’exportation auraient le même nom.</translation>
@@ -9849,11 +9844,6 @@
       <translation>Le nombre de couleurs ou de qualités de la numérisation diffère de celui de ses points ; donnez-en une par point.</translation>
     </message>
     <message>
-      <source>A point or a normal of the scan is not finite; leave such points out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un point ou une normale de la numérisation n’est pas fini ; omettez de tels points.</translation>
-    </message>
-    <message>
       <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les pixels ou le masque ne correspondent pas à la largeur et à la hauteur indiquées ; donnez une valeur par pixel.</translation>
@@ -10112,6 +10102,36 @@
       <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les marqueurs de cette feuille sont de plusieurs tailles ; corriger son plate.json à la main.</translation>
+    </message>
+    <message>
+      <source>These results contain a measurement larger than any sherd; run &apos;ostraka process&apos; again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ces résultats contiennent une mesure plus grande que n’importe quel tesson ; relancez &apos;ostraka process&apos;.</translation>
+    </message>
+    <message>
+      <source>This project lies in the archive &apos;%1&apos;, which any change would make invalid; restore the archive to a new folder, and open that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce projet se trouve dans l’archive « %1 », que toute modification rendrait non valide ; restaurez l’archive dans un nouveau dossier et ouvrez celui-ci.</translation>
+    </message>
+    <message>
+      <source>Not a location of photographs, results, models or imported files, the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas un emplacement de photographies, de résultats, de modèles ou de fichiers importés, les seuls fichiers qu’une fusion écrit ; rien n’a été fusionné.</translation>
+    </message>
+    <message>
+      <source>A point, a normal or a quality of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un point, une normale ou une qualité de la numérisation n’est pas fini ; omettez de tels points.</translation>
+    </message>
+    <message>
+      <source>The lists of this cloud or mesh differ in length, or a triangle names a vertex that does not exist; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les listes de ce nuage de points ou de ce maillage n’ont pas la même longueur, ou un triangle nomme un sommet qui n’existe pas ; rien n’a été écrit.</translation>
+    </message>
+    <message>
+      <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La transformation place la face arrière à %1 mm de la face avant ; donnez-en une qui amène les points de la face arrière dans le repère de la face avant.</translation>
     </message>
 </context>
 <context>

@@ -7224,11 +7224,6 @@
       <translation>A նախագիծն ունի այս անունով մեկ այլ ֆայլ, որը նրա կատալոգը չգիտի. տեղափոխեք այն, ոչինչ չի միավորվել։</translation>
     </message>
     <message>
-      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սա լուսանկարների, արդյունքների կամ մոդելների տեղ չէ, իսկ միավորումը միայն այդ ֆայլերն է գրում. ոչինչ չի միավորվել։</translation>
-    </message>
-    <message>
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արտահանման երկու ֆայլ կունենային նույն անունը։</translation>
@@ -9849,11 +9844,6 @@
       <translation>Սկանի գույների կամ որակի արժեքների թիվը տարբերվում է կետերի թվից. տվեք մեկական արժեք յուրաքանչյուր կետի համար։</translation>
     </message>
     <message>
-      <source>A point or a normal of the scan is not finite; leave such points out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Սկանի կետերից կամ նորմալներից մեկը վերջավոր չէ. այդպիսի կետերը բաց թողեք։</translation>
-    </message>
-    <message>
       <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պիքսելները կամ դիմակը չեն համապատասխանում նշված լայնությանն ու բարձրությանը. տվեք մեկական արժեք յուրաքանչյուր պիքսելի համար։</translation>
@@ -10112,6 +10102,36 @@
       <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս թերթի նշիչները տարբեր չափերի են. ուղղեք դրա plate.json-ը ձեռքով։</translation>
+    </message>
+    <message>
+      <source>These results contain a measurement larger than any sherd; run &apos;ostraka process&apos; again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս արդյունքները պարունակում են ցանկացած խեցաբեկորից մեծ չափ. նորից գործարկեք &apos;ostraka process&apos;-ը։</translation>
+    </message>
+    <message>
+      <source>This project lies in the archive &apos;%1&apos;, which any change would make invalid; restore the archive to a new folder, and open that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս նախագիծը գտնվում է «%1» արխիվում, որը ցանկացած փոփոխությունից անվավեր կդառնա. վերականգնեք արխիվը նոր պանակում և բացեք այն։</translation>
+    </message>
+    <message>
+      <source>Not a location of photographs, results, models or imported files, the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա լուսանկարների, արդյունքների, մոդելների կամ ներմուծված ֆայլերի տեղ չէ, իսկ միավորումը միայն այդ ֆայլերն է գրում. ոչինչ չի միավորվել։</translation>
+    </message>
+    <message>
+      <source>A point, a normal or a quality of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սկանի կետերից, նորմալներից կամ որակի արժեքներից մեկը վերջավոր չէ. այդպիսի կետերը բաց թողեք։</translation>
+    </message>
+    <message>
+      <source>The lists of this cloud or mesh differ in length, or a triangle names a vertex that does not exist; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս կետային ամպի կամ ցանցի ցուցակները տարբեր երկարություն ունեն, կամ եռանկյունը նշում է գոյություն չունեցող գագաթ. ոչինչ չգրվեց։</translation>
+    </message>
+    <message>
+      <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձևափոխությունը հետևի երեսը դնում է առջևի երեսից %1 մմ հեռու. տվեք այնպիսին, որը հետևի երեսի կետերը բերում է առջևի երեսի կոորդինատային համակարգ։</translation>
     </message>
 </context>
 <context>

@@ -7179,11 +7179,6 @@
       <translation>A projesinde bu adda, kataloğunun tanımadığı başka bir dosya var; onu başka yere taşıyın, hiçbir şey birleştirilmedi.</translation>
     </message>
     <message>
-      <source>Not a location of photographs, results or models, the only files that a merge writes; nothing was merged.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Burası fotoğrafların, sonuçların ya da modellerin yeri değil; birleştirme yalnız bu dosyaları yazar. Hiçbir şey birleştirilmedi.</translation>
-    </message>
-    <message>
       <source>Two files of the export would have the same name.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dışa aktarmanın iki dosyası aynı adı taşırdı.</translation>
@@ -9804,11 +9799,6 @@
       <translation>Taramanın renk ya da kalite değerlerinin sayısı noktalarınınkinden farklı; her nokta için bir değer verin.</translation>
     </message>
     <message>
-      <source>A point or a normal of the scan is not finite; leave such points out.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Taramanın bir noktası ya da normali sonlu değil; böyle noktaları dışarıda bırakın.</translation>
-    </message>
-    <message>
       <source>The pixels or the mask differ in size from the stated width and height; give one value for each pixel.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pikseller ya da maske, belirtilen genişlik ve yüksekliğe uymuyor; her piksel için bir değer verin.</translation>
@@ -10067,6 +10057,36 @@
       <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu sayfanın işaretleri farklı boyutlarda; plate.json dosyasını elle düzeltin.</translation>
+    </message>
+    <message>
+      <source>These results contain a measurement larger than any sherd; run &apos;ostraka process&apos; again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu sonuçlar, her parçadan büyük bir ölçü içeriyor; &apos;ostraka process&apos; komutunu yeniden çalıştırın.</translation>
+    </message>
+    <message>
+      <source>This project lies in the archive &apos;%1&apos;, which any change would make invalid; restore the archive to a new folder, and open that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu proje, her değişikliğin geçersiz kılacağı &apos;%1&apos; arşivinde; arşivi yeni bir klasöre geri yükleyin ve o klasörü açın.</translation>
+    </message>
+    <message>
+      <source>Not a location of photographs, results, models or imported files, the only files that a merge writes; nothing was merged.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Burası fotoğrafların, sonuçların, modellerin ya da içe aktarılan dosyaların yeri değil; birleştirme yalnız bu dosyaları yazar. Hiçbir şey birleştirilmedi.</translation>
+    </message>
+    <message>
+      <source>A point, a normal or a quality of the scan is not finite; leave such points out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Taramanın bir noktası, normali ya da niteliği sonlu değil; böyle noktaları dışarıda bırakın.</translation>
+    </message>
+    <message>
+      <source>The lists of this cloud or mesh differ in length, or a triangle names a vertex that does not exist; nothing was written.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu nokta bulutunun ya da ağın listeleri farklı uzunlukta ya da bir üçgen var olmayan bir köşeyi gösteriyor; hiçbir şey yazılmadı.</translation>
+    </message>
+    <message>
+      <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dönüşüm, arka yüzü ön yüzden %1 mm uzağa koyuyor; arka yüzün noktalarını ön yüzün koordinat sistemine taşıyan bir dönüşüm verin.</translation>
     </message>
 </context>
 <context>

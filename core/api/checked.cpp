@@ -1,6 +1,7 @@
 #include "api/checked.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/message.h"
 
@@ -17,9 +18,12 @@ Result<void> checkCloud(const PointCloud& cloud, const std::string& name) {
                                    "points; give one for each point."),
                            name);
   if (!std::all_of(cloud.points.begin(), cloud.points.end(), finite) ||
-      !std::all_of(cloud.normals.begin(), cloud.normals.end(), finite))
+      !std::all_of(cloud.normals.begin(), cloud.normals.end(), finite) ||
+      !std::all_of(cloud.quality.begin(), cloud.quality.end(),
+                   [](float quality) { return std::isfinite(quality); }))
     return Error::unusable(
-        message("A point or a normal of the scan is not finite; leave such points out."), name);
+        message("A point, a normal or a quality of the scan is not finite; leave such points out."),
+        name);
   return {};
 }
 

@@ -22,7 +22,8 @@ struct ClosedModel {
 /// Both sides of a sherd as one closed surface, with its measurements. front, back: at least some
 /// thousand points with outward unit normals, mm; p_front = front_from_back * p_back.
 /// threads: 0 for all processors; the result does not depend on it.
-/// Errors: UnusableInput (no normals, a value that is not finite), NotEnough (too few points, no
+/// Errors: UnusableInput (no normals, a value that is not finite, scans that cannot be in mm, a
+/// transform that is not rigid or leaves the scans apart), NotEnough (too few points, no
 /// closed surface), Cancelled. About 1.5 s per 2000 mm^2 on one core for points 0.15 mm apart, 5 s
 /// for points 0.08 mm apart.
 OSTRAKA_API Result<ClosedModel> closeModel(const PointCloud& front, const PointCloud& back,

@@ -1,11 +1,15 @@
 #include "api/dense.h"
 
+#include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "api/checked.h"
+#include "base/message.h"
+#include "files/json.h"
 #include "stereo/background.h"
 #include "stereo/stereo.h"
 
@@ -19,7 +23,18 @@ cv::Mat_<Pixel> over(const DensePhotograph& photograph, std::span<const std::uin
                          reinterpret_cast<Pixel*>(const_cast<std::uint8_t*>(bytes.data())));
 }
 
+// Focal lengths from a fisheye's to a telescope's, in widths of the photograph.
+bool isCamera(const DensePhotograph& p) {
+  const double side = std::max(p.width, p.height);
+  const auto isFocal = [&](double f) { return f > 0.01 * side && f < 1000 * side; };
+  const auto isCentre = [&](double c) { return std::abs(c) < 1000 * side; };
+  return isFocal(p.fx) && isFocal(p.fy) && isCentre(p.cx) && isCentre(p.cy) &&
+         std::all_of(p.distortion.begin(), p.distortion.end(),
+                     [](double k) { return std::isfinite(k); });
+}
+
 Result<stereo::View> asView(const DensePhotograph& photograph, std::size_t index) {
+  const std::string name = "photograph " + std::to_string(index);
   const bool sized = photograph.width > 0 && photograph.height > 0;
   const std::size_t pixels = sized ? static_cast<std::size_t>(photograph.width) *
                                          static_cast<std::size_t>(photograph.height)
@@ -28,7 +43,12 @@ Result<stereo::View> asView(const DensePhotograph& photograph, std::size_t index
       (!photograph.mask.empty() && photograph.mask.size() != pixels))
     return Error::unusable(message("The pixels or the mask differ in size from the stated width "
                                    "and height; give one value for each pixel."),
-                           "photograph " + std::to_string(index));
+                           name);
+  if (!isCamera(photograph))
+    return Error::unusable(message("The camera of '%1' has no valid K, R, t or size.", name), name);
+  const Result<Eigen::Isometry3d> pose =
+      rigidTransform(photograph.camera_from_world.matrix(), name);
+  if (!pose) return pose.error();
   stereo::View view;
   cv::cvtColor(over<cv::Vec3b>(photograph, photograph.rgb), view.photograph, cv::COLOR_RGB2BGR);
   view.mask = photograph.mask.empty() ? stereo::possibleObject(view.photograph)
@@ -36,7 +56,7 @@ Result<stereo::View> asView(const DensePhotograph& photograph, std::size_t index
   view.camera.intrinsics = {photograph.width,     photograph.height, photograph.fx,
                             photograph.fy,        photograph.cx,     photograph.cy,
                             photograph.distortion};
-  view.camera.camera_from_plate = photograph.camera_from_world;
+  view.camera.camera_from_plate = *pose;
   view.camera.file = std::to_string(index);
   return view;
 }

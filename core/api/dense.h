@@ -33,7 +33,8 @@ struct DenseCloud {
 /// The surface in at least 3 photographs with known cameras, as oriented, coloured points: `ostraka
 /// dense` without files. The pixels are only read during the call. threads: 0 for all processors;
 /// the result does not depend on it.
-/// Errors: UnusableInput (sizes that differ from width and height), NotEnough (fewer than 3
+/// Errors: UnusableInput, which names the photograph (sizes that differ from width and height, an
+/// impossible camera, a pose that is not rigid or moves by more than 1 km), NotEnough (fewer than 3
 /// photographs, nothing found), Cancelled. Memory is about 90 bytes per pixel of all photographs.
 OSTRAKA_API Result<DenseCloud> dense(std::span<const DensePhotograph> photographs, int threads,
                                      Progress& progress, std::stop_token stop);

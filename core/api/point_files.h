@@ -12,7 +12,9 @@ namespace ostraka::api {
 /// Errors: UnusableInput (no PLY file, or no point in it). O(size of the file).
 OSTRAKA_API Result<PointCloud> readCloud(const std::filesystem::path& file);
 
-/// Binary PLY with the comment 'unit mm', written whole or not at all. Errors: CannotWrite.
+/// Binary PLY with the comment 'unit mm', written whole or not at all. Errors: UnusableInput (lists
+/// of different lengths, a triangle without its vertex, a place in a project or an archive),
+/// CannotWrite.
 OSTRAKA_API Result<void> writeCloud(const std::filesystem::path& file, const PointCloud& cloud);
 OSTRAKA_API Result<void> writeMesh(const std::filesystem::path& file, const TriangleMesh& mesh);
 

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -35,7 +36,11 @@ void parallelFor(std::size_t count, int threads, const std::function<void(std::s
   };
   std::vector<std::jthread> helpers;
   const std::size_t wanted = std::min<std::size_t>(count, static_cast<std::size_t>(threads));
-  for (std::size_t t = 1; t < wanted; ++t) helpers.emplace_back(work);
+  try {
+    for (std::size_t t = 1; t < wanted; ++t) helpers.emplace_back(work);
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those that there are do all, with the same result.
+  }
   work();
   helpers.clear();
   if (first) std::rethrow_exception(first);

@@ -8,9 +8,9 @@ namespace ostraka {
 int availableThreads();
 
 /// Calls body(i) once for each i in [0, count) on up to `threads` threads (the caller's included);
-/// threads <= 0 means availableThreads(). A body writes to its own index only, so the result does
-/// not depend on the number of threads. The first exception is rethrown once all threads have
-/// ended.
+/// threads <= 0 means availableThreads(), and fewer where the system gives no more. A body writes
+/// to its own index only, so the result does not depend on the number of threads. The first
+/// exception is rethrown once all threads have ended.
 void parallelFor(std::size_t count, int threads, const std::function<void(std::size_t)>& body);
 
 /// The same in tasks of this many consecutive indices: body(begin, end).

@@ -12,6 +12,7 @@
 #include "base/message.h"
 #include "base/text.h"
 #include "files/files.h"
+#include "files/output_place.h"
 #include "files/unfinished_file.h"
 #include "rig/plate_print.h"
 
@@ -21,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kArriving = ".arriving";
+constexpr std::string_view kBatchFolders[] = {"front", "back", "set_aside", "raw", "calib"};
 
 Error cannotMake(const fs::path& path, int reason) {
   if (reason != EEXIST) return cannotWrite(path, reason);
@@ -124,7 +126,13 @@ Result<void> checkPlate(const fs::path& batch, const batch::Plate& plate) {
 
 Result<BatchStore> BatchStore::open(const fs::path& batch, batch::Side side, int stops, int cameras,
                                     const batch::Plate& plate) {
-  BatchStore store;
+  if (const Result<void> own =
+          checkNoLinkedFolder(batch, kBatchFolders, LinkedFolders::OfTheseNames);
+      !own)
+    return own.error();
+  Result<FolderLock> held = FolderLock::take(batch);
+  if (!held) return held.error();
+  BatchStore store(std::move(*held));
   store.batch_ = batch;
   store.side_ = side;
   for (const fs::path& folder : {batch / batch::name(side), batch / "set_aside"})
@@ -266,9 +274,15 @@ Result<void> BatchStore::commit(std::vector<Arriving> arriving) {
     return r;
   }
   std::set<fs::path> folders;
-  for (const Arriving& a : arriving)
-    for (const std::string& file : a.files) {
-      if (Result<void> r = renameToNew(hidden(batch_ / file), batch_ / file); !r) return r;
+  for (std::size_t i = 0; i < arriving.size(); ++i)
+    for (const std::string& file : arriving[i].files) {
+      if (Result<void> r = renameToNew(hidden(batch_ / file), batch_ / file); !r) {
+        // What has no name is not in the batch; a raw file gets its name when the batch is opened.
+        const bool photograph_named = file != arriving[i].files.front();
+        manifest_.entries.resize(before + i + (photograph_named ? 1 : 0));
+        (void)save();
+        return r;
+      }
       folders.insert((batch_ / file).parent_path());
     }
   for (const fs::path& folder : folders) syncFolder(folder);

@@ -3,12 +3,14 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
 #include "batch/batch.h"
 #include "capture/manifest.h"
 #include "devices/camera.h"
+#include "files/folder_lock.h"
 
 namespace ostraka::capture {
 
@@ -19,12 +21,14 @@ struct Arriving {
 };
 
 /// The batch's folder while it is being photographed. Nothing in it is ever overwritten; a crash at
-/// any moment leaves whole photographs that the manifest names, or none.
+/// any moment leaves whole photographs that the manifest names, or none. It is held for one program
+/// at a time.
 class BatchStore {
  public:
   /// Makes the folder and plate.json, reads the manifest, and tidies up after a crash. Errors:
   /// UnusableInput (photographs that are not in the manifest, another plate, another number of
-  /// stops or cameras), CannotWrite.
+  /// stops or cameras, a link in the place of one of the batch's folders), CannotWrite (another
+  /// program photographs this batch).
   static Result<BatchStore> open(const std::filesystem::path& batch, batch::Side side, int stops,
                                  int cameras, const batch::Plate& plate);
 
@@ -50,10 +54,12 @@ class BatchStore {
   std::filesystem::path fileOf(const ManifestEntry& entry) const { return batch_ / entry.file; }
 
  private:
+  explicit BatchStore(FolderLock held) : held_(std::move(held)) {}
   Result<void> tidyUp(batch::Side side);
   Result<void> finishAside(const ManifestEntry& entry) const;
   Result<void> finishRaw(const ManifestEntry& entry) const;
 
+  FolderLock held_;
   std::filesystem::path batch_;
   batch::Side side_ = batch::Side::Front;
   Manifest manifest_;

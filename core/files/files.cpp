@@ -97,13 +97,17 @@ bool mayBeWritten(const std::filesystem::path& path) {
   return ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
 }
 
+bool isFullDisk(int reason) {
+  return reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
+}
+
 Error cannotWrite(const std::filesystem::path& path, int reason) {
-  const bool full = reason == ENOSPC || reason == EDQUOT;
   return {ErrorCode::CannotWrite,
-          full ? message("The disk is full; free some space and try again.")
-               : message("The file or folder cannot be written (%1); choose another location, or "
-                         "check its permissions.",
-                         std::string(std::strerror(reason))),
+          isFullDisk(reason)
+              ? message("The disk is full; free some space and try again.")
+              : message("The file or folder cannot be written (%1); choose another location, or "
+                        "check its permissions.",
+                        std::string(std::strerror(reason))),
           path.string()};
 }
 

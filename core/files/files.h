@@ -33,6 +33,8 @@ bool mayBeWritten(const std::filesystem::path& path);
 /// SHA-256 in lower-case hexadecimal.
 std::string sha256(std::string_view bytes);
 
+/// Whether errno says that no more can be written: a full disk, a quota, or a limit of file sizes.
+bool isFullDisk(int reason);
 /// The error CannotWrite for a path that could not be written; reason: errno.
 Error cannotWrite(const std::filesystem::path& path, int reason);
 

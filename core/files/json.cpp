@@ -183,6 +183,11 @@ Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const st
       return Error::unusable(message("A transform contains a value that is not a number."), where);
     matrix(i / 4, i % 4) = flat[i].get<double>();
   }
+  return rigidTransform(matrix, where, reach);
+}
+
+Result<Eigen::Isometry3d> rigidTransform(const Eigen::Matrix4d& matrix, const std::string& where,
+                                         const Limit& reach) {
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
   const double skew =
       (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();

@@ -26,5 +26,8 @@ nlohmann::ordered_json toJson(const Eigen::Isometry3d& transform);
 nlohmann::ordered_json orNull(const std::optional<double>& value);
 Result<Eigen::Isometry3d> isometryFromJson(const nlohmann::json& value, const std::string& where,
                                            const Limit& reach = limits::kScanReach_mm);
+/// The same of a matrix that another program hands in.
+Result<Eigen::Isometry3d> rigidTransform(const Eigen::Matrix4d& matrix, const std::string& where,
+                                         const Limit& reach = limits::kScanReach_mm);
 
 }  // namespace ostraka

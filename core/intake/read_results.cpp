@@ -52,6 +52,12 @@ std::optional<double> numberIn(const json& object, const char* key) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
+// Ten metres, and their square and cube: no vessel is so large.
+double mostOf(const std::string& measurement_kind) {
+  const std::string unit = records::unitOf(measurement_kind);
+  return unit == "mm3" ? 1e12 : unit == "mm2" ? 1e8 : 1e4;
+}
+
 class Reading {
  public:
   Reading(const fs::path& project, const records::BatchRecord& batch, const fs::path& out,
@@ -147,7 +153,11 @@ class Reading {
     if (fs::exists(table, code)) {
       const json candidates = store::valueOrThrow(readJson(table));
       for (const json& scan : candidates.at(side + "s")) {
-        files.push_back(work / scan.at("file").get<std::string>());
+        // Another batch's scan would become this one's in the catalogue.
+        const Result<ContainedPath> inside =
+            ContainedPath::parse(scan.at("file").get<std::string>());
+        if (!inside) store::refuse(inside.error().what, table.string());
+        files.push_back(work / inside->text());
         photographs_[side] = scan.value("photographs", "");
       }
       return files;
@@ -207,8 +217,13 @@ class Reading {
       if (has_scale) {  // without a scale no length is known
         for (const auto& [name, value] : figures.at("measures").items()) {
           const sherds::SherdColumn* column = sherds::sherdColumn(name);
-          if (column && column->measure && value.is_number() && value.get<double>() > 0)
-            sherd.measures[column->measure] = value.get<double>();
+          if (!column || !column->measure || !value.is_number() || !(value.get<double>() > 0))
+            continue;
+          if (value.get<double>() > mostOf(column->measure))
+            store::refuse(message("These results contain a measurement larger than any sherd; run "
+                                  "'ostraka process' again."),
+                          (out_ / "report.json").string());
+          sherd.measures[column->measure] = value.get<double>();
         }
         sherd.measures["filled_pct"] = 100 * numberAt(figures, "filled_share");
       }

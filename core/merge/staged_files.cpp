@@ -43,13 +43,15 @@ Result<bool> isToBeWritten(const OpenFolder& project, const ContainedPath& place
 }  // namespace
 
 Error notAPlaceOfFiles(const std::string& path) {
-  return Error::unusable(message("Not a location of photographs, results or models, the only files "
-                                 "that a merge writes; nothing was merged."),
-                         path);
+  return Error::unusable(
+      message("Not a location of photographs, results, models or imported files, "
+              "the only files that a merge writes; nothing was merged."),
+      path);
 }
 
 bool isPlaceOfFiles(const std::string& path) {
-  return std::any_of(std::begin(kFoldersOfBatches), std::end(kFoldersOfBatches),
+  return path.starts_with("imported/") ||
+         std::any_of(std::begin(kFoldersOfBatches), std::end(kFoldersOfBatches),
                      [&](const char* folder) { return path.starts_with(folder); });
 }
 

@@ -14,7 +14,8 @@
 
 namespace ostraka::merge {
 
-/// The folders of a project's files, one for each batch: a merge writes nowhere else.
+/// The folders of a project's files, one for each batch: a merge writes nowhere else but in
+/// imported/, where the files of imported exports lie, of whatever batch.
 inline constexpr const char* kFoldersOfBatches[] = {"batches/", "results/", "models/"};
 bool isPlaceOfFiles(const std::string& path);
 Error notAPlaceOfFiles(const std::string& path);

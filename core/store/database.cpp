@@ -4,6 +4,7 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -329,12 +330,21 @@ Database::Scope::~Scope() {
 
 // SQLite calls a disk full that takes no more bytes, but not one that takes no more files: it tries
 // to open what could not be made for reading, and says that it is not there.
-static bool isFullAt(const fs::path& folder) {
-  const std::string file = folder / (".room." + std::to_string(::getpid()) + ".partial");
+// A limit of file sizes shows only behind what the catalogue or its WAL has by now.
+static bool isFullBeside(const fs::path& catalogue) {
+  constexpr std::uintmax_t kLargestPage = 65536;
+  std::uintmax_t behind = kLargestPage;
+  for (const char* ending : {"", "-wal"}) {
+    std::error_code none;
+    const std::uintmax_t bytes = fs::file_size(catalogue.string() + ending, none);
+    if (!none) behind = std::max(behind, bytes + kLargestPage);
+  }
+  const std::string file =
+      catalogue.parent_path() / (".room." + std::to_string(::getpid()) + ".partial");
   const int made = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
-  bool full = made < 0 && (errno == ENOSPC || errno == EDQUOT);
+  bool full = made < 0 && isFullDisk(errno);
   if (made < 0) return full;
-  full = ::write(made, "?", 1) != 1 && (errno == ENOSPC || errno == EDQUOT);
+  full = ::pwrite(made, "?", 1, static_cast<off_t>(behind)) != 1 && isFullDisk(errno);
   ::close(made);
   ::unlink(file.c_str());
   return full;
@@ -350,7 +360,7 @@ static Error errorAt(const SqlFailure& failure, const fs::path& file) {
             file.string()};
   const int kind = failure.code & 0xFF;
   if (kind == SQLITE_FULL ||
-      ((kind == SQLITE_CANTOPEN || kind == SQLITE_IOERR) && isFullAt(file.parent_path())))
+      ((kind == SQLITE_CANTOPEN || kind == SQLITE_IOERR) && isFullBeside(file)))
     return {ErrorCode::CannotWrite,
             message("The disk is full; free some space, then try again. No data was lost."),
             file.string()};

@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFile = "catalogue.sqlite";
 constexpr std::array<const char*, 3> kFolders = {"batches", "results", "backups"};
-constexpr std::string_view kOwnFolders[] = {"batches", "results", "backups", "models"};
+constexpr std::string_view kOwnFolders[] = {"batches", "results",  "backups",
+                                            "models",  "imported", "cluster"};
 
 catalogue::Catalogue::Clock orSystemClock(const catalogue::Catalogue::Clock& clock) {
   if (clock) return clock;
@@ -51,6 +52,19 @@ Result<void> checkFolder(const fs::path& folder) {
   return {};
 }
 
+// The data of an archive, wherever links lead from: opening it for writing alone changes files
+// whose hashes the archive states.
+Result<void> checkOutsideArchives(const fs::path& file) {
+  std::error_code code;
+  const fs::path folder = fs::canonical(file, code).parent_path();
+  if (folder.filename() != "data" || !fs::exists(folder.parent_path() / "bagit.txt", code))
+    return {};
+  return refused(message("This project lies in the archive '%1', which any change would make "
+                         "invalid; restore the archive to a new folder, and open that.",
+                         folder.parent_path().string()),
+                 folder);
+}
+
 Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
                                            const catalogue::Catalogue::Clock& clock,
                                            const store::Waiting& waiting) {
@@ -64,6 +78,8 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
       !own)
     return own.error();
   const bool writable = mayBeWritten(folder) && mayBeWritten(file);
+  if (writable)
+    if (const Result<void> good = checkOutsideArchives(file); !good) return good.error();
   Result<std::unique_ptr<store::Database>> database =
       store::Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly, waiting);
   if (!database) return database.error();

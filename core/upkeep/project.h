@@ -27,7 +27,8 @@ class Project {
                                 const catalogue::Catalogue::Clock& clock = {});
   /// Opens it; an older schema is brought up to date after a backup, a newer one is refused. Where
   /// nothing can be written it is open for reading only (catalogue().readOnly()). Errors: Damaged,
-  /// see catalogue/repair.h; UnusableInput where the catalogue names a place outside the project.
+  /// see catalogue/repair.h; UnusableInput where the catalogue names a place outside the project,
+  /// and in an archive that can be written to.
   static Result<Project> open(const std::filesystem::path& folder,
                               const catalogue::Catalogue::Clock& clock = {},
                               const store::Waiting& waiting = {});

@@ -1,5 +1,6 @@
 // Runs the built program as a person does, and looks at what it says and its exit status.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -36,6 +37,21 @@ class CommandLine : public testing::Test {
   }
   fs::path folder_;
 };
+
+TEST_F(CommandLine, ALimitOfFileSizesIsToldAsAFullDisk) {
+  struct rlimit before {};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  for (const std::string& command :
+       {"plate -o " + path("plate.pdf"), "catalogue new -o " + path("new") + " --code NEW"}) {
+    struct rlimit small = before;
+    small.rlim_cur = 512;
+    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+    const Outcome full = run(command);
+    ::setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ(full.status, 1) << full.text;
+    EXPECT_TRUE(says(full, "The disk is full")) << full.text;
+  }
+}
 
 TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
   const Outcome root = run("--help");

@@ -10,6 +10,7 @@
 #include "api/point_files.h"
 #include "api/register.h"
 #include "api/version.h"
+#include "files/files.h"
 #include "tests/core/catalogue/small_project.h"
 #include "tests/core/files/temporary_folder.h"
 #include "tests/core/model/shapes.h"
@@ -76,16 +77,71 @@ TEST(Api, RefusesScansWithoutNormalsOrPointsAndNamesThem) {
 
 TEST(Api, RefusesPointsThatAreNotFiniteAndListsOfOtherLengths) {
   const PointCloud good = scanOfBox(model::BoxScan{}, false, 1);
-  PointCloud nowhere = good, few_colours = good;
+  PointCloud nowhere = good, few_colours = good, doubtful = good;
+  doubtful.quality.assign(good.size(), std::numeric_limits<float>::quiet_NaN());
   nowhere.points[7].x() = std::numeric_limits<float>::quiet_NaN();
   few_colours.colors.resize(3);
-  for (const PointCloud& bad : {nowhere, few_colours}) {
+  for (const PointCloud& bad : {nowhere, few_colours, doubtful}) {
     const std::vector<PointCloud> fronts = {good}, backs = {bad};
     EXPECT_EQ(registerScans(fronts, backs, 1, quiet, {}).error().code, ErrorCode::UnusableInput);
     const auto closed = closeModel(good, bad, Eigen::Isometry3d::Identity(), 1, quiet, {});
     ASSERT_FALSE(closed.has_value());
     EXPECT_EQ(closed.error().code, ErrorCode::UnusableInput);
     EXPECT_EQ(closed.error().where, "back");
+  }
+}
+
+TEST(Api, ClosesNothingWithATransformThatIsNoneOrScansInAnotherUnit) {
+  const PointCloud front = scanOfBox(model::BoxScan{}, false, 1),
+                   back = scanOfBox(model::BoxScan{}, true, 2);
+  std::vector<Eigen::Isometry3d> bad(6, Eigen::Isometry3d::Identity());
+  bad[0](0, 0) = std::numeric_limits<double>::quiet_NaN();
+  bad[1].matrix().setZero();
+  bad[2].linear() *= 1000;
+  bad[3](2, 2) = -1;
+  bad[4].translation().x() = 5000;
+  bad[5].translation().x() = 1e30;
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    const auto closed = closeModel(front, back, bad[i], 1, quiet, {});
+    ASSERT_FALSE(closed.has_value()) << i;
+    EXPECT_EQ(closed.error().code, ErrorCode::UnusableInput) << i;
+    EXPECT_EQ(closed.error().where, "front_from_back") << i;
+  }
+  for (const float factor : {1e-3f, 1e3f, 1e30f}) {
+    PointCloud small_front = front, small_back = back;
+    for (PointCloud* cloud : {&small_front, &small_back})
+      for (Eigen::Vector3f& point : cloud->points) point *= factor;
+    const auto closed =
+        closeModel(small_front, small_back, Eigen::Isometry3d::Identity(), 1, quiet, {});
+    ASSERT_FALSE(closed.has_value()) << factor;
+    EXPECT_EQ(closed.error().code, ErrorCode::UnusableInput) << factor;
+  }
+}
+
+TEST(Api, RefusesPhotographsWhoseCameraOrPoseIsNone) {
+  const std::vector<std::uint8_t> rgb(std::size_t{3} * 64 * 48, 128);
+  DensePhotograph good;
+  good.width = 64;
+  good.height = 48;
+  good.rgb = rgb;
+  good.fx = good.fy = 80;
+  good.cx = 31.5;
+  good.cy = 23.5;
+  std::vector<DensePhotograph> bad(8, good);
+  bad[0].camera_from_world.matrix().setZero();
+  bad[1].camera_from_world(0, 3) = 1e30;
+  bad[2].camera_from_world(0, 0) = -1;
+  bad[3].fx = std::numeric_limits<double>::quiet_NaN();
+  bad[4].fy = 0;
+  bad[5].fx = 1e300;
+  bad[6].distortion[2] = std::numeric_limits<double>::quiet_NaN();
+  bad[7].cx = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < bad.size(); ++i) {
+    const std::vector<DensePhotograph> photographs = {good, bad[i], good};
+    const auto found = dense(photographs, 1, quiet, {});
+    ASSERT_FALSE(found.has_value()) << i;
+    EXPECT_EQ(found.error().code, ErrorCode::UnusableInput) << i;
+    EXPECT_EQ(found.error().where, "photograph 1") << i;
   }
 }
 
@@ -148,6 +204,32 @@ TEST(Api, SaysThatAFolderIsNoProject) {
   const Result<CatalogueContents> none = readCatalogue(folder.path(), "");
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().code, ErrorCode::UnusableInput);
+}
+
+TEST(Api, WritesNothingThatCannotBeReadOrThatMakesAnArchiveInvalid) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "mesh.ply";
+  TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {}, {}, {{0, 1, 2}}};
+  for (const int wrong : {3, -1}) {
+    mesh.triangles[0][2] = wrong;
+    const Result<void> refused = writeMesh(file, mesh);
+    ASSERT_FALSE(refused.has_value()) << wrong;
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  }
+  mesh.triangles[0][2] = 2;
+  mesh.seen = {1};
+  EXPECT_FALSE(writeMesh(file, mesh).has_value());
+  mesh.seen.clear();
+  PointCloud cloud;
+  cloud.points = mesh.vertices;
+  cloud.normals = {{0, 0, 1}};
+  EXPECT_FALSE(writeCloud(file, cloud).has_value());
+  EXPECT_FALSE(fs::exists(file));
+  ASSERT_TRUE(writeMesh(file, mesh).has_value());
+  fs::remove(file);
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "bagit.txt", "x"));
+  EXPECT_FALSE(writeMesh(file, mesh).has_value());
+  EXPECT_FALSE(fs::exists(file));
 }
 
 TEST(Api, WritesWhatItReads) {

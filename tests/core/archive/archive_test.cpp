@@ -71,6 +71,24 @@ TEST_F(Archive, OnAnEmptyLaptopIsTheSameProject) {
   EXPECT_FALSE(archiveProject(*project_, {project_->folder() / "inside"}, quiet, {}));
 }
 
+// Not even by one who only looks at the catalogue in it.
+TEST_F(Archive, IsNotOpenedAsAProjectAndCanStillBeRestored) {
+  ASSERT_TRUE(archive());
+  fs::create_directory_symlink(at("archive/data"), at("link"));
+  fs::create_directories(at("beside"));
+  fs::create_symlink(at("archive/data/catalogue.sqlite"), at("beside/catalogue.sqlite"));
+  for (const char* name : {"archive/data", "archive/data/", "link", "beside"}) {
+    const Result<upkeep::Project> opened = upkeep::Project::open(at(name));
+    ASSERT_FALSE(opened) << name;
+    EXPECT_EQ(opened.error().code, ErrorCode::UnusableInput);
+    EXPECT_NE(opened.error().what.english().find("restore the archive"), std::string::npos)
+        << opened.error().sentence();
+    EXPECT_FALSE(upkeep::Project::connect(at(name))) << name;
+  }
+  const Result<Restored> restored = restore();
+  EXPECT_TRUE(restored) << restored.error().sentence();
+}
+
 TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {
   put(project_->folder() / ".ostraka.lock", "4711");
   put(project_->folder() / "lock", "");

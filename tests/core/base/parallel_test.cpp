@@ -1,9 +1,12 @@
 #include "base/parallel.h"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <atomic>
 #include <stdexcept>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 namespace ostraka {
@@ -15,6 +18,28 @@ TEST(ParallelFor, CallsEachIndexOnceForAnyNumberOfThreads) {
     parallelFor(calls.size(), threads, [&](std::size_t i) { ++calls[i]; });
     for (const auto& count : calls) ASSERT_EQ(count.load(), 1);
   }
+}
+
+// As for a user at his limit of processes; that limit does not hold for root.
+TEST(ParallelFor, GoesOnWhereTheSystemGivesNoThread) {
+  pthread_attr_t before, too_large;
+  ASSERT_EQ(::pthread_getattr_default_np(&before), 0);
+  ASSERT_EQ(::pthread_attr_init(&too_large), 0);
+  ASSERT_EQ(::pthread_attr_setstacksize(&too_large, std::size_t{1} << 50), 0);
+  ASSERT_EQ(::pthread_setattr_default_np(&too_large), 0);
+  bool refused = false;
+  try {
+    std::thread([] {}).join();
+  } catch (const std::system_error&) {
+    refused = true;
+  }
+  std::vector<std::atomic<int>> calls(1000);
+  EXPECT_NO_THROW(parallelFor(calls.size(), 4, [&](std::size_t i) { ++calls[i]; }));
+  ::pthread_setattr_default_np(&before);
+  ::pthread_attr_destroy(&before);
+  ::pthread_attr_destroy(&too_large);
+  EXPECT_TRUE(refused) << "no stack is so large";
+  for (const auto& count : calls) ASSERT_EQ(count.load(), 1);
 }
 
 TEST(ParallelForRanges, CoversEachIndexOnceWithAShortLastTask) {

@@ -26,7 +26,10 @@ batch::Batch batchWithoutMarkers(const std::filesystem::path& picture) {
   marker.id = 1;
   marker.corners = {Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(1, 1, 0), Eigen::Vector3d(1, 0, 0),
                     Eigen::Vector3d(0, 0, 0)};
-  batch.plate = batch::Plate{"DICT_4X4_100", 300, false, {}, {marker}};
+  batch.plate.emplace();
+  batch.plate->dictionary = "DICT_4X4_100";
+  batch.plate->diameter_mm = 300;
+  batch.plate->markers = {marker};
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back})
     for (int stop = 0; stop < 3; ++stop)
       batch.shots.push_back({side, 0, stop, picture, {}, 80, 60});

@@ -62,6 +62,52 @@ TEST_F(Store, NamesNothingOutsideOfItsFolder) {
   EXPECT_FALSE(open(plate_).has_value());
 }
 
+TEST_F(Store, IsHeldByOneProgramAtATime) {
+  {
+    const Result<BatchStore> first = open(plate_);
+    ASSERT_TRUE(first.has_value()) << first.error().what;
+    for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
+      const Result<BatchStore> second = BatchStore::open(folder_, side, 3, 1, plate_);
+      ASSERT_FALSE(second.has_value());
+      EXPECT_EQ(second.error().code, ErrorCode::CannotWrite);
+      EXPECT_THAT(second.error().what, HasSubstr("Another run is writing"));
+    }
+  }
+  EXPECT_TRUE(open(plate_).has_value());
+}
+
+// The manifest must not name bytes that another file has.
+TEST_F(Store, ForgetsAPhotographWhoseNameAnotherFileHasTaken) {
+  Result<BatchStore> store = open(plate_);
+  ASSERT_TRUE(store.has_value()) << store.error().what;
+  const auto arriving = store->stage({{"DSC_1.JPG", "\xFF\xD8 a photograph"}}, 0, 0, 0.0, {});
+  ASSERT_TRUE(arriving.has_value()) << arriving.error().what;
+  ASSERT_TRUE(writeFileAtomically(folder_ / "front/cam0_pos00.jpg", "another's"));
+  EXPECT_FALSE(store->commit({*arriving}).has_value());
+  EXPECT_TRUE(store->manifest().entries.empty());
+  const auto manifest = readManifest(folder_);
+  ASSERT_TRUE(manifest.has_value());
+  EXPECT_TRUE(manifest->entries.empty());
+  EXPECT_EQ(textOf("front/cam0_pos00.jpg"), "another's");
+}
+
+TEST_F(Store, WritesAndDeletesNothingThroughALinkedFolder) {
+  const fs::path foreign = temporary_.path() / "foreign";
+  ASSERT_TRUE(makeFolder(foreign));
+  ASSERT_TRUE(writeFileAtomically(foreign / ".x.arriving", "another's"));
+  ASSERT_TRUE(makeFolder(folder_));
+  for (const char* name : {"front", "back", "set_aside", "raw", "calib"}) {
+    fs::create_directory_symlink(foreign, folder_ / name);
+    const Result<BatchStore> refused = open(plate_);
+    ASSERT_FALSE(refused.has_value()) << name;
+    EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(refused.error().where, (folder_ / name).string());
+    fs::remove(folder_ / name);
+    EXPECT_EQ(textOf("../foreign/.x.arriving"), "another's");
+  }
+  EXPECT_TRUE(open(plate_).has_value());
+}
+
 TEST_F(Store, IsOfAnotherPlateOnlyOnceItHasPhotographs) {
   batch::Plate other = plate_;
   other.markers[0].corners[0].x() += 1;

@@ -48,6 +48,46 @@ TEST_F(DamagedResults, AreNotEnteredWhereAFileIsCutEmptiedMissingOrALink) {
   EXPECT_EQ(enter().models, 3);
 }
 
+// The scan of another batch would become this one's.
+TEST_F(DamagedResults, AreNotEnteredWhereATableNamesScansOutsideTheirWork) {
+  out.photographs = "first";  // with a table of candidates
+  out.write();
+  const fs::path results = project_->resultsFolder("B0001"),
+                 other = project_->resultsFolder("B0002") / "work/scans_front",
+                 table = results / "work/pairs/candidates.json";
+  fs::create_directories(other);
+  fs::copy_file(results / "work/scans_front/f001.ply", other / "f001.ply");
+  const nlohmann::json whole = *readJson(table);
+  for (const std::string& name :
+       {std::string("../../B0002/work/scans_front/f001.ply"), (other / "f001.ply").string(),
+        std::string("../work/scans_front/f001.ply"), std::string()}) {
+    nlohmann::json changed = whole;
+    changed["fronts"][0]["file"] = name;
+    ASSERT_TRUE(writeFileAtomically(table, changed.dump()));
+    const auto entered =
+        enterResults(catalogue(), project_->folder(), batch, results, {}, quiet, {});
+    ASSERT_FALSE(entered) << name;
+    EXPECT_EQ(entered.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(entered.error().where, table.string());
+  }
+  EXPECT_TRUE(sherds().empty());
+}
+
+TEST_F(DamagedResults, AreNotEnteredWithAMeasurementThatNoSherdHas) {
+  const fs::path file = project_->resultsFolder("B0001") / "report.json";
+  const nlohmann::json whole = *readJson(file);
+  for (const double length_mm : {1e300, 10001.0}) {
+    nlohmann::json changed = whole;
+    changed["sherds"][0]["figures"]["measures"]["length_mm"] = length_mm;
+    ASSERT_TRUE(writeFileAtomically(file, changed.dump()));
+    const auto entered = enterResults(catalogue(), project_->folder(), batch,
+                                      project_->resultsFolder("B0001"), {}, quiet, {});
+    ASSERT_FALSE(entered) << length_mm;
+    EXPECT_EQ(entered.error().where, file.string());
+  }
+  EXPECT_TRUE(sherds().empty());
+}
+
 // As `process` notes them: of scans in the record of their stage, of the others in report.json.
 TEST_F(DamagedResults, AreNotEnteredWhereAScanOrAReportHasAnotherBit) {
   const fs::path results = project_->resultsFolder("B0001");
@@ -108,6 +148,16 @@ TEST_F(DamagedResults, AreNotEnteredWithTextsThatTheCatalogueCannotStore) {
   }
   EXPECT_TRUE(sherds().empty());
   EXPECT_EQ(enter().models, 3);
+}
+
+TEST_F(DamagedResults, AreRefusedWhereAModelIsGone) {
+  fs::remove(project_->resultsFolder("B0001") / "sherds/02/model.ply");
+  const auto entered = enterResults(catalogue(), project_->folder(), batch,
+                                    project_->resultsFolder("B0001"), {}, quiet, {});
+  ASSERT_FALSE(entered);
+  EXPECT_EQ(entered.error().code, ErrorCode::Missing);
+  EXPECT_THAT(entered.error().where, testing::HasSubstr("sherds/02/model.ply"));
+  EXPECT_TRUE(sherds().empty()) << "nothing is entered by halves";
 }
 
 }  // namespace

@@ -129,16 +129,6 @@ TEST_F(Entering, MendsAModelThatWasDamagedSince) {
             "model of f001b001model.ply");
 }
 
-TEST_F(Entering, RefusesResultsWhoseModelIsGone) {
-  fs::remove(project_->resultsFolder("B0001") / "sherds/02/model.ply");
-  const auto entered = enterResults(catalogue(), project_->folder(), batch,
-                                    project_->resultsFolder("B0001"), {}, quiet, {});
-  ASSERT_FALSE(entered);
-  EXPECT_EQ(entered.error().code, ErrorCode::Missing);
-  EXPECT_THAT(entered.error().where, testing::HasSubstr("sherds/02/model.ply"));
-  EXPECT_TRUE(sherds().empty()) << "nothing is entered by halves";
-}
-
 TEST_F(Entering, TwiceChangesNothing) {
   enter();
   const int history = count("history"), decisions = count("pair_decision"),

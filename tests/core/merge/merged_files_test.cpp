@@ -140,6 +140,14 @@ TEST_F(MergedFiles, WhatAKilledMergeCopiedInVainGoes) {
   everyFileIsThere();
 }
 
+TEST_F(MergedFiles, ThoseThatBImportedWithAnExportComeToo) {
+  const std::string path = "imported/export/models/B0001-01.ply";
+  nameInB(path, "of an export");
+  merged(*project_, b_);
+  EXPECT_EQ(bytesOf(project_->folder() / path), "of an export");
+  everyFileIsThere();
+}
+
 // Anybody may have written B.
 TEST_F(MergedFiles, NoneComesToAPlaceThatIsNotOfABatch) {
   nameInB("backups/catalogue-20260101-000000-000.sqlite", "of B");

@@ -358,7 +358,7 @@ TEST_F(ProjectFolder, IsNotOpenedWithATriggerOfOthers) {
 TEST_F(ProjectFolder, IsNotOpenedWithALinkInPlaceOfAFolder) {
   const fs::path folder = project_->folder();
   project_.reset();
-  for (const char* name : {"batches", "results", "backups", "models"}) {
+  for (const char* name : {"batches", "results", "backups", "models", "imported", "cluster"}) {
     fs::remove_all(folder / name);
     fs::create_directory_symlink(folder_.path(), folder / name);
     const Result<Project> opened = Project::open(folder);

@@ -2676,9 +2676,9 @@
       <translation>Tabellen (CSV): englische Überschriften, Dezimalpunkt</translation>
     </message>
     <message>
-      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tabellen (ODS) in Ihrer Sprache: LibreOffice, Excel</translation>
+      <translation>Tabellen (ODS): LibreOffice, Excel</translation>
     </message>
 </context>
 <context>

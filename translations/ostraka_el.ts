@@ -2671,9 +2671,9 @@
       <translation>Πίνακες (CSV): αγγλικές επικεφαλίδες, τελεία</translation>
     </message>
     <message>
-      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Πίνακες (ODS) στη γλώσσα σας: LibreOffice, Excel</translation>
+      <translation>Πίνακες (ODS): LibreOffice, Excel</translation>
     </message>
 </context>
 <context>

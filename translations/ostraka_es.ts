@@ -2671,9 +2671,9 @@
       <translation>Tablas (CSV): encabezados en inglés, punto decimal</translation>
     </message>
     <message>
-      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablas (ODS) en su idioma: LibreOffice, Excel</translation>
+      <translation>Tablas (ODS): LibreOffice, Excel</translation>
     </message>
 </context>
 <context>

@@ -2671,9 +2671,9 @@
       <translation>Tableaux (CSV) : en-têtes anglais, point décimal</translation>
     </message>
     <message>
-      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tableaux (ODS) dans votre langue : LibreOffice, Excel</translation>
+      <translation>Tableaux (ODS) : LibreOffice, Excel</translation>
     </message>
 </context>
 <context>

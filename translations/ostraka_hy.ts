@@ -2671,9 +2671,9 @@
       <translation>Աղյուսակներ (CSV)՝ անգլերեն վերնագրեր, տասնորդական կետ</translation>
     </message>
     <message>
-      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Աղյուսակներ (ODS) ձեր լեզվով՝ LibreOffice, Excel</translation>
+      <translation>Աղյուսակներ (ODS)՝ LibreOffice, Excel</translation>
     </message>
 </context>
 <context>

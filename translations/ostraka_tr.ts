@@ -2642,9 +2642,9 @@
       <translation>Tablolar (CSV): İngilizce başlıklar, ondalık nokta</translation>
     </message>
     <message>
-      <source>Tables (ODS) in your language: LibreOffice, Excel</source>
+      <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tablolar (ODS), sizin dilinizde: LibreOffice, Excel</translation>
+      <translation>Tablolar (ODS): LibreOffice, Excel</translation>
     </message>
 </context>
 <context>

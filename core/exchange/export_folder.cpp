@@ -306,7 +306,7 @@ class Exporting {
       put("columns.csv", columnsCsv(with_mark));
     }
     if (options_.forms.contains(Form::Ods))
-      put("sherds.ods", tablesOds(catalogue_, rows, list, named_, options_.heading));
+      put("sherds.ods", tablesOds(catalogue_, rows, list, named_, options_.words));
   }
 
   void records(const std::vector<records::SherdRecord>& sherds,

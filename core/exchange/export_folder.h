@@ -34,7 +34,7 @@ enum class Form {
 inline constexpr std::size_t kWebBytes = 5'000'000, kPhoneBytes = 1'000'000;
 
 /// What the reader calls a column of sherds.csv or contexts.csv. Any thread may call it.
-using ColumnHeading = std::function<std::string(const std::string& column)>;
+using ColumnWords = std::function<std::string(const std::string& column)>;
 
 struct ExportOptions {
   std::filesystem::path target;  ///< new folder
@@ -45,7 +45,7 @@ struct ExportOptions {
   /// mm on paper per mm; nothing: for each sherd the largest of 1:1 to 1:5 that fits its sheet.
   std::optional<double> drawing_scale = 1;
   drawing::Wording wording;         ///< of the drawings
-  ColumnHeading heading;            ///< in the spreadsheet; none: as in the CSV
+  ColumnWords words;                ///< in the spreadsheet's sheet of columns; may be empty
   std::string program = "ostraka";  ///< with its version
   /// What a GLB may take, photographs and all. Larger ones get fewer triangles and texels, PLY and
   /// OBJ the same surface; how far it is off is stated in each file. 0: as computed, and the GLB as
@@ -101,10 +101,11 @@ Result<std::string> contextsCsv(const catalogue::Catalogue& catalogue,
 /// What the columns of both mean, and their units.
 std::string columnsCsv(ByteOrderMark mark);
 /// Sherds, contexts and the meanings of the columns as three sheets of an OpenDocument spreadsheet,
-/// for people: headings as they call them, numbers as their program shows them.
+/// for people: numbers as their program shows them. The headings are those of the CSV, so that a
+/// sheet that was edited can be imported again.
 Result<std::string> tablesOds(const catalogue::Catalogue& catalogue,
                               std::span<const store::SherdRow> sherds,
                               std::span<const store::ContextRow> contexts,
-                              const FilesOfSherds& files, const ColumnHeading& heading);
+                              const FilesOfSherds& files, const ColumnWords& words);
 
 }  // namespace ostraka::exchange

@@ -259,8 +259,8 @@ class Sizing {
       add("columns.csv", static_cast<std::int64_t>(columnsCsv(mark).size()));
     }
     if (options_.forms.contains(Form::Ods))
-      add("sherds.ods", all(tablesOds(catalogue_, some, places, named, options_.heading),
-                            tablesOds(catalogue_, {}, places, {}, options_.heading)));
+      add("sherds.ods", all(tablesOds(catalogue_, some, places, named, options_.words),
+                            tablesOds(catalogue_, {}, places, {}, options_.words)));
   }
 
   void metadata() {

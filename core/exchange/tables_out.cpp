@@ -66,8 +66,6 @@ class TableWriter {
  public:
   virtual ~TableWriter() = default;
   virtual void begin(const std::vector<tables::OdsSheet::Column>& columns) = 0;
-  /// How the reader's table calls a column.
-  virtual std::string headingOf(const std::string& column) const { return column; }
   virtual void row(const std::vector<std::string>& values) = 0;
 };
 
@@ -81,14 +79,14 @@ void writeRow(TableWriter& table, const std::vector<tables::OdsSheet::Column>& c
   table.row(values);
 }
 
-// `heading`: of a first column, for headings that are not the columns' names; empty: none.
-void writeMeanings(TableWriter& table, const std::string& heading) {
+// words: what the reader calls each column, if known.
+void writeMeanings(TableWriter& table, const ColumnWords& words) {
   std::vector<tables::OdsSheet::Column> columns = {{"column"}, {"unit"}, {"meaning"}};
-  if (!heading.empty()) columns.insert(columns.begin(), {heading});
+  if (words) columns.push_back({"name"});
   table.begin(columns);
   for (const tables::ColumnMeaning& one : tables::columnMeanings()) {
     std::vector<std::string> row = {one.column, one.unit, one.meaning};
-    if (!heading.empty()) row.insert(row.begin(), table.headingOf(one.column));
+    if (words) row.push_back(words(one.column));
     table.row(row);
   }
 }
@@ -132,9 +130,7 @@ void writeSherds(const Catalogue& catalogue, std::span<const store::SherdRow> ro
                 }
                 values.push_back(std::move(text));
               }
-              std::vector<std::string> measured;
-              for (const std::string& column : by_hand) measured.push_back(table.headingOf(column));
-              values.push_back(store::joinTerms(measured));
+              values.push_back(store::joinTerms({by_hand.begin(), by_hand.end()}));
               const auto add = [&](const char* column) {
                 const auto found = beside.find(column);
                 values.push_back(found == beside.end() ? std::string() : found->second);
@@ -215,22 +211,15 @@ class CsvWriter final : public TableWriter {
 
 class OdsWriter final : public TableWriter {
  public:
-  OdsWriter(std::string name, const ColumnHeading& heading)
-      : name_(std::move(name)), heading_(heading) {}
+  explicit OdsWriter(std::string name) : name_(std::move(name)) {}
   void begin(const std::vector<tables::OdsSheet::Column>& columns) override {
-    std::vector<tables::OdsSheet::Column> named = columns;
-    for (tables::OdsSheet::Column& column : named) column.name = headingOf(column.name);
-    sheet.emplace(name_, named);
-  }
-  std::string headingOf(const std::string& column) const override {
-    return heading_ ? heading_(column) : column;
+    sheet.emplace(name_, columns);
   }
   void row(const std::vector<std::string>& values) override { sheet->row(values); }
   std::optional<tables::OdsSheet> sheet;
 
  private:
   std::string name_;
-  const ColumnHeading& heading_;
 };
 
 }  // namespace
@@ -261,12 +250,12 @@ std::string columnsCsv(ByteOrderMark mark) {
 
 Result<std::string> tablesOds(const Catalogue& catalogue, std::span<const store::SherdRow> sherds,
                               std::span<const store::ContextRow> contexts,
-                              const FilesOfSherds& files, const ColumnHeading& heading) {
+                              const FilesOfSherds& files, const ColumnWords& words) {
   return catalogue.database().asResult([&] {
-    OdsWriter first("sherds", heading), second("contexts", heading), third("columns", heading);
+    OdsWriter first("sherds"), second("contexts"), third("columns");
     writeSherds(catalogue, sherds, files, first);
     writeContexts(catalogue, contexts, second);
-    writeMeanings(third, heading ? "heading" : "");
+    writeMeanings(third, words);
     return valueOrThrow(tables::formatOds(
         {std::move(*first.sheet), std::move(*second.sheet), std::move(*third.sheet)}));
   });

@@ -54,9 +54,9 @@ class Mover {
       move_.bags.insert(sherd.bag_number);
     }
     for (const auto& [field, part] : kParts) {
-      const auto change =
-          std::find_if(move_.changes.begin() + first, move_.changes.end(),
-                       [&](const records::FieldChange& one) { return one.field == field; });
+      const auto change = std::find_if(
+          move_.changes.begin() + first, move_.changes.end(),
+          [&, name = field](const records::FieldChange& one) { return one.field == name; });
       if (change != move_.changes.end())
         change->value = moved.*part;
       else if (moved.*part != sherd.*part)

@@ -87,8 +87,8 @@ constexpr const char* kMetadata =
     "                 the vocabulary terms that the sherds use\n";
 constexpr const char* kGuarded =
     "\nTables (.csv) are for other programs: commas between the values, decimal points, and the\n"
-    "same English headings in every language. sherds.ods has headings in the language of the\n"
-    "person who exported it.\n"
+    "same English headings in every language. sherds.ods has the same headings; its sheet columns\n"
+    "says what the person who exported it calls them.\n"
     "\nIn a table, a text that begins with = + - or @ has one ' before it, so that a spreadsheet "
     "does\nnot read it as a formula.\n";
 constexpr const char* kBag =

@@ -31,11 +31,6 @@ Current currentOf(store::Database& database, store::SherdRow sherd, const std::s
   return current;
 }
 
-std::string valueText(double value, const std::optional<double>& uncertainty) {
-  return store::numberText(value) +
-         (uncertainty ? " ± " + store::numberText(*uncertainty) : std::string());
-}
-
 constexpr const char* kCurrent =
     "SELECT sherd, kind, unit, value, uncertainty, method, person, model_sha256 FROM measurement "
     "WHERE current = 1 ";
@@ -54,6 +49,11 @@ void show(store::Database& database, store::SherdRow sherd, const std::string& k
 }
 
 }  // namespace
+
+std::string measurementText(double value, const std::optional<double>& uncertainty) {
+  return store::numberText(value) +
+         (uncertainty ? " ± " + store::numberText(*uncertainty) : std::string());
+}
 
 ComputedMeasures computedMeasures(const catalogue::Catalogue& catalogue, store::SherdRow sherd) {
   ComputedMeasures computed;
@@ -101,8 +101,8 @@ void setMeasure(const catalogue::Catalogue& catalogue, const records::Measuremen
   if (!counts) return;
   show(database, m.sherd, m.kind, m.value);
   catalogue::remember(catalogue, provenance, "sherd", m.sherd.value, m.kind,
-                      old.row ? valueText(old.value, old.uncertainty) : std::string(),
-                      valueText(m.value, m.uncertainty));
+                      old.row ? measurementText(old.value, old.uncertainty) : std::string(),
+                      measurementText(m.value, m.uncertainty));
 }
 
 void clearMeasure(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
@@ -113,7 +113,7 @@ void clearMeasure(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
   database.run("UPDATE measurement SET current = 0 WHERE row = ?", old.row);
   show(database, sherd, kind, std::nullopt);
   catalogue::remember(catalogue, provenance, "sherd", sherd.value, kind,
-                      valueText(old.value, old.uncertainty), "");
+                      measurementText(old.value, old.uncertainty), "");
 }
 
 void typeMeasure(const catalogue::Catalogue& catalogue, const records::Measurement& typed,

@@ -85,6 +85,8 @@ struct ComputedMeasures {
   std::set<std::string> current;
 };
 ComputedMeasures computedMeasures(const catalogue::Catalogue& catalogue, store::SherdRow sherd);
+/// As the history shows it: 12.5 ± 0.4.
+std::string measurementText(double value, const std::optional<double>& uncertainty);
 void setMeasure(const catalogue::Catalogue& catalogue, const records::Measurement& measurement,
                 const records::Provenance& provenance, MeasureRank rank);
 /// A value typed by the person of `provenance`. Its uncertainty: 0 says that there is none; without

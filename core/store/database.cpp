@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sqlite3.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -333,8 +334,12 @@ Database::Scope::~Scope() {
 // A limit of file sizes shows only behind what the catalogue or its WAL has by now.
 static bool isFullBeside(const fs::path& catalogue) {
   constexpr std::uintmax_t kLargestPage = 65536;
-  std::uintmax_t behind = kLargestPage;
+  rlimit limit{};
+  // Without one a single byte is asked for: some file systems fill what lies before it.
+  const bool limited = ::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  std::uintmax_t behind = limited ? kLargestPage : 0;
   for (const char* ending : {"", "-wal"}) {
+    if (!limited) break;
     std::error_code none;
     const std::uintmax_t bytes = fs::file_size(catalogue.string() + ending, none);
     if (!none) behind = std::max(behind, bytes + kLargestPage);

@@ -5,6 +5,7 @@
 
 #include "catalogue/history.h"
 #include "catalogue/search.h"
+#include "decisions/mask_strokes.h"
 #include "records/sherd.h"
 #include "sherds/sherd_changes.h"
 #include "sherds/sherd_columns.h"
@@ -26,7 +27,7 @@ struct Change {
 
 // What lies in tables of its own, which may be whole.
 bool isOfAnotherTable(const std::string& table, const std::string& field) {
-  if (table == "batch") return field == "bags";
+  if (table == "batch") return field == "bags" || field.starts_with(decisions::kStrokesField);
   return table == "sherd" && (field == "joins" || !records::unitOf(field).empty());
 }
 
@@ -140,13 +141,6 @@ void keepNumbersTaken(catalogue::Catalogue& repaired) {
   }
 }
 
-// Of a table without row numbers: whether rows of it may be lost of which nothing else speaks.
-bool isIncomplete(const RepairReport& report, const std::string& table) {
-  return std::any_of(report.rows.begin(), report.rows.end(), [&](const RepairedRow& row) {
-    return row.table == table && row.row == 0 && row.from == From::Nowhere;
-  });
-}
-
 // Terms that were deleted since go, and new ones come without their labels.
 void replayVocabularies(store::Database& database, std::int64_t last_known, RepairReport& report) {
   std::set<std::string> changed;
@@ -247,7 +241,8 @@ void refill(catalogue::Catalogue& repaired, const ToldMeasure& told, RepairRepor
                                          of_program ? "program" : "imported",
                                          told.by,
                                          {}},
-                                        {told.by, "repair", {}}, sherds::MeasureRank::Always);
+                                        {told.by, of_program ? "process" : "repair", {}},
+                                        sherds::MeasureRank::Always);
                    }));
   report.rows.push_back({"sherd", told.sherd, {}, told.kind, set ? From::History : From::Nowhere});
 }
@@ -265,17 +260,17 @@ void refillMeasures(catalogue::Catalogue& repaired, RepairReport& report) {
   store::Database& database = repaired.database();
   for (const ToldMeasure& told : toldMeasures(database)) {
     std::int64_t row = 0;
-    std::string value;
-    {
-      store::Statement current = database.sql(
-          "SELECT row, value FROM measurement WHERE sherd = ? AND kind = ? AND current = 1",
-          told.sherd, told.kind);
-      if (current.next()) {
-        current >> row;
-        current.readText(value);
-      }
-    }
-    if (row > 0 && (!of_backup.contains(row) || told.value == value)) continue;
+    double value = 0;
+    std::optional<double> uncertainty;
+    database
+        .sql(
+            "SELECT row, value, uncertainty FROM measurement WHERE sherd = ? AND kind = ? AND "
+            "current = 1",
+            told.sherd, told.kind)
+        .read(row, value, uncertainty);
+    if (row > 0 &&
+        (!of_backup.contains(row) || told.value == sherds::measurementText(value, uncertainty)))
+      continue;
     if (!told.value.empty())
       refill(repaired, told, report);
     else if (row > 0)
@@ -291,7 +286,7 @@ Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_kno
   store::Database& database = repaired.database();
   std::vector<RepairedRow> unknown;
   const Result<void> done = database.asResult([&] {
-    if (isIncomplete(report, "vocabulary")) replayVocabularies(database, last_known, report);
+    if (report.cut_tables.contains("vocabulary")) replayVocabularies(database, last_known, report);
     for (const RepairedRow& row : report.rows) {
       if (row.row == 0 || !row.field.empty() || row.from == From::Nowhere) continue;
       const bool sherd = row.table == "sherd";
@@ -310,8 +305,8 @@ Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_kno
   return database.inTransaction([&] {
     settleNumbers(repaired, report);
     keepNumbersTaken(repaired);
-    if (isIncomplete(report, "sherd_join")) replayJoins(database, last_known, report);
-    if (isIncomplete(report, "batch_bag")) replayBags(database, last_known, report);
+    if (report.cut_tables.contains("sherd_join")) replayJoins(database, last_known, report);
+    if (report.cut_tables.contains("batch_bag")) replayBags(database, last_known, report);
     refillMeasures(repaired, report);
   });
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 
 #include "base/uuid.h"
 #include "sherds/sherd_columns.h"
@@ -77,8 +78,13 @@ class MakingAnew {
       report_.rows.push_back({table, row, {}, {}, RepairedRow::From::History});
   }
 
+  // Those of the fields that the history does not tell, either.
   void notTold(const std::string& table, std::int64_t row, const std::string& fields) {
-    report_.rows.push_back({table, row, {}, fields, RepairedRow::From::Nowhere});
+    std::string left;
+    std::istringstream names(fields);
+    for (std::string name; std::getline(names >> std::ws, name, ',');)
+      if (told(table, row, name).empty()) left += (left.empty() ? "" : ", ") + name;
+    if (!left.empty()) report_.rows.push_back({table, row, {}, left, RepairedRow::From::Nowhere});
   }
 
   // Its uuid is what the history says first of a new sherd.

@@ -44,11 +44,13 @@ Result<std::vector<DamagedFile>> checkPeoplesFiles(const catalogue::Catalogue& c
         "b.row AND f.path GLOB 'results/' || b.number || '/*') ORDER BY b.number");
     store::BatchRow row;
     for (std::string number; batches.read(row, number);) {
+      // Decisions that came with an export are older than their batch is here; no file has them.
       const auto decided =
           database
               .sql(
-                  "SELECT decision FROM pair_decision WHERE batch = ?1 AND decision <> '' UNION "
-                  "SELECT decision FROM piece_decision WHERE batch = ?1 AND decision <> ''",
+                  "SELECT decision FROM (SELECT batch, decision, at FROM pair_decision UNION "
+                  "SELECT batch, decision, at FROM piece_decision) d JOIN batch b ON b.row = "
+                  "d.batch WHERE b.row = ? AND decision <> '' AND at >= b.created_at",
                   row)
               .all<std::string>();
       for (const std::string name : batch::kPeoplesFiles) {

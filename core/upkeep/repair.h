@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ struct RepairReport {
   std::filesystem::path backup;   ///< whose rows were taken; empty: none were needed
   std::filesystem::path damaged;  ///< where the damaged file is now; empty: nothing was damaged
   std::vector<RepairedRow> rows;
+  /// Tables without row numbers whose middle is lost: rows of which nothing else may speak.
+  std::set<std::string> cut_tables;
   Message warning;  ///< empty where the version of the damaged catalogue was known
 };
 

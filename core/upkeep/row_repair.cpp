@@ -85,6 +85,7 @@ class Collecting {
     }
     // Between the two may have been rows that nothing else speaks of.
     report_.rows.push_back({table.name, 0, {}, {}, From::Nowhere});
+    report_.cut_tables.insert(table.name);
     store::Statement rows = backup_.sql(select_);
     while (rows.next())
       if (insertRow(rows)) report_.rows.push_back({table.name, 0, {}, {}, From::Backup});
@@ -104,19 +105,22 @@ class Collecting {
     const std::int64_t in_backup = lastOf(backup_, last);
     const std::int64_t end = std::max(
         {in_backup, lastOf(damaged_, last), lastOf(damaged_, told), lastOf(backup_, told)});
+    std::vector<std::int64_t> unread;
     std::int64_t next = 1;
     while (!readOn(table, next)) {
       // The row is on a page that cannot be read, or it is the first of such a page.
       bool read = false;
       for (; next <= end && !read; ++next) {
         read = readOne(table, next);
-        if (!read) takeFromBackup(table, next, in_backup);
+        if (!read) unread.push_back(next);
       }
       if (read) continue;
       // A page at the table's end may have held rows that nothing else speaks of.
       report_.rows.push_back({table.name, next, {}, {}, From::Nowhere});
-      return;
+      break;
     }
+    // An older row must not take the place of a newer one that can be read.
+    for (const std::int64_t row : unread) takeFromBackup(table, row, in_backup);
   }
 
   // From `next` on; false where a page cannot be read, and then next is the first row missing.
@@ -157,9 +161,10 @@ class Collecting {
 
   void takeFromBackup(const CatalogueTable& table, std::int64_t row, std::int64_t in_backup) {
     store::Statement rows = backup_.sql(select_ + " WHERE " + table.key + " = ?", row);
-    if (rows.next() && insertRow(rows))
+    const bool kept = rows.next();
+    if (kept && insertRow(rows))
       report_.rows.push_back({table.name, row, {}, {}, From::Backup});
-    else if (row > in_backup)
+    else if (kept || row > in_backup)
       report_.rows.push_back({table.name, row, {}, {}, From::Nowhere});
   }
 

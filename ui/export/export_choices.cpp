@@ -99,7 +99,7 @@ exchange::ExportOptions ExportChoices::options() const {
   options.drawing_scale = drawing_scale_;
   options.most_model_bytes = most_model_bytes_;
   options.wording = printWording();
-  options.heading = [](const std::string& column) { return fieldLabel(column).toStdString(); };
+  options.words = [](const std::string& column) { return fieldLabel(column).toStdString(); };
   options.program = ("ostraka " + QCoreApplication::applicationVersion()).trimmed().toStdString();
   return options;
 }

@@ -73,7 +73,7 @@ QWidget* ExportScreen::buildForms() {
   column->setSpacing(2);  // the rows' own height keeps them apart
   const std::pair<exchange::Form, QString> all[] = {
       {exchange::Form::Csv, tr("Tables (CSV): English headings, decimal points")},
-      {exchange::Form::Ods, tr("Tables (ODS) in your language: LibreOffice, Excel")},
+      {exchange::Form::Ods, tr("Tables (ODS): LibreOffice, Excel")},
       {exchange::Form::Json, tr("Records (JSON), re-importable")},
       {exchange::Form::Pictures, tr("A picture of each model (PNG)")},
       {exchange::Form::Ply, tr("Models as PLY, in mm")},

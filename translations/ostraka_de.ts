@@ -1370,7 +1370,7 @@
     <message>
       <source>No bag was given; its sherds get their context in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Beutel angegeben; die Scherben bekommen ihren Kontext im Katalog.</translation>
+      <translation>Kein Beutel angegeben; die Scherben bekommen ihren Befund im Katalog.</translation>
     </message>
 </context>
 <context>
@@ -1670,11 +1670,6 @@
       <source>Change rig…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Messplatz wechseln …</translation>
-    </message>
-    <message>
-      <source>Folder of a batch</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ordner eines Durchgangs</translation>
     </message>
     <message>
       <source>Loading picture…</source>
@@ -3219,11 +3214,6 @@
       <translation>Beuteletiketten drucken</translation>
     </message>
     <message>
-      <source>Bag labels</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Beuteletiketten</translation>
-    </message>
-    <message>
       <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Etikett für jeden Beutel drucken; sein Code gibt einem Durchgang seinen Befund (Strg+Umschalt+P)</translation>
@@ -3642,7 +3632,7 @@
     <message>
       <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kein Beutel: Die Scherben bekommen keine Nummern, bis der Katalog ihnen einen Kontext gibt.</translation>
+      <translation>Kein Beutel: Die Scherben bekommen keine Nummern, bis der Katalog ihnen einen Befund gibt.</translation>
     </message>
 </context>
 <context>
@@ -10101,7 +10091,7 @@
     <message>
       <source>The scale of this batch is its rig&apos;s; calibrate the rig to correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Der Maßstab dieses Durchgangs ist der seines Aufbaus; den Aufbau kalibrieren, um ihn zu berichtigen.</translation>
+      <translation>Der Maßstab dieses Durchgangs ist der seines Messplatzes; den Messplatz kalibrieren, um ihn zu berichtigen.</translation>
     </message>
     <message>
       <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
@@ -10616,11 +10606,6 @@
         <numerusform>Im anderen Projekt fehlt %n Datei: %1</numerusform>
         <numerusform>Im anderen Projekt fehlen %n Dateien: %1</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Merge</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Zusammenführen</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was merged.</source>

@@ -3214,11 +3214,6 @@
       <translation>Εκτύπωση ετικετών σακουλών</translation>
     </message>
     <message>
-      <source>Bag labels</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ετικέτες σακουλών</translation>
-    </message>
-    <message>
       <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εκτύπωση ετικέτας για κάθε σακούλα· ο κωδικός της δίνει στην παρτίδα το πλαίσιό της (Ctrl+Shift+P)</translation>
@@ -10611,11 +10606,6 @@
         <numerusform>Λείπει %n αρχείο από το άλλο έργο: %1</numerusform>
         <numerusform>Λείπουν %n αρχεία από το άλλο έργο: %1</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Merge</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Συγχώνευση</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was merged.</source>

@@ -3214,11 +3214,6 @@
       <translation>Imprimir etiquetas de bolsas</translation>
     </message>
     <message>
-      <source>Bag labels</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Etiquetas de bolsas</translation>
-    </message>
-    <message>
       <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Imprimir una etiqueta por bolsa; su código da a una tanda su contexto (Ctrl+Mayús+P)</translation>
@@ -10611,11 +10606,6 @@
         <numerusform>Falta %n archivo en el otro proyecto: %1</numerusform>
         <numerusform>Faltan %n archivos en el otro proyecto: %1</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Merge</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Unión</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was merged.</source>

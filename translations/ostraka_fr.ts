@@ -3214,11 +3214,6 @@
       <translation>Imprimer les étiquettes des sacs</translation>
     </message>
     <message>
-      <source>Bag labels</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Étiquettes des sacs</translation>
-    </message>
-    <message>
       <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Imprimer une étiquette par sac ; son code donne à un lot son contexte (Ctrl+Maj+P)</translation>
@@ -10611,11 +10606,6 @@
         <numerusform>Il manque %n fichier dans l’autre projet : %1</numerusform>
         <numerusform>Il manque %n fichiers dans l’autre projet : %1</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Merge</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Fusion</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was merged.</source>

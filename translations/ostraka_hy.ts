@@ -1370,7 +1370,7 @@
     <message>
       <source>No bag was given; its sherds get their context in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տոպրակ չի նշվել. դրա բեկորները կոնտեքստը ստանում են քարտարանում։</translation>
+      <translation>Տոպրակ չի նշվել. դրա բեկորները համատեքստը ստանում են կատալոգում։</translation>
     </message>
 </context>
 <context>
@@ -3214,11 +3214,6 @@
       <translation>Տպել տոպրակների պիտակները</translation>
     </message>
     <message>
-      <source>Bag labels</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տոպրակների պիտակներ</translation>
-    </message>
-    <message>
       <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տպել պիտակ յուրաքանչյուր տոպրակի համար. դրա կոդը խմբաքանակին տալիս է համատեքստը (Ctrl+Shift+P)</translation>
@@ -3637,7 +3632,7 @@
     <message>
       <source>No bag: the sherds get no numbers until the catalogue gives them a context.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Տոպրակ չկա. բեկորները համար չեն ստանում, մինչև քարտարանը դրանց կոնտեքստ չտա։</translation>
+      <translation>Տոպրակ չկա. բեկորները համար չեն ստանում, մինչև կատալոգը դրանց համատեքստ չտա։</translation>
     </message>
 </context>
 <context>
@@ -10096,7 +10091,7 @@
     <message>
       <source>The scale of this batch is its rig&apos;s; calibrate the rig to correct it.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այս խմբաքանակի մասշտաբը սարքավորմանն է. այն ուղղելու համար տրամաչափեք սարքավորումը։</translation>
+      <translation>Այս խմբաքանակի մասշտաբը սարքակազմինն է. այն ուղղելու համար տրամաչափեք սարքակազմը։</translation>
     </message>
     <message>
       <source>The markers of this sheet are of several sizes; correct its plate.json by hand.</source>
@@ -10611,11 +10606,6 @@
         <numerusform>Մյուս նախագծում պակասում է %n ֆայլ՝ %1</numerusform>
         <numerusform>Մյուս նախագծում պակասում է %n ֆայլ՝ %1</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Merge</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Միավորում</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was merged.</source>

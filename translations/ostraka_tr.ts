@@ -3178,11 +3178,6 @@
       <translation>Torba etiketlerini yazdır</translation>
     </message>
     <message>
-      <source>Bag labels</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Torba etiketleri</translation>
-    </message>
-    <message>
       <source>Print a label for each bag; its code gives a batch its context (Ctrl+Shift+P)</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Her torba için etiket yazdır; kodu partiye kontekstini verir (Ctrl+Shift+P)</translation>
@@ -10562,11 +10557,6 @@
       <translation>
         <numerusform>Öteki projede %n dosya eksik: %1</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Merge</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Birleştirme</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was merged.</source>

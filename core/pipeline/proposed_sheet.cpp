@@ -92,6 +92,7 @@ Result<void> proposeMissingSheet(batch::Batch& batch, const ProcessOptions& opti
 
 Result<batch::Plate> setMarkerSide(const std::filesystem::path& folder, double marker_mm,
                                    Progress& progress, std::stop_token stop) {
+  if (const Result<void> good = rig::checkMarkerSide(marker_mm); !good) return good.error();
   Result<batch::Batch> batch = batch::readBatch(folder, {}, progress);
   if (!batch) return batch.error();
   if (batch->way != batch::Way::FreeCamera)
@@ -103,7 +104,6 @@ Result<batch::Plate> setMarkerSide(const std::filesystem::path& folder, double m
     if (const auto found = findSheet(*batch, options, progress, std::move(stop)); !found)
       return found.error();
   } else if (batch::markerSide(*batch->plate)) {
-    if (const Result<void> good = rig::checkMarkerSide(marker_mm); !good) return good.error();
     batch->plate = batch::withMarkerSide(*batch->plate, marker_mm);
   } else {
     return Error::unusable(

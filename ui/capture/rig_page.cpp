@@ -100,6 +100,7 @@ void RigPage::askForVirtual() {
                   tr("It is for practice: its sherds are invented, and they enter this project's "
                      "catalogue. The queue marks its batches as invented."),
                   tr("Use the virtual rig"));
+  if (auto* act = ask_->act()) act->setFocus();
 }
 
 void RigPage::setChoice(const RigChoice& choice) {

@@ -342,8 +342,8 @@ void DrawingPage::print() {
   if (!print_->isEnabled()) return;
   auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
   printer->setFullPage(true);
-  printer->setDocName(fileName());
-  auto* dialog = new QPrintDialog(printer.get(), this);  // knows printing into a PDF file, too
+  printer->setDocName(fileName() + QStringLiteral(".pdf"));  // a file is called like this
+  auto* dialog = new QPrintDialog(printer.get(), this);      // knows printing into a PDF file, too
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, printer, drawn = drawn_] {
     const QString file = printer->outputFileName();

@@ -5,8 +5,10 @@
 
 #include "batch/batch.h"
 #include "catalogue/batches.h"
+#include "files/files.h"
 #include "intake/enter_results.h"
 #include "pipeline/proposed_sheet.h"
+#include "ui/frame/batch_place.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
 #include "upkeep/project.h"
@@ -14,7 +16,7 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr double kLeastMarker_mm = 1, kMostMarker_mm = 500;
+constexpr double kMostMarker_mm = 500;
 
 std::filesystem::path folderOf(const ProjectSession& session, const QString& batch) {
   return session.folder() / "batches" / batch.toStdString();
@@ -30,7 +32,8 @@ void MarkerSide::setSession(ProjectSession* session) {
 bool MarkerSide::isTyped(const QString& batch) const {
   std::error_code ignored;
   return session_ != nullptr && !batch.isEmpty() &&
-         !std::filesystem::exists(folderOf(*session_, batch) / "rig.json", ignored);
+         !std::filesystem::exists(folderOf(*session_, batch) / "rig.json", ignored) &&
+         !frontPicture(folderOf(*session_, batch)).isEmpty();
 }
 
 void MarkerSide::ask(const QString& batch) {
@@ -43,11 +46,10 @@ void MarkerSide::ask(const QString& batch) {
   dialog->setInputMode(QInputDialog::DoubleInput);
   dialog->setLabelText(
       tr("Side of a marker's black square, mm. The batch is reprocessed with this size."));
-  dialog->setDoubleRange(kLeastMarker_mm, kMostMarker_mm);
+  dialog->setDoubleRange(0, kMostMarker_mm);  // 0: not known, and refused
   dialog->setDoubleDecimals(2);
   if (plate)
-    dialog->setDoubleValue(
-        plate->typed_marker_mm.value_or(batch::markerSide(*plate).value_or(kLeastMarker_mm)));
+    dialog->setDoubleValue(plate->typed_marker_mm.value_or(batch::markerSide(*plate).value_or(0)));
   connect(dialog, &QInputDialog::doubleValueSelected, this,
           [this, batch](double side_mm) { apply(batch, side_mm); });
   dialog->open();
@@ -60,13 +62,22 @@ void MarkerSide::apply(const QString& batch, double side_mm) {
       makeJob([project = session_->folder(), folder = folderOf(*session_, batch),
                number = batch.toStdString(), side_mm,
                provenance](Progress& progress, std::stop_token stop) -> Result<int> {
-        const auto written = pipeline::setMarkerSide(folder, side_mm, progress, stop);
-        if (!written) return written.error();
         Result<catalogue::Catalogue> rows = upkeep::Project::connect(project);
         if (!rows) return rows.error();
         const auto record = catalogue::Batches(*rows).byNumber(number);
         if (!record) return record.error();
-        return intake::enterPhotographs(*rows, project, record->row, provenance, progress, stop);
+        const std::filesystem::path plate = folder / "plate.json";
+        const Result<std::string> before = readFile(plate);
+        const auto written = pipeline::setMarkerSide(folder, side_mm, progress, stop);
+        if (!written) return written.error();
+        auto entered =
+            intake::enterPhotographs(*rows, project, record->row, provenance, progress, stop);
+        std::error_code ignored;  // the first error is the one to say
+        if (!entered && before)
+          (void)writeFileAtomically(plate, *before);
+        else if (!entered)
+          std::filesystem::remove(plate, ignored);
+        return entered;
       }),
       this);
   whenDone<int>(job_, this, [this, batch](const auto& entered) {

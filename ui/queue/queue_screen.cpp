@@ -259,7 +259,8 @@ void QueueScreen::follow() {
   if (mending)
     for (QAction* action : {cancel_, again_, report_, review_, masks_, calibrate_})
       action->setEnabled(false);
-  marker_action_->setEnabled(again_->isEnabled() && marker_side_->isTyped(selected()));
+  marker_action_->setVisible(marker_side_->isTyped(selected()));
+  marker_action_->setEnabled(again_->isEnabled());
   followNext(mending ? QueueState::Shooting : state);
   if (!queue_->switches()->trouble().isEmpty())
     message_->showError({ErrorCode::CannotWrite, queue_->switches()->trouble().toStdString(), {}},

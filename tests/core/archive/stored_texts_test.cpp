@@ -103,6 +103,7 @@ TEST_F(StoredTexts, OfResultsAreRefusedOrRestored) {
 
 TEST_F(StoredTexts, OfDecisionsAreRefusedOrRestored) {
   const fs::path results = project_->resultsFolder("B0001");
+  json kept = {{"format", 1}, {"unit", "mm"}, {"decisions", json::array()}};
   int n = 10;
   for (const std::string& text : manyTexts()) {
     SCOPED_TRACE(text.substr(0, 20));
@@ -114,14 +115,15 @@ TEST_F(StoredTexts, OfDecisionsAreRefusedOrRestored) {
                            {"by", "AP"},
                            {"note", text},
                            {"scans", json::array({scan})}};
-    put(results / "decisions.json",
-        written({{"format", 1}, {"unit", "mm"}, {"decisions", json::array({decision})}}));
+    json more = kept;
+    more["decisions"].push_back(decision);
+    put(results / "decisions.json", written(more));
     const bool is_good = isStorableOnceWritten(text);
     const Result<int> entered = intake::followDecisions(catalogue(), "B0001", results);
     EXPECT_EQ(entered.has_value(), is_good);
     if (!entered) {
       EXPECT_EQ(entered.error().where, (results / "decisions.json").string());
-      fs::remove(results / "decisions.json");
+      put(results / "decisions.json", written(kept));
     }
     decisions::PairDecision typed;
     typed.kind = decisions::DecisionKind::Aside;
@@ -130,6 +132,7 @@ TEST_F(StoredTexts, OfDecisionsAreRefusedOrRestored) {
     typed.scans = {{batch::Side::Front, "f002", {80, 0}}};
     EXPECT_EQ(decisions::appendDecision(results, typed).has_value(), storable(text));
     EXPECT_TRUE(intake::followDecisions(catalogue(), "B0001", results));
+    kept = *readJson(results / "decisions.json");
     expectRestorable();
   }
 }

@@ -180,11 +180,14 @@ std::vector<Attack> attacksByManifest() {
       {"a catalogue whose files lie outside",
        [](MendedBag& bag) {
          const fs::path opened = bag.folder() / "data";
+         const fs::path declared = bag.folder() / "bagit.txt", aside = bag.folder() / "aside";
+         fs::rename(declared, aside);  // no project of an archive is opened
          {
            upkeep::Project project = valueIn(upkeep::Project::open(opened));
            project.catalogue().database().script(
                "UPDATE file SET path = '../../.ssh/id_rsa' WHERE role = 'photo'");
          }
+         fs::rename(aside, declared);
          for (const char* more : {"catalogue.sqlite-wal", "catalogue.sqlite-shm"})
            fs::remove(opened / more);
          bag.put("data/catalogue.sqlite", *readFile(opened / "catalogue.sqlite"));

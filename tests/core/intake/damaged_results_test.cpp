@@ -60,7 +60,7 @@ TEST_F(DamagedResults, AreNotEnteredWhereATableNamesScansOutsideTheirWork) {
   const nlohmann::json whole = *readJson(table);
   for (const std::string& name :
        {std::string("../../B0002/work/scans_front/f001.ply"), (other / "f001.ply").string(),
-        std::string("../work/scans_front/f001.ply"), std::string()}) {
+        std::string("scans_front/../scans_front/f001.ply"), std::string()}) {
     nlohmann::json changed = whole;
     changed["fronts"][0]["file"] = name;
     ASSERT_TRUE(writeFileAtomically(table, changed.dump()));

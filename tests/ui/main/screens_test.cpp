@@ -108,7 +108,10 @@ class ScreensTest : public QObject {
     press(Qt::Key_P, Qt::AltModifier);
     QCOMPARE(inHand(), QStringLiteral("virtualWidth"));
     press(Qt::Key_Home);
+    named<QPushButton>(*window_, "useVirtualRig")->setFocus();
     press(Qt::Key_Space);
+    QCOMPARE(window_->wizard()->phase(), CapturePhase::NoRig);
+    press(Qt::Key_Space);  // the answer to its question
     QVERIFY(window_->wizard()->phase() != CapturePhase::NoRig);
     press(Qt::Key_B, Qt::AltModifier);
     QCOMPARE(inHand(), QStringLiteral("capturePlace"));

@@ -225,10 +225,13 @@ class QueueScreenTest : public QObject {
 
   void theMarkerSideOfABatchByHandCanBeTypedAnew() {
     addBatch(records::BatchState::Done);
+    const std::filesystem::path batch = session_->folder() / "batches" / "B0001";
     screen_->openProject(*session_);
     auto* action = screen_->findChild<QAction*>("queueMarkerSide");
-    QTRY_VERIFY(action->isEnabled());
-    const std::filesystem::path batch = session_->folder() / "batches" / "B0001";
+    QVERIFY2(!action->isVisible(), "scans have no markers");
+    QVERIFY(writeFileAtomically(batch / "front/IMG_1.jpg", "no photograph").has_value());
+    session_->tellBatchChanged(QStringLiteral("B0001"));
+    QTRY_VERIFY(action->isVisible() && action->isEnabled());
     QVERIFY(writeFileAtomically(batch / "plate.json",
                                 R"({"dictionary":"DICT_4X4_100","markers":[{"id":3,"corners":)"
                                 R"([[0,20,0],[20,20,0],[20,0,0],[0,0,0]]}]})")
@@ -239,11 +242,11 @@ class QueueScreenTest : public QObject {
     QCOMPARE(dialog->doubleValue(), 20.0);
     QSignalSpy said(screen_.get(), &Screen::said);
     dialog->accept();
-    QTRY_COMPARE(said.count(), 1);  // there are no photographs: nothing is queued
+    QTRY_COMPARE(said.count(), 1);  // its photograph cannot be read: nothing is queued
     QCOMPARE(queue_->row(0).state, QueueState::Done);
     QVERIFY(writeFileAtomically(batch / "rig.json", "{}").has_value());
     session_->tellBatchChanged(QStringLiteral("B0001"));
-    QTRY_VERIFY(!action->isEnabled());  // its rig says how large it is
+    QTRY_VERIFY(!action->isVisible());  // its rig says how large it is
   }
 
  private:

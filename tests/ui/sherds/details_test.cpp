@@ -266,16 +266,16 @@ class DetailsTest : public CatalogueWindow {
     child<QLineEdit>("field_note")->setFocus();
     QTest::keyClick(screen_->focusWidget(), Qt::Key_Tab);
     QCOMPARE(screen_->focusWidget(), line);
-    choose(1);
+    choose(1);  // sorted by number: sample 2
     QCOMPARE(line->text(), QString());
     line->setFocus();
     QTest::keyClicks(line, "5");
     QTest::keyClick(line, Qt::Key_Tab);
     QCOMPARE(screen_->focusWidget()->objectName(), QString("field_void_reason"));
-    QCOMPARE(sample_->value(1, "extra.shelf"), QString("5"));
+    QCOMPARE(sample_->value(2, "extra.shelf"), QString("5"));
     QCOMPARE(sample_->session().undo().undoText(), QString("change shelf"));
     sample_->session().undo().undo();
-    QCOMPARE(sample_->value(1, "extra.shelf"), QString());
+    QCOMPARE(sample_->value(2, "extra.shelf"), QString());
     // Another project has none.
     SampleProject other(1);
     details->clear();

@@ -56,8 +56,8 @@ void measure(const char* what, const std::function<std::size_t()>& work) {
 
 std::string tableOf(int first, int rows) {
   const char* parts[] = {"rim", "neck", "shoulder", "body", "base", "handle", "spout", "lid"};
-  const char* wares[] = {"grey", "red check_failed", "black burnished", "cooking", "painted fine"};
-  const char* surfaces[] = {"plain", "smoothed", "burnished", "check_failed", "washed"};
+  const char* wares[] = {"grey", "red slipped", "black burnished", "cooking", "painted fine"};
+  const char* surfaces[] = {"plain", "smoothed", "burnished", "slipped", "washed"};
   std::string text = tables::csvLine({"number", "site", "trench", "context", "bag", "part", "ware",
                                       "surface_out", "munsell_out", "condition", "length_mm",
                                       "thickness_mean_mm", "weight_g", "note"});

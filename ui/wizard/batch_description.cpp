@@ -36,10 +36,9 @@ void BatchDescription::takePlaceOfBatch() {
 }
 
 void BatchDescription::setCounted(int sherds) {
-  const int before = batch_->counted();
-  if (sherds == before || sherds < 0) return;
+  if (sherds == batch_->counted() || sherds < 0) return;
   batch_->setCounted(sherds);
-  emit countChanged(before);
+  emit countChanged();
 }
 
 void BatchDescription::takeNumbersAsRight() {

@@ -31,7 +31,7 @@ class BatchDescription final : public QObject {
 
  signals:
   void changed();
-  void countChanged(int before);
+  void countChanged();
   void placeRead();  ///< place() was read from a bag's label under the camera, or of a batch
   void said(const QString& sentence);
 

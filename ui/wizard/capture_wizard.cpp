@@ -121,10 +121,10 @@ void CaptureWizard::resumeBatch() {
   const BatchState state = batch_.state();
   // Whole, and only a person says that it is right where there were doubts.
   if (state == BatchState::Back) {
-    if (doubts_.isEmpty())  // what they were is not known any more
-      doubts_ << tr("%1 is photographed whole, but nobody said that it is right: look at its "
-                    "photographs, then go on.")
-                     .arg(batch_.number());
+    if (doubts().isEmpty())  // what they were is not known any more
+      doubts_.found << tr("%1 is photographed whole, but nobody said that it is right: look at its "
+                          "photographs, then go on.")
+                           .arg(batch_.number());
     return enter(CapturePhase::Done);
   }
   enter(state == BatchState::Placed ? CapturePhase::Place : CapturePhase::Flip);
@@ -143,11 +143,10 @@ const std::optional<capture::SideSummary>& CaptureWizard::summary(batch::Side si
   return summary_[side == batch::Side::Back ? 1 : 0];
 }
 
-void CaptureWizard::followCount(int before) {
+void CaptureWizard::followCount() {
   // A slip in the count is mended while the plate still lies there.
   const auto& seen = summary_[phase_ == CapturePhase::Done ? 1 : 0];
   const bool told = seen && (phase_ == CapturePhase::Flip || phase_ == CapturePhase::Done);
-  if (told) doubts_.removeAll(countDoubt(seen->check, before));
   // Its own bag: a person may be typing another.
   if (batch_.isThere() && canDescribe()) keep(batch_.place());
   if (told) doubtCount(seen->check);
@@ -155,7 +154,7 @@ void CaptureWizard::followCount(int before) {
 }
 
 void CaptureWizard::forgetPlate() {
-  doubts_.clear();
+  doubts_ = {};
   summary_ = {};
   queued_ = false;
   to_reshoot_ = batch_.toPhotographAgain();
@@ -224,15 +223,19 @@ void CaptureWizard::stop() {
   rig_->cancel();
 }
 
-QString CaptureWizard::repeatQuestion() {
-  return tr(
-      "Nothing is wrong with the photographs of this side. Space or Esc keeps them; R once "
-      "more puts all of them aside and takes new ones.");
+QStringList CaptureWizard::doubts() const {
+  QStringList all = doubts_.found;
+  if (!doubts_.count.isEmpty()) all << doubts_.count;
+  if (doubts_.repeat)
+    all << tr(
+        "Nothing is wrong with the photographs of this side. Space or Esc keeps them; R once "
+        "more puts all of them aside and takes new ones.");
+  return all;
 }
 
 void CaptureWizard::keepPhotographs() {
   if (!asksToRepeat()) return;
-  doubts_.clear();
+  doubts_ = {};
   emit changed();
 }
 
@@ -243,10 +246,10 @@ void CaptureWizard::again() {
   std::vector<capture::ShotName> retake;
   // Light, focus and settings are of single photographs; what is moved lies elsewhere at all stops.
   if (summary && !summary->cut_off &&
-      doubts_.size() <= static_cast<qsizetype>(summary->flagged.size()))
+      doubts().size() <= static_cast<qsizetype>(summary->flagged.size()))
     retake = summary->flagged;
-  if (retake.empty() && doubts_.isEmpty()) {
-    doubts_ << repeatQuestion();
+  if (retake.empty() && doubts().isEmpty()) {
+    doubts_.repeat = true;
     return emit changed();
   }
   if (retake.empty())  // the whole side: something was moved or lost
@@ -293,7 +296,7 @@ void CaptureWizard::shoot(batch::Side side, std::vector<capture::ShotName> retak
       side == batch::Side::Front ? CapturePhase::ShootFront : CapturePhase::ShootBack;
   const bool goes_on = phase_ == phase && retake.empty();
   setPhase(phase);
-  doubts_.clear();
+  doubts_ = {};
   queued_ = false;  // what was queued are other photographs
   if (goes_on)
     side_->goOn();
@@ -349,20 +352,21 @@ void CaptureWizard::finishSide(batch::Side side, const Result<capture::SideSumma
   setState(back ? BatchState::Back : BatchState::Front);
   enter(back ? CapturePhase::Done : CapturePhase::Flip);
   for (const capture::ShotName& shot : summary->flagged)
-    doubts_ << tr("Camera %1 at position %2: %3")
-                   .arg(QString::fromStdString(batch::cameraLetter(shot.camera)))
-                   .arg(shot.stop + 1)
-                   .arg(side_->problemsOf(shot).join(QStringLiteral(", ")));
-  doubts_ << listOf(summary->check.sentences);
+    doubts_.found << tr("Camera %1 at position %2: %3")
+                         .arg(QString::fromStdString(batch::cameraLetter(shot.camera)))
+                         .arg(shot.stop + 1)
+                         .arg(side_->problemsOf(shot).join(QStringLiteral(", ")));
+  doubts_.found << listOf(summary->check.sentences);
   doubtCount(summary->check);
   if (back && summary_[0])
-    doubts_ << listOf(capture::compareSides(summary_[0]->check, summary_[1]->check));
-  if (back && doubts_.isEmpty()) return queueBatch();
+    doubts_.found << listOf(capture::compareSides(summary_[0]->check, summary_[1]->check));
+  if (back && doubts().isEmpty()) return queueBatch();
   emit changed();
 }
 
 void CaptureWizard::doubtCount(const capture::SideCheck& check) {
-  if (const QString doubt = countDoubt(check, batch_.counted()); !doubt.isEmpty()) doubts_ << doubt;
+  doubts_.count = countDoubt(check, batch_.counted());
+  if (!doubts_.count.isEmpty()) doubts_.repeat = false;
 }
 
 void CaptureWizard::queueBatch() {
@@ -372,7 +376,7 @@ void CaptureWizard::queueBatch() {
   if (const Result<void> queued = batch_.queue(seen); !queued) return fail(queued.error(), {});
   recordPhotographs(*session_, batch_.number(), "capture");
   queued_ = true;
-  doubts_.clear();
+  doubts_ = {};
   enter(CapturePhase::Done);
   emit batchQueued(batch_.number());
 }
@@ -382,7 +386,7 @@ void CaptureWizard::takeFrontCount(const capture::SideCheck& check) {
   summary_[0].emplace().check = check;
   summary_[0]->kept = static_cast<int>(batch_.photographs(batch::Side::Front).size());
   if (phase_ != CapturePhase::Flip) return;
-  doubts_ << listOf(check.sentences);
+  doubts_.found << listOf(check.sentences);
   doubtCount(check);
   emit changed();
 }

@@ -47,9 +47,9 @@ class CaptureWizard final : public QObject {
   /// What went wrong; it takes the place of the button. Space tries again.
   const std::optional<Error>& fault() const { return fault_; }
   /// What a person should look at before going on; Space goes on all the same, R takes again.
-  const QStringList& doubts() const { return doubts_; }
+  QStringList doubts() const;
   /// R once more puts aside a whole side with which nothing is wrong; the next step keeps it.
-  bool asksToRepeat() const { return doubts_ == QStringList(repeatQuestion()); }
+  bool asksToRepeat() const { return doubts_.repeat; }
   /// Of a side that is whole; of the fronts also when only their sherds were counted.
   const std::optional<capture::SideSummary>& summary(batch::Side side) const;
   const QStringList& sherdsToReshoot() const { return to_reshoot_; }  ///< of earlier plates
@@ -69,7 +69,6 @@ class CaptureWizard final : public QObject {
   void said(const QString& sentence);
 
  private:
-  static QString repeatQuestion();
   void followRig();
   void openRig();
   void resumeBatch();
@@ -82,7 +81,7 @@ class CaptureWizard final : public QObject {
   void startShooting(batch::Side side);
   void finishSide(batch::Side side, const Result<capture::SideSummary>& summary);
   std::vector<std::vector<std::filesystem::path>> uncountedFronts() const;
-  void followCount(int before);
+  void followCount();
   void doubtCount(const capture::SideCheck& check);
   void goOnWithin(batch::Side side);
   void setState(records::BatchState state);
@@ -100,7 +99,13 @@ class CaptureWizard final : public QObject {
   CapturePhase phase_ = CapturePhase::NoRig;
   bool queued_ = false;
   std::optional<Error> fault_;
-  QStringList doubts_, to_reshoot_;
+  struct Doubts {
+    QStringList found;    ///< in photographs, on the plate, between its sides
+    QString count;        ///< of the sherds that were counted; empty: none
+    bool repeat = false;  ///< nothing is wrong, and R asks to photograph it all again
+  };
+  Doubts doubts_;
+  QStringList to_reshoot_;
   std::array<std::optional<capture::SideSummary>, 2> summary_;  ///< front, back
 };
 

@@ -9,10 +9,11 @@
 namespace ostraka::segmentation {
 
 /// Width and height, pixels, at which the network takes a photograph of this size: what its file
-/// (ONNX, the bytes of `model`) fixes, else at most 1024 on the longer side, both multiples of 32.
+/// (ONNX, the bytes of `model`) fixes, else at most longer_px on the longer side, both multiples of
+/// 32.
 /// Errors: UnusableInput names `where` when the network has no image input of three channels within
 /// 8192 x 8192 pixels, and those of checkOnnx.
-Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
+Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph, int longer_px,
                                   const std::string& where);
 
 /// Mask of one photograph (CV_8UC3, BGR) by a laboratory's own network: ONNX, one image input
@@ -23,7 +24,7 @@ Result<cv::Size> networkInputSize(std::string_view model, cv::Size photograph,
 Result<cv::Mat1b> maskByNetwork(const cv::Mat& photograph, const std::filesystem::path& onnx);
 
 /// Probability of sherd, 0..255, by Ostraka's own network (shippedNetwork) in a photograph
-/// (CV_8UC3, BGR), in the size that the network gives: at most 512 on the longer side. Works on all
+/// (CV_8UC3, BGR), in the size that the network gives: at most 800 on the longer side. Works on all
 /// processors. Errors: UnusableInput.
 Result<cv::Mat1b> sherdProbability(const cv::Mat& photograph);
 

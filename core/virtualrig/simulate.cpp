@@ -244,7 +244,7 @@ Result<void> SimulateOptions::check() const {
   if (width < 160 || width > 8192 || width % 4 != 0)
     return bad(message("width must be between 160 and 8192 pixels and divisible by 4."));
   if (output.empty()) return bad("output must name a folder.");
-  if (stops < 4 || stops > 72) return bad("stops must be between 4 and 72.");
+  if (stops < 2 || stops > 72) return bad("stops must be between 2 and 72.");
   if (gloss && !(*gloss >= 0 && *gloss <= 1)) return bad("gloss must be between 0 and 1.");
   if (fstop && *fstop != 0 && !(*fstop >= 1 && *fstop <= 64))
     return bad("fstop must be 0, for none, or be between 1 and 64.");

@@ -174,6 +174,15 @@ def altered(pictures, labels):
     colour = torch.log(0.02 + 0.9 * torch.rand(n, 3, LABELS, device=device))
     colour = of_things(colour - 0.5 * colour.mean(1, keepdim=True), labels)
     log = smooth * (shading + colour) + (1 - smooth) * log
+    # Some get the colour of what they lie on: only grain, shading and edge tell them from it.
+    where = labels.view(n, 1, -1).expand(-1, 3, -1)
+    sums = torch.zeros(n, 3, LABELS, device=device).scatter_add_(2, where, log.view(n, 3, -1))
+    counts = torch.zeros(n, 3, LABELS, device=device).scatter_add_(
+        2, where, torch.ones_like(log.view(n, 3, -1)))
+    means = sums / counts.clamp(min=1)
+    shift = means[:, :, :1] - means + 0.15 * torch.randn(n, 1, LABELS, device=device)
+    hidden = (torch.rand(n, 1, LABELS, device=device) < 0.15).float()
+    log = log + of_things(shift * hidden, labels)
     # All get other colours, some other patterns; so do grounds, less often.
     cells = int(2 ** np.random.uniform(1, 6.5))
     thing = maybe(n, 0.6, device) * (0.5 * own() + 0.3 * own(3))

@@ -3,8 +3,9 @@
 
     worlds.py SEED THINGS_FOLDER
 
-prints them in one line. Six of ten worlds are photographs by hand over a sheet, the others a rig's;
-in three of ten lie things of any shape in place of sherds (THINGS_FOLDER/*.ply).
+prints them in one line. Four of ten worlds are photographs by hand over a sheet, the others a rig's,
+most on grey, light and white plates; in one of four lie things of any shape in place of sherds
+(THINGS_FOLDER/*.ply).
 """
 import math
 import random
@@ -64,30 +65,33 @@ def write_ply(path, vertices, faces):
 def options(seed, things_folder):
     draw = random.Random(seed)
     words = ["--seed", seed]
-    if draw.random() < 0.6:
-        words += ["--hand-held", 7, "--width", draw.choice([768, 896, 1024])]
+    if draw.random() < 0.42:
+        words += ["--hand-held", 4, "--width", draw.choice([896, 1024, 1280])]
         words += ["--sheet", draw.choice("a4 a4 a4 a3 letter".split())]
         words += ["--table", draw.choice("wood cloth granite cutting-mat".split())]
         words += ["--light", draw.choice("window lamp flash overcast sun".split())]
         words += ["--camera", draw.choice("phone phone dslr compact".split())]
         words += ["--clutter", draw.choice([0, 2, 3, 4]), "--bend", draw.choice([0, 0, 2, 4])]
-        most = 8
+        most, things = 8, 0.35
     else:
-        words += ["--stops", 4, "--width", draw.choice([768, 896])]
-        words += ["--plate", draw.choice("dark mid light white".split())]
-        if draw.random() < 0.5:
+        words += ["--stops", 2, "--width", draw.choice([1024, 1024, 1280, 1600])]
+        words += ["--plate", draw.choice("dark dark dark mid mid mid mid mid mid light light light "
+                                         "light light light white white white white white".split())]
+        if draw.random() < 0.6:
             words += ["--fstop", draw.choice([5.6, 8, 11])]
-        most = 14
-    words += ["--gloss", draw.choice([0, 0.3, 0.5, 0.8])]
-    if draw.random() < 0.3:
+        most, things = 14, 0.15
+    words += ["--gloss", draw.choice([0, 0.3, 0.5, 0.5, 0.8])]
+    if draw.random() < things:
         for i in range(draw.randint(1, 4)):
-            path = "%s/thing%d.ply" % (things_folder, i)
+            path = "%s/%d_%d.ply" % (things_folder, seed, i)
             write_ply(path, *thing(draw))
             words += ["--mesh", path]
     else:
-        words += ["--sherds", draw.randint(3, most)]
+        words += ["--sherds", draw.randint(4, most)]
         if draw.random() < 0.3:
             words.append("--plain")
+        if most > 8 and draw.random() < 0.4:
+            words += ["--touching", draw.randint(1, 2)]
     return words
 
 

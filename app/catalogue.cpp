@@ -36,6 +36,8 @@ struct Options {
   records::ProjectRecord record;
   std::vector<Form> forms;
   std::size_t most_model_bytes = 0;
+  drawing::Surface surface = drawing::Surface::Relief;
+  drawing::Dpi dpi = drawing::Dpi::Usual;
   bool quick = false, with_damage = false;
 };
 
@@ -80,6 +82,8 @@ int runExport(const Options& options, Session& session) {
   how.program = kProgram;
   if (!options.forms.empty()) how.forms = {options.forms.begin(), options.forms.end()};
   how.most_model_bytes = options.most_model_bytes;
+  how.drawing_surface = options.surface;
+  how.drawing_dpi = options.dpi;
   session.progress.begin("export", 1.0);
   const auto done = exchange::exportFolder(project->catalogue(), project->folder(), *rows, how,
                                            session.progress, session.stop);
@@ -338,6 +342,7 @@ void addCatalogue(CLI::App& root, Command& chosen) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, std::size_t>{
           {"full", 0}, {"web", exchange::kWebBytes}, {"phone", exchange::kPhoneBytes}}))
       ->default_str("full");
+  addSurface(*out, options->surface, options->dpi);
   CLI::App* enter = add("enter", "Enter the results of 'ostraka process' of a batch", runEnter);
   addProject(enter, *options);
   enter->add_option("BATCH", options->batch, "Number of the batch, as B0031")->required();

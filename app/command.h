@@ -12,6 +12,10 @@
 namespace CLI {
 class App;
 }
+namespace ostraka::drawing {
+enum class Dpi;
+enum class Surface;
+}  // namespace ostraka::drawing
 namespace ostraka::pairing {
 enum class Method;
 }
@@ -62,6 +66,7 @@ void workOf(auto& command, Command& chosen, auto arguments, auto run) {
 
 /// Options that several commands have.
 void addThreads(CLI::App& command, int& threads);
+void addSurface(CLI::App& command, drawing::Surface& surface, drawing::Dpi& dpi);
 void addPairing(CLI::App& command, pairing::Method& pairing, registration::Method& registration,
                 registration::Boundary& boundary);
 /// Throws CLI::ValidationError where the boundary is chosen for a method that has none.

@@ -71,9 +71,14 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     return fail(session, {ErrorCode::UnusableInput,
                           "Give one --id for each model, in the same order, or none.",
                           {}});
-  if (const Result<void> good = checkSheetsFile(arguments.output, arguments.models); !good)
-    return fail(session, good.error());
+  const Result<DrawnAs> as = drawnAs(arguments.output, arguments.models);
+  if (!as) return fail(session, as.error());
+  if (*as == DrawnAs::Pictures && arguments.sheets.layout == SheetOptions::Layout::Plates)
+    return fail(session,
+                {ErrorCode::UnusableInput, "Plates are sheets; write them to FILE.pdf or FILE.svg.",
+                 arguments.output.string()});
   std::vector<SherdDrawing> drawings;
+  std::vector<std::string> pictures;
   ordered_json list = ordered_json::array();
   session.progress.begin("drawings", 1.0);
   for (std::size_t i = 0; i < arguments.models.size(); ++i) {
@@ -84,9 +89,9 @@ int runDraw(const DrawArguments& arguments, Session& session) {
     if (!model) return fail(session, model.error());
     const std::string id = arguments.ids.empty() ? idOf(arguments.models[i]) : arguments.ids[i];
     drawing::DrawingOptions how = arguments.drawing;
-    const auto photographs = how.surface == Surface::Painted
-                                 ? texture::openedBeside(arguments.models[i])
-                                 : std::optional<texture::TexturedMesh>();
+    const auto photographs = how.surface == Surface::Relief
+                                 ? std::optional<texture::TexturedMesh>()
+                                 : texture::openedBeside(arguments.models[i]);
     if (!photographs)
       how.remarks.push_back(
           Message("Drawn without its photographs: %1", {photographs.error().what}));
@@ -94,11 +99,16 @@ int runDraw(const DrawArguments& arguments, Session& session) {
       how.photographs = &**photographs;
     Result<SherdDrawing> drawing = drawSherd(model->mesh, id, how);
     if (!drawing) return fail(session, drawing.error());
+    if (*as == DrawnAs::Pictures)
+      pictures.push_back(formatPicture(pictureOf(model->mesh, *drawing, how), arguments.output));
     list.push_back(asJson(*drawing));
     drawings.push_back(std::move(*drawing));
   }
   const Result<std::vector<fs::path>> files =
-      writeSheets(arguments.output, layOut(drawings, arguments.drawing.scale, arguments.sheets));
+      *as == DrawnAs::Pictures
+          ? writePictures(arguments.output, pictures)
+          : writeSheets(arguments.output,
+                        layOut(drawings, arguments.drawing.scale, arguments.sheets));
   if (!files) return fail(session, files.error());
   ordered_json names = ordered_json::array();
   for (const fs::path& file : *files) names.push_back(file.string());
@@ -110,13 +120,33 @@ int runDraw(const DrawArguments& arguments, Session& session) {
 
 }  // namespace
 
+void addSurface(CLI::App& command, Surface& surface, Dpi& dpi) {
+  command
+      .add_option("--surface", surface,
+                  "Views in drawings: the relief shaded; with paint and slip by their "
+                  "brightness; or an orthophoto, the photographs in parallel projection")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Surface>{{"shaded", Surface::Relief},
+                                         {"paint", Surface::Painted},
+                                         {"orthophoto", Surface::Orthophoto}}))
+      ->default_str("shaded");
+  command.add_option("--dpi", dpi, "Resolution of these views on paper: 300 or 600")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Dpi>{{"300", Dpi::Usual}, {"600", Dpi::Fine}}))
+      ->default_str("300");
+}
+
 void addDraw(CLI::App& root, Command& chosen) {
   CLI::App* command = root.add_subcommand(
       "draw", "Archaeological drawings of models: section, views, scale, rim diameter");
   auto a = std::make_shared<DrawArguments>();
   command->add_option("MODEL.ply", a->models, "Closed models, as OUT/sherds/01/model.ply")
       ->required();
-  command->add_option("--output,-o", a->output, "FILE.pdf (all sheets) or FILE.svg (a file each)")
+  command
+      ->add_option(
+          "--output,-o", a->output,
+          "FILE.pdf (all sheets), FILE.svg (a file each), FILE.png or FILE.tif (the views alone, a "
+          "file for each sherd, with its resolution)")
       ->required();
   command->add_option("--scale", a->drawing.scale, "Size on paper to that of the sherd")
       ->transform(CLI::CheckedTransformer(std::map<std::string, double>{
@@ -126,9 +156,7 @@ void addDraw(CLI::App& root, Command& chosen) {
       "--rim", [a] { a->drawing.rim = RimChoice::Yes; }, "These are rim sherds, I am sure");
   command->add_flag_callback(
       "--no-rim", [a] { a->drawing.rim = RimChoice::No; }, "These are no rim sherds, I am sure");
-  command->add_flag_callback(
-      "--paint", [a] { a->drawing.surface = Surface::Painted; },
-      "Show paint and slip by their brightness, not the relief alone");
+  addSurface(*command, a->drawing.surface, a->drawing.dpi);
   command->add_flag_callback(
       "--plates", [a] { a->sheets.layout = SheetOptions::Layout::Plates; },
       "Many sherds on a sheet instead of one each");

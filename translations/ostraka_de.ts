@@ -2342,11 +2342,6 @@
       <translation>Die Zeichnung speichern</translation>
     </message>
     <message>
-      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PDF, alle Blätter (*.pdf);;SVG, eine Datei je Blatt (*.svg)</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gespeichert: %1</translation>
@@ -2408,6 +2403,16 @@
         <numerusform>Eine Scherbe wird gezeichnet …</numerusform>
         <numerusform>%n Scherben werden gezeichnet …</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Orthofoto, %1 dpi</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, alle Blätter (*.pdf);;SVG, eine Datei je Blatt (*.svg);;PNG, die Ansichten jeder Scherbe (*.png);;TIFF, die Ansichten jeder Scherbe (*.tif)</translation>
     </message>
 </context>
 <context>
@@ -10127,6 +10132,16 @@
       <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Transformation legt die Rückseite %1 mm von der Vorderseite weg; eine angeben, die Punkte der Rückseite in das Koordinatensystem der Vorderseite bringt.</translation>
+    </message>
+    <message>
+      <source>The model has no photographs, so the orthophoto shows the colours of its vertices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Modell hat keine Fotos, daher zeigt das Orthofoto die Farben seiner Eckpunkte.</translation>
+    </message>
+    <message>
+      <source>The model has neither photographs nor colours, so there is no orthophoto of it; draw its shaded form.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Modell hat weder Fotos noch Farben, daher gibt es kein Orthofoto davon; die schattierte Form zeichnen.</translation>
     </message>
 </context>
 <context>

@@ -2342,11 +2342,6 @@
       <translation>Αποθήκευση του σχεδίου</translation>
     </message>
     <message>
-      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PDF, όλα τα φύλλα (*.pdf);;SVG, ένα αρχείο ανά φύλλο (*.svg)</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε: %1</translation>
@@ -2408,6 +2403,16 @@
         <numerusform>Σχεδίαση %n οστράκου …</numerusform>
         <numerusform>Σχεδίαση %n οστράκων …</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ορθοφωτογραφία, %1 dpi</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, όλα τα φύλλα (*.pdf);;SVG, ένα αρχείο ανά φύλλο (*.svg);;PNG, οι όψεις κάθε οστράκου (*.png);;TIFF, οι όψεις κάθε οστράκου (*.tif)</translation>
     </message>
 </context>
 <context>
@@ -10127,6 +10132,16 @@
       <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο μετασχηματισμός τοποθετεί την πίσω όψη %1 mm μακριά από την μπροστινή όψη· δώστε έναν που μεταφέρει τα σημεία της πίσω όψης στο σύστημα της μπροστινής.</translation>
+    </message>
+    <message>
+      <source>The model has no photographs, so the orthophoto shows the colours of its vertices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το μοντέλο δεν έχει φωτογραφίες, γι&apos; αυτό η ορθοφωτογραφία δείχνει τα χρώματα των κορυφών του.</translation>
+    </message>
+    <message>
+      <source>The model has neither photographs nor colours, so there is no orthophoto of it; draw its shaded form.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το μοντέλο δεν έχει ούτε φωτογραφίες ούτε χρώματα, άρα δεν υπάρχει ορθοφωτογραφία του· σχεδιάστε τη σκιασμένη μορφή του.</translation>
     </message>
 </context>
 <context>

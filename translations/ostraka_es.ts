@@ -2342,11 +2342,6 @@
       <translation>Guardar el dibujo</translation>
     </message>
     <message>
-      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PDF, todas las hojas (*.pdf);;SVG, un archivo por hoja (*.svg)</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado: %1</translation>
@@ -2408,6 +2403,16 @@
         <numerusform>Dibujando %n fragmento …</numerusform>
         <numerusform>Dibujando %n fragmentos …</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ortofoto, %1 ppp</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, todas las hojas (*.pdf);;SVG, un archivo por hoja (*.svg);;PNG, las vistas de cada fragmento (*.png);;TIFF, las vistas de cada fragmento (*.tif)</translation>
     </message>
 </context>
 <context>
@@ -10127,6 +10132,16 @@
       <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La transformación coloca el reverso a %1 mm del anverso; indique una que lleve los puntos del reverso al sistema de coordenadas del anverso.</translation>
+    </message>
+    <message>
+      <source>The model has no photographs, so the orthophoto shows the colours of its vertices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El modelo no tiene fotografías, por lo que la ortofoto muestra los colores de sus vértices.</translation>
+    </message>
+    <message>
+      <source>The model has neither photographs nor colours, so there is no orthophoto of it; draw its shaded form.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El modelo no tiene ni fotografías ni colores, por lo que no hay ortofoto de él; dibuje su forma sombreada.</translation>
     </message>
 </context>
 <context>

@@ -2342,11 +2342,6 @@
       <translation>Enregistrer le dessin</translation>
     </message>
     <message>
-      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PDF, toutes les feuilles (*.pdf);;SVG, un fichier par feuille (*.svg)</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré : %1</translation>
@@ -2408,6 +2403,16 @@
         <numerusform>Dessin de %n tesson …</numerusform>
         <numerusform>Dessin de %n tessons …</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Orthophoto, %1 ppp</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, toutes les feuilles (*.pdf);;SVG, un fichier par feuille (*.svg);;PNG, les vues de chaque tesson (*.png);;TIFF, les vues de chaque tesson (*.tif)</translation>
     </message>
 </context>
 <context>
@@ -10127,6 +10132,16 @@
       <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La transformation place la face arrière à %1 mm de la face avant ; donnez-en une qui amène les points de la face arrière dans le repère de la face avant.</translation>
+    </message>
+    <message>
+      <source>The model has no photographs, so the orthophoto shows the colours of its vertices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le modèle n&apos;a pas de photographies, l&apos;orthophoto montre donc les couleurs de ses sommets.</translation>
+    </message>
+    <message>
+      <source>The model has neither photographs nor colours, so there is no orthophoto of it; draw its shaded form.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le modèle n&apos;a ni photographies ni couleurs, il n&apos;y a donc pas d&apos;orthophoto ; dessinez sa forme ombrée.</translation>
     </message>
 </context>
 <context>

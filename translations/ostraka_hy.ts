@@ -2342,11 +2342,6 @@
       <translation>Պահել գծանկարը</translation>
     </message>
     <message>
-      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PDF, բոլոր թերթերը (*.pdf);;SVG, մեկ ֆայլ ամեն թերթի համար (*.svg)</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է՝ %1</translation>
@@ -2408,6 +2403,16 @@
         <numerusform>Գծվում է %n բեկոր …</numerusform>
         <numerusform>Գծվում է %n բեկոր …</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Օրթոլուսանկար, %1 dpi</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, բոլոր թերթերը (*.pdf);;SVG, մեկ ֆայլ ամեն թերթի համար (*.svg);;PNG, ամեն բեկորի տեսքերը (*.png);;TIFF, ամեն բեկորի տեսքերը (*.tif)</translation>
     </message>
 </context>
 <context>
@@ -10127,6 +10132,16 @@
       <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ձևափոխությունը հետևի երեսը դնում է առջևի երեսից %1 մմ հեռու. տվեք այնպիսին, որը հետևի երեսի կետերը բերում է առջևի երեսի կոորդինատային համակարգ։</translation>
+    </message>
+    <message>
+      <source>The model has no photographs, so the orthophoto shows the colours of its vertices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդելը լուսանկարներ չունի, ուստի օրթոլուսանկարը ցույց է տալիս դրա գագաթների գույները։</translation>
+    </message>
+    <message>
+      <source>The model has neither photographs nor colours, so there is no orthophoto of it; draw its shaded form.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդելը ո՛չ լուսանկարներ ունի, ո՛չ գույներ, ուստի դրա օրթոլուսանկար չկա. գծեք ստվերավորված ձևը։</translation>
     </message>
 </context>
 <context>

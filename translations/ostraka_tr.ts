@@ -2319,11 +2319,6 @@
       <translation>Çizimi kaydet</translation>
     </message>
     <message>
-      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>PDF, bütün yapraklar (*.pdf);;SVG, yaprak başına bir dosya (*.svg)</translation>
-    </message>
-    <message>
       <source>Saved: %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydedildi: %1</translation>
@@ -2384,6 +2379,16 @@
       <translation>
         <numerusform>%n parça çiziliyor …</numerusform>
       </translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ortofoto, %1 dpi</translation>
+    </message>
+    <message>
+      <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>PDF, bütün yapraklar (*.pdf);;SVG, yaprak başına bir dosya (*.svg);;PNG, her parçanın görünüşleri (*.png);;TIFF, her parçanın görünüşleri (*.tif)</translation>
     </message>
 </context>
 <context>
@@ -10082,6 +10087,16 @@
       <source>The transform puts the back %1 mm away from the front; give one that takes points of the back to the front&apos;s frame.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dönüşüm, arka yüzü ön yüzden %1 mm uzağa koyuyor; arka yüzün noktalarını ön yüzün koordinat sistemine taşıyan bir dönüşüm verin.</translation>
+    </message>
+    <message>
+      <source>The model has no photographs, so the orthophoto shows the colours of its vertices.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modelin fotoğrafı yok, bu yüzden ortofoto köşe noktalarının renklerini gösterir.</translation>
+    </message>
+    <message>
+      <source>The model has neither photographs nor colours, so there is no orthophoto of it; draw its shaded form.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modelin ne fotoğrafı ne rengi var, bu yüzden ortofotosu yok; gölgeli biçimini çizin.</translation>
     </message>
 </context>
 <context>

@@ -1,10 +1,10 @@
 #include "archive/zip.h"
 
-#include <array>
 #include <cstdint>
 #include <limits>
 
 #include "base/message.h"
+#include "files/checksum.h"
 
 namespace ostraka::archive {
 namespace {
@@ -12,25 +12,6 @@ namespace {
 constexpr std::uint16_t kVersion = 20;     // folders and plain entries
 constexpr std::uint16_t kFirstDay = 0x21;  // 1980-01-01
 constexpr std::size_t kMostBytes = std::numeric_limits<std::uint32_t>::max() - (1U << 20);
-
-constexpr std::array<std::uint32_t, 256> crcTable() {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t n = 0; n < 256; ++n) {
-    std::uint32_t c = n;
-    for (int bit = 0; bit < 8; ++bit) c = (c & 1) != 0 ? 0xEDB88320U ^ (c >> 1) : c >> 1;
-    table[n] = c;
-  }
-  return table;
-}
-
-// CRC-32 of ISO 3309.
-std::uint32_t crc32(std::string_view bytes) {
-  static constexpr std::array<std::uint32_t, 256> kTable = crcTable();
-  std::uint32_t crc = ~std::uint32_t{0};
-  for (const char byte : bytes)
-    crc = kTable[(crc ^ static_cast<unsigned char>(byte)) & 0xFF] ^ (crc >> 8);
-  return ~crc;
-}
 
 void put16(std::string& out, std::uint16_t value) {
   out += static_cast<char>(value & 0xFF);

@@ -1,7 +1,10 @@
 #pragma once
+#include <Eigen/Core>
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.h"
 #include "cloud/point_cloud.h"
@@ -29,6 +32,12 @@ Result<PointCloud> readPlyCloudWithin(const std::filesystem::path& folder, std::
 /// Binary little-endian with `comment unit mm` and `comment frame <frame>`.
 std::string formatPly(const PointCloud& cloud, std::string_view frame);
 std::string formatPly(const TriangleMesh& mesh, std::string_view frame);
+/// Of each triangle its corners' places in a picture, 0..1 from the picture's top left corner.
+using CornerPlaces = std::vector<std::array<Eigen::Vector2f, 3>>;
+/// With these as `texcoord` of each face, which MeshLab, CloudCompare and three.js read: the
+/// vertices stay as they are, and the surface closed. `comment TextureFile` with the picture's name
+/// is for whoever writes that beside it. places: one for each triangle.
+std::string formatPly(const TriangleMesh& mesh, std::string_view frame, const CornerPlaces& places);
 Result<void> writePly(const std::filesystem::path& path, const PointCloud& cloud,
                       std::string_view frame);
 Result<void> writePly(const std::filesystem::path& path, const TriangleMesh& mesh,

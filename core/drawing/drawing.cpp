@@ -49,6 +49,15 @@ Eigen::Isometry3d fromBehind(const Eigen::Isometry3d& frame) {
   return Eigen::AngleAxisd(M_PI, Vector3d::UnitZ()) * frame;
 }
 
+ViewOptions viewOptions(const DrawingOptions& options) {
+  ViewOptions view;
+  view.scale = options.scale;
+  view.dpi = options.dpi;
+  view.surface = options.surface;
+  view.photographs = options.photographs;
+  return view;
+}
+
 class Composer {
  public:
   Composer(const TriangleMesh& mesh, const Message& id, const DrawingOptions& options)
@@ -58,6 +67,9 @@ class Composer {
 
   Result<SherdDrawing> run() {
     out_.remarks = options_.remarks;
+    if (options_.surface == Surface::Orthophoto && options_.photographs == nullptr)
+      out_.remarks.push_back(message(
+          "The model has no photographs, so the orthophoto shows the colours of its vertices."));
     const Walls walls = findWalls(mesh_);
     out_.measures = printedMeasures();
     if (options_.rim != RimChoice::No) out_.rim = findRim(walls);
@@ -68,6 +80,7 @@ class Composer {
           out_.id.english());
     outer_ = out_.drawn_as_rim ? out_.rim->vessel_from_model : frameByAxes(walls);
     placeAxis(walls);
+    out_.outer_from_model = outer_;
     draw();
     return std::move(out_);
   }
@@ -172,14 +185,6 @@ class Composer {
     outer_.pretranslate(Vector3d(-off, 0, 0));
   }
 
-  ViewOptions viewOptions() const {
-    ViewOptions view;
-    view.scale = options_.scale;
-    view.surface = options_.surface;
-    view.photographs = options_.photographs;
-    return view;
-  }
-
   // The section's loops on paper, its outer side to the left.
   std::vector<Loop> section() const {
     // The plane y = 0 of the outer view: seen from the sherd's right, the outer side is at the
@@ -196,8 +201,8 @@ class Composer {
     Eigen::AlignedBox2d section_box;
     for (const Loop& loop : loops)
       for (const Vector2d& p : loop) section_box.extend(p);
-    const SherdView outer = drawView(mesh_, outer_, viewOptions());
-    const SherdView inner = drawView(mesh_, fromBehind(outer_), viewOptions());
+    const SherdView outer = drawView(mesh_, outer_, viewOptions(options_));
+    const SherdView inner = drawView(mesh_, fromBehind(outer_), viewOptions(options_));
     const bool mouth = out_.drawn_as_rim && out_.mouth;
     const double rim_radius = mouth ? options_.scale * out_.mouth->diameter_mm.value / 2 : 0;
     const bool reconstructed = mouth && 2 * rim_radius <= kMostReconstructed_mm;
@@ -288,7 +293,27 @@ Result<SherdDrawing> drawSherd(const TriangleMesh& mesh, const Message& id,
             : message("A drawing needs a closed model (%1); create one with 'ostraka process'.",
                       why),
         id.english());
+  if (options.surface == Surface::Orthophoto && options.photographs == nullptr &&
+      mesh.colors.size() != mesh.vertices.size())
+    return Error::unusable(
+        message("The model has neither photographs nor colours, so there is no orthophoto of it; "
+                "draw its shaded form."),
+        id.english());
   return Composer(mesh, id, options).run();
+}
+
+ViewPicture pictureOf(const TriangleMesh& mesh, const SherdDrawing& drawing,
+                      const DrawingOptions& options) {
+  const ViewOptions view = viewOptions(options);
+  ViewPicture both = pictureOf(mesh, drawing.outer_from_model, view);
+  const cv::Mat outer = both.pixels,
+                inner = pictureOf(mesh, fromBehind(drawing.outer_from_model), view).pixels;
+  const int gap = static_cast<int>(kGap_mm * both.dpi / kMmPerInch);
+  both.pixels = cv::Mat(std::max(outer.rows, inner.rows), outer.cols + gap + inner.cols,
+                        outer.type(), cv::Scalar::all(255));
+  outer.copyTo(both.pixels(cv::Rect(0, 0, outer.cols, outer.rows)));
+  inner.copyTo(both.pixels(cv::Rect(outer.cols + gap, 0, inner.cols, inner.rows)));
+  return both;
 }
 
 }  // namespace ostraka::drawing

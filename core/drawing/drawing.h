@@ -33,6 +33,7 @@ struct DrawingOptions {
   double scale = 1;  ///< mm on paper per mm: 1 or 0.5 by custom
   RimChoice rim = RimChoice::Propose;
   Surface surface = Surface::Relief;
+  Dpi dpi = Dpi::Usual;                                ///< of the views
   const texture::TexturedMesh* photographs = nullptr;  ///< see ViewOptions
   HandMeasures by_hand;  ///< printed instead of what the model says; a mouth is drawn as wide
   std::vector<Message> remarks;  ///< to be said before the drawing's own
@@ -60,12 +61,18 @@ struct SherdDrawing {
   model::Measures measures;      ///< as printed; 0: not
   std::vector<Message> remarks;  ///< what to check before it is printed; English sentences
   std::vector<Message> hints;    ///< what could be drawn otherwise
+  Eigen::Isometry3d outer_from_model = Eigen::Isometry3d::Identity();  ///< see drawView
 };
 
 /// mesh: closed, outward, mm. Errors: UnusableInput (options, a mesh without faces, one
-/// larger than any vessel; RimChoice::Yes where no stretch of the edge can be a lip).
+/// larger than any vessel; RimChoice::Yes where no stretch of the edge can be a lip; an orthophoto
+/// of a model without photographs and colours).
 Result<SherdDrawing> drawSherd(const TriangleMesh& mesh, const Message& id,
                                const DrawingOptions& options);
+
+/// The outer and the inner view of a drawing beside each other, at its scale.
+ViewPicture pictureOf(const TriangleMesh& mesh, const SherdDrawing& drawing,
+                      const DrawingOptions& options);
 
 struct SheetOptions {
   enum class Layout { OneEach, Plates };

@@ -16,13 +16,16 @@ using Eigen::Vector3f;
 
 constexpr int kOversampling = 2;  // per axis; the picture is averaged down
 constexpr double kOutlineError_mm = 0.05;
+constexpr float kFarthest = -1e17f;  // depth where nothing lies
 
-// Depth, and shade where something lies.
+// Depth, and shade or colour where something lies.
 struct Canvas {
   cv::Mat1f depth;
   cv::Mat1f shade;
-  Vector2d corner;  // of the first pixel's upper left, paper mm
-  double per_mm = 1;
+  cv::Mat3b colours;  // BGR, of an orthophoto instead of the shade
+  Vector2d corner;    // of the first pixel's upper left, paper mm
+  int dpi = 0;        // of the picture, averaged down
+  double per_mm() const { return dpi * kOversampling / kMmPerInch; }
 };
 
 float brightness(const Color& c) {
@@ -42,9 +45,10 @@ float paintOf(float brightness, float mean) {
   return std::clamp(0.25f + 0.75f * brightness / std::max(mean, 0.05f), 0.2f, 1.35f);
 }
 
-// p: column, row, depth towards the viewer; shadeAt: by the weights of the second and third corner.
-template <class ShadeAt>
-void drawTriangle(Canvas& canvas, const std::array<Vector3f, 3>& p, ShadeAt shadeAt) {
+// p: column, row, depth towards the viewer; draw: a pixel, and the weights of the second and third
+// corner.
+template <class Draw>
+void drawTriangle(cv::Mat1f& nearest, const std::array<Vector3f, 3>& p, Draw draw) {
   const float area =
       (p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) - (p[2].x() - p[0].x()) * (p[1].y() - p[0].y());
   if (area == 0) return;
@@ -53,8 +57,8 @@ void drawTriangle(Canvas& canvas, const std::array<Vector3f, 3>& p, ShadeAt shad
     return std::pair(std::max(0, static_cast<int>(std::ceil(low))),
                      std::min(limit - 1, static_cast<int>(std::floor(high))));
   };
-  const auto [x0, x1] = bounds(0, canvas.depth.cols);
-  const auto [y0, y1] = bounds(1, canvas.depth.rows);
+  const auto [x0, x1] = bounds(0, nearest.cols);
+  const auto [y0, y1] = bounds(1, nearest.rows);
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) {
       const auto fx = static_cast<float>(x), fy = static_cast<float>(y);
@@ -66,92 +70,130 @@ void drawTriangle(Canvas& canvas, const std::array<Vector3f, 3>& p, ShadeAt shad
           area;
       if (b < 0 || c < 0 || b + c > 1) continue;
       const float depth = p[0].z() + b * (p[1].z() - p[0].z()) + c * (p[2].z() - p[0].z());
-      if (depth <= canvas.depth(y, x)) continue;
-      canvas.depth(y, x) = depth;
-      canvas.shade(y, x) = shadeAt(b, c);
+      if (depth <= nearest(y, x)) continue;
+      nearest(y, x) = depth;
+      draw(cv::Point(x, y), b, c);
     }
 }
 
-Vector3f onCanvas(const Canvas& canvas, double scale, const Vector3f& in_view) {
-  const Vector2d paper = scale * Vector2d(in_view.y(), -in_view.z());
-  const Vector2d pixel = (paper - canvas.corner) * canvas.per_mm - Vector2d(0.5, 0.5);
-  return {static_cast<float>(pixel.x()), static_cast<float>(pixel.y()), in_view.x()};
+std::vector<Vector3f> onCanvas(const Canvas& canvas, double scale, const TriangleMesh& mesh,
+                               const Eigen::Isometry3d& view_from_model) {
+  std::vector<Vector3f> places;
+  places.reserve(mesh.vertices.size());
+  for (const Vector3f& v : mesh.vertices) {
+    const Eigen::Vector3d q = view_from_model * v.cast<double>();
+    const Vector2d paper = scale * Vector2d(q.y(), -q.z());
+    const Vector2d pixel = (paper - canvas.corner) * canvas.per_mm() - Vector2d(0.5, 0.5);
+    places.emplace_back(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()),
+                        static_cast<float>(q.x()));
+  }
+  return places;
+}
+
+// valueAt: of a triangle, by the weights of its second and third corner.
+template <class Value, class ValueAt>
+void drawMesh(cv::Mat1f& nearest, cv::Mat_<Value>& picture, const TriangleMesh& mesh,
+              const std::vector<Vector3f>& places, ValueAt valueAt) {
+  for (const auto& t : mesh.triangles)
+    drawTriangle(nearest, {places[t[0]], places[t[1]], places[t[2]]},
+                 [&](const cv::Point& at, float b, float c) { picture(at) = valueAt(t, b, c); });
+}
+
+// Between the three corners of a triangle.
+template <class List>
+auto between(const List& values, const std::array<int, 3>& t, float b, float c) {
+  using Value = typename List::value_type;
+  const Value &first = values[t[0]], &second = values[t[1]], &third = values[t[2]];
+  return Value(first + b * (second - first) + c * (third - first));
+}
+
+float brightnessAt(const texture::TexturedMesh& photographs, const Eigen::Vector2f& place) {
+  const cv::Vec3f bgr = texture::levelAt(photographs.texture.picture, place);
+  return (0.3f * bgr[2] + 0.59f * bgr[1] + 0.11f * bgr[0]) / 255.f;
 }
 
 // Each pixel by the photographs' texel, so that the drawing is as fine as they are.
 void paint(Canvas& canvas, const texture::TexturedMesh& photographs,
            const Eigen::Isometry3d& view_from_model, double scale) {
-  const auto brightnessAt = [&](const Eigen::Vector2f& place) {
-    const cv::Vec3f bgr = texture::levelAt(photographs.texture.picture, place);
-    return (0.3f * bgr[2] + 0.59f * bgr[1] + 0.11f * bgr[0]) / 255.f;
-  };
-  Canvas painted = canvas;
-  painted.depth = cv::Mat1f(canvas.depth.size(), -1e18f);
-  painted.shade = cv::Mat1f(canvas.depth.size(), -1.f);
-  std::vector<Vector3f> places;
+  cv::Mat1f depth(canvas.depth.size(), kFarthest), painted(canvas.depth.size(), -1.f);
   float mean = 0;
-  for (std::size_t v = 0; v < photographs.mesh.vertices.size(); ++v) {
-    const Eigen::Vector3d p = view_from_model * photographs.mesh.vertices[v].cast<double>();
-    places.push_back(onCanvas(canvas, scale, p.cast<float>()));
-    mean += brightnessAt(photographs.uv[v]) / static_cast<float>(photographs.uv.size());
-  }
-  for (const auto& t : photographs.mesh.triangles) {
-    const Eigen::Vector2f &first = photographs.uv[t[0]], &second = photographs.uv[t[1]],
-                          &third = photographs.uv[t[2]];
-    drawTriangle(painted, {places[t[0]], places[t[1]], places[t[2]]}, [&](float b, float c) {
-      return brightnessAt(first + b * (second - first) + c * (third - first));
-    });
-  }
+  for (const Eigen::Vector2f& place : photographs.uv)
+    mean += brightnessAt(photographs, place) / static_cast<float>(photographs.uv.size());
+  drawMesh(depth, painted, photographs.mesh,
+           onCanvas(canvas, scale, photographs.mesh, view_from_model),
+           [&](const std::array<int, 3>& t, float b, float c) {
+             return brightnessAt(photographs, between(photographs.uv, t, b, c));
+           });
   for (int y = 0; y < canvas.shade.rows; ++y)
     for (int x = 0; x < canvas.shade.cols; ++x)
-      if (canvas.depth(y, x) > -1e17f && painted.shade(y, x) >= 0)
-        canvas.shade(y, x) = std::min(1.f, canvas.shade(y, x) * paintOf(painted.shade(y, x), mean));
+      if (canvas.depth(y, x) > kFarthest && painted(y, x) >= 0)
+        canvas.shade(y, x) = std::min(1.f, canvas.shade(y, x) * paintOf(painted(y, x), mean));
 }
 
-Canvas render(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model,
-              const ViewOptions& options) {
-  std::vector<Vector3f> places;
+// With 1 mm of paper around; whole dots, as they are stated in a picture's file.
+Canvas canvasFor(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model,
+                 const ViewOptions& options) {
   Eigen::AlignedBox2d box;
   for (const Vector3f& v : mesh.vertices) {
     const Eigen::Vector3d q = view_from_model * v.cast<double>();
-    places.push_back(q.cast<float>());
     box.extend(options.scale * Vector2d(q.y(), -q.z()));
   }
   Canvas canvas;
   canvas.corner = box.min() - Vector2d(1, 1);
-  const model::Raster raster =
-      model::rasterOver(box.sizes() + Vector2d(2, 2), options.pixels_per_mm * kOversampling);
-  canvas.per_mm = raster.per_mm;
-  const auto whole = [](int fine) { return (fine + kOversampling - 1) / kOversampling; };
-  const int columns = kOversampling * whole(raster.columns),
-            rows = kOversampling * whole(raster.rows);
-  canvas.depth = cv::Mat1f(rows, columns, -1e18f);
-  canvas.shade = cv::Mat1f(rows, columns, 1.f);
+  const Vector2d size = box.sizes() + Vector2d(2, 2);
+  const int dpi = static_cast<int>(options.dpi);
+  const model::Raster raster = model::rasterOver(size, dpi * kOversampling / kMmPerInch);
+  const int most = static_cast<int>(raster.per_mm / kOversampling * kMmPerInch + 1e-6);
+  canvas.dpi = std::clamp(most, 1, dpi);
+  const double fewer = canvas.per_mm() / raster.per_mm;
+  const auto fine = [fewer](int pixels) {
+    return kOversampling * static_cast<int>(std::ceil(fewer * pixels / kOversampling));
+  };
+  canvas.depth = cv::Mat1f(fine(raster.rows), fine(raster.columns), kFarthest);
+  return canvas;
+}
+
+void shadeForm(Canvas& canvas, const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model,
+               const ViewOptions& options) {
+  canvas.shade = cv::Mat1f(canvas.depth.size(), 1.f);
   const std::vector<Vector3f> normals = model::vertexNormals(mesh);
   const texture::TexturedMesh* photographs =
       options.surface == Surface::Painted ? options.photographs : nullptr;
   const bool painted = options.surface == Surface::Painted && photographs == nullptr &&
-                       mesh.colors.size() == places.size();
-  float mean = 1;
-  if (painted) {
-    mean = 0;
-    for (const Color& c : mesh.colors) mean += brightness(c) / static_cast<float>(places.size());
-  }
+                       mesh.colors.size() == mesh.vertices.size();
+  float mean = painted ? 0 : 1;
+  if (painted)
+    for (const Color& c : mesh.colors)
+      mean += brightness(c) / static_cast<float>(mesh.colors.size());
   std::vector<float> shades;
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     float shade = shadeOf(view_from_model.linear().cast<float>() * normals[i]);
     if (painted) shade *= paintOf(brightness(mesh.colors[i]), mean);
     shades.push_back(std::min(shade, 1.f));
-    places[i] = onCanvas(canvas, options.scale, places[i]);
   }
-  for (const auto& t : mesh.triangles) {
-    const float first = shades[t[0]], second = shades[t[1]], third = shades[t[2]];
-    drawTriangle(canvas, {places[t[0]], places[t[1]], places[t[2]]}, [&](float b, float c) {
-      return first + b * (second - first) + c * (third - first);
-    });
-  }
+  drawMesh(canvas.depth, canvas.shade, mesh, onCanvas(canvas, options.scale, mesh, view_from_model),
+           [&](const auto& t, float b, float c) { return between(shades, t, b, c); });
   if (photographs != nullptr) paint(canvas, *photographs, view_from_model, options.scale);
-  return canvas;
+}
+
+void showColours(Canvas& canvas, const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model,
+                 const ViewOptions& options) {
+  canvas.colours = cv::Mat3b(canvas.depth.size(), cv::Vec3b(255, 255, 255));
+  if (const texture::TexturedMesh* photographs = options.photographs) {
+    drawMesh(canvas.depth, canvas.colours, photographs->mesh,
+             onCanvas(canvas, options.scale, photographs->mesh, view_from_model),
+             [&](const auto& t, float b, float c) {
+               return cv::Vec3b(texture::levelAt(photographs->texture.picture,
+                                                 between(photographs->uv, t, b, c)));
+             });
+    return;
+  }
+  std::vector<cv::Vec3f> colours;
+  for (const Color& c : mesh.colors) colours.emplace_back(c[2], c[1], c[0]);
+  colours.resize(mesh.vertices.size(), cv::Vec3f::all(255));
+  drawMesh(canvas.depth, canvas.colours, mesh,
+           onCanvas(canvas, options.scale, mesh, view_from_model),
+           [&](const auto& t, float b, float c) { return cv::Vec3b(between(colours, t, b, c)); });
 }
 
 // Breaks in depth: edges within the outline that a pen would draw.
@@ -161,40 +203,71 @@ void darkenSteps(Canvas& canvas, double scale) {
   for (int y = 1; y + 1 < canvas.depth.rows; ++y)
     for (int x = 1; x + 1 < canvas.depth.cols; ++x) {
       const float here = canvas.depth(y, x);
-      if (here < -1e17f) continue;
+      if (here <= kFarthest) continue;
       for (const auto& [dx, dy] :
            {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
         const float there = canvas.depth(y + dy, x + dx);
-        if (there > -1e17f && there > here + step) drawn(y, x) = 0.15f;
+        if (there > kFarthest && there > here + step) drawn(y, x) = 0.15f;
       }
     }
   canvas.shade = drawn;
 }
 
-std::string encoded(const cv::Mat1f& shade) {
-  cv::Mat small, bytes;
-  cv::resize(shade, small, {}, 1.0 / kOversampling, 1.0 / kOversampling, cv::INTER_AREA);
-  small.convertTo(bytes, CV_8U, 255);
+Canvas render(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model,
+              const ViewOptions& options) {
+  Canvas canvas = canvasFor(mesh, view_from_model, options);
+  if (options.surface == Surface::Orthophoto) {
+    showColours(canvas, mesh, view_from_model, options);
+  } else {
+    shadeForm(canvas, mesh, view_from_model, options);
+    darkenSteps(canvas, options.scale);
+  }
+  return canvas;
+}
+
+ViewPicture averaged(const Canvas& canvas) {
+  ViewPicture picture{{}, canvas.corner, canvas.dpi};
+  const cv::Mat fine = canvas.colours.empty() ? cv::Mat(canvas.shade) : cv::Mat(canvas.colours);
+  cv::resize(fine, picture.pixels, {}, 1.0 / kOversampling, 1.0 / kOversampling, cv::INTER_AREA);
+  if (canvas.colours.empty()) picture.pixels.convertTo(picture.pixels, CV_8U, 255);
+  return picture;
+}
+
+std::string asGreyJpeg(const cv::Mat& pixels) {
   std::vector<unsigned char> jpeg;
-  cv::imencode(".jpg", bytes, jpeg, {cv::IMWRITE_JPEG_QUALITY, 92});
+  cv::imencode(".jpg", pixels, jpeg, {cv::IMWRITE_JPEG_QUALITY, 92});
   return {jpeg.begin(), jpeg.end()};
+}
+
+Picture onPaper(const ViewPicture& view) {
+  Picture picture;
+  picture.corner = view.corner;
+  picture.size = view.size_mm();
+  picture.width_px = view.pixels.cols;
+  picture.height_px = view.pixels.rows;
+  picture.ink = view.pixels.channels() == 1 ? Ink::Black : Ink::Colours;
+  picture.jpeg =
+      picture.ink == Ink::Black ? asGreyJpeg(view.pixels) : texture::asJpeg(cv::Mat3b(view.pixels));
+  return picture;
 }
 
 }  // namespace
 
+Vector2d ViewPicture::size_mm() const {
+  return Vector2d(pixels.cols, pixels.rows) * kMmPerInch / dpi;
+}
+
+ViewPicture pictureOf(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model,
+                      const ViewOptions& options) {
+  return averaged(render(mesh, view_from_model, options));
+}
+
 SherdView drawView(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_model,
                    const ViewOptions& options) {
-  Canvas canvas = render(mesh, view_from_model, options);
-  const cv::Mat1b mask = canvas.depth > -1e17f;
-  darkenSteps(canvas, options.scale);
+  const Canvas canvas = render(mesh, view_from_model, options);
+  const cv::Mat1b mask = canvas.depth > kFarthest;
   SherdView view;
-  Picture picture;
-  picture.corner = canvas.corner;
-  picture.size = Vector2d(canvas.depth.cols, canvas.depth.rows) / canvas.per_mm;
-  picture.width_px = canvas.depth.cols / kOversampling;
-  picture.height_px = canvas.depth.rows / kOversampling;
-  picture.jpeg = encoded(canvas.shade);
-  view.sheet.items.push_back(std::move(picture));
+  view.sheet.items.emplace_back(onPaper(averaged(canvas)));
   std::vector<std::vector<cv::Point>> contours;
   cv::findContours(mask, contours, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
   Shape outline;
@@ -204,14 +277,14 @@ SherdView drawView(const TriangleMesh& mesh, const Eigen::Isometry3d& view_from_
   for (const auto& contour : contours) {
     if (contour.size() < 8) continue;
     std::vector<cv::Point> simple;
-    cv::approxPolyDP(contour, simple, kOutlineError_mm * canvas.per_mm, true);
+    cv::approxPolyDP(contour, simple, kOutlineError_mm * canvas.per_mm(), true);
     auto& line = outline.lines.emplace_back();
     for (const cv::Point& p : simple) {
-      line.push_back(canvas.corner + Vector2d(p.x + 0.5, p.y + 0.5) / canvas.per_mm);
+      line.push_back(canvas.corner + Vector2d(p.x + 0.5, p.y + 0.5) / canvas.per_mm());
       view.box.extend(line.back());
     }
   }
-  view.sheet.items.push_back(std::move(outline));
+  if (options.surface != Surface::Orthophoto) view.sheet.items.push_back(std::move(outline));
   return view;
 }
 

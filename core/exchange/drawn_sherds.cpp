@@ -5,6 +5,7 @@
 #include "base/message.h"
 #include "catalogue/files.h"
 #include "cloud/ply.h"
+#include "drawing/drawing_files.h"
 #include "files/files.h"
 #include "files/open_folder.h"
 #include "records/sherd.h"
@@ -72,6 +73,22 @@ Result<std::optional<texture::TexturedMesh>> texturedModelOf(const catalogue::Ca
   return texture::openedGlb(*bytes, open->name());
 }
 
+namespace {
+
+// Where they are to be seen; that they cannot be read is a remark.
+std::optional<texture::TexturedMesh> takePhotographs(const catalogue::Catalogue& catalogue,
+                                                     const SherdRecord& sherd,
+                                                     const std::filesystem::path& project,
+                                                     drawing::DrawingOptions& how) {
+  if (how.surface == drawing::Surface::Relief) return std::nullopt;
+  Result<std::optional<texture::TexturedMesh>> read = texturedModelOf(catalogue, sherd, project);
+  if (read) return std::move(*read);
+  how.remarks.push_back(message("Drawn without its photographs: %1", read.error().what));
+  return std::nullopt;
+}
+
+}  // namespace
+
 Message differsFromEntered(const SherdRecord& sherd) {
   return message(
       "This model or picture of the sherd %1 differs from the recorded one; reprocess its batch "
@@ -97,15 +114,9 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
   drawing::DrawingOptions how = options.drawing;
   if (Result<void> read = takeHandMeasures(catalogue, sherd.row, how.by_hand); !read)
     return read.error();
-  std::optional<texture::TexturedMesh> photographs;
-  if (how.surface == drawing::Surface::Painted) {
-    Result<std::optional<texture::TexturedMesh>> read = texturedModelOf(catalogue, sherd, project);
-    if (read)
-      photographs = std::move(*read);
-    else
-      how.remarks.push_back(message("Drawn without its photographs: %1", read.error().what));
-    if (photographs) how.photographs = &*photographs;
-  }
+  const std::optional<texture::TexturedMesh> photographs =
+      takePhotographs(catalogue, sherd, project, how);
+  if (photographs) how.photographs = &*photographs;
   if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);
   if (sherd.state == records::SherdState::Void)
     how.remarks.push_back(
@@ -152,6 +163,28 @@ Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
   }
   progress.report(done, done);
   return all;
+}
+
+Result<std::vector<std::string>> picturesOf(const catalogue::Catalogue& catalogue,
+                                            const std::filesystem::path& project,
+                                            const DrawnSherds& drawn,
+                                            const DrawSherdsOptions& options,
+                                            const std::filesystem::path& file) {
+  const Result<std::vector<SherdRecord>> sherds = sherds::Sherds(catalogue).of(drawn.rows);
+  if (!sherds) return sherds.error();
+  std::vector<std::string> files;
+  for (std::size_t i = 0; i < sherds->size(); ++i) {
+    const SherdRecord& sherd = (*sherds)[i];
+    const Result<PlyContents> model = modelOf(sherd, project);
+    if (!model) return model.error();
+    drawing::DrawingOptions how = options.drawing;
+    const std::optional<texture::TexturedMesh> photographs =
+        takePhotographs(catalogue, sherd, project, how);
+    if (photographs) how.photographs = &*photographs;
+    files.push_back(
+        drawing::formatPicture(drawing::pictureOf(model->mesh, drawn.drawings[i], how), file));
+  }
+  return files;
 }
 
 }  // namespace ostraka::exchange

@@ -68,4 +68,12 @@ Result<DrawnSherds> drawSherds(const catalogue::Catalogue& catalogue,
                                const DrawSherdsOptions& options, Progress& progress,
                                std::stop_token stop);
 
+/// The views of drawings alone, as files whose ending `file` has (drawing::formatPicture), in the
+/// drawings' order. options: those they were drawn with. Errors: a model that cannot be read.
+Result<std::vector<std::string>> picturesOf(const catalogue::Catalogue& catalogue,
+                                            const std::filesystem::path& project,
+                                            const DrawnSherds& drawn,
+                                            const DrawSherdsOptions& options,
+                                            const std::filesystem::path& file);
+
 }  // namespace ostraka::exchange

@@ -147,12 +147,18 @@ class Exporting {
       label.farthest_mm = saidOf(lighter.farthest_mm);
       light = &lighter.mesh;
     }
+    // A GLB that goes out as it is kept has its own.
     const texture::TexturedMesh* photographs =
-        file.form == Form::Obj || (file.form == Form::Glb && light != nullptr)
-            ? photographsOf(sherd, light, file.to)
-            : nullptr;
-    if (file.form == Form::Obj && photographs != nullptr)
+        file.form != Form::Glb || light != nullptr ? photographsOf(sherd, light, file.to) : nullptr;
+    if (photographs != nullptr && file.form == Form::Obj)
       return addTexturedObj(file, *photographs, label);
+    if (photographs != nullptr && file.form == Form::Ply) {
+      const TriangleMesh mesh =
+          light != nullptr ? *light : valueOrThrow(parsePly(bytes, file.from.string())).mesh;
+      const std::string picture = addPicture(file, *photographs);
+      return valueOrThrow(
+          bag_.add(file.to, valueOrThrow(labelledTexturedPly(mesh, *photographs, label, picture))));
+    }
     if (file.form == Form::Glb && photographs != nullptr) {
       bytes = valueOrThrow(glbOf(*photographs, sherd));
     } else if (light != nullptr) {
@@ -194,16 +200,26 @@ class Exporting {
     return photographs_ ? &*photographs_ : nullptr;
   }
 
-  // Its material and picture come back with it when the export is read again.
+  // Comes back with the model when the export is read again.
+  void addBeside(const PlannedFile& file, const char* ending, const std::string& bytes) {
+    const std::string beside = fs::path(file.to).replace_extension(ending).string();
+    const archive::BagFile added = valueOrThrow(bag_.add(beside, bytes));
+    files_[file.sherd].push_back({file.role, beside, added.sha256, added.bytes});
+  }
+
+  // One for the sherd's PLY and OBJ; its name.
+  std::string addPicture(const PlannedFile& file, const texture::TexturedMesh& model) {
+    if (picture_of_ != file.sherd) addBeside(file, ".png", texture::asPng(model.texture.picture));
+    picture_of_ = file.sherd;
+    return fs::path(file.to).stem().string() + ".png";
+  }
+
   archive::BagFile addTexturedObj(const PlannedFile& file, const texture::TexturedMesh& model,
                                   const ModelLabel& label) {
-    const fs::path to = file.to;
-    const TexturedObj made = valueOrThrow(labelledTexturedObj(model, label, to.stem().string()));
-    for (const auto& [ending, bytes] : {std::pair(".mtl", &made.mtl), {".png", &made.png}}) {
-      const std::string beside = fs::path(to).replace_extension(ending).string();
-      const archive::BagFile added = valueOrThrow(bag_.add(beside, *bytes));
-      files_[file.sherd].push_back({file.role, beside, added.sha256, added.bytes});
-    }
+    const TexturedObj made =
+        valueOrThrow(labelledTexturedObj(model, label, fs::path(file.to).stem().string()));
+    addBeside(file, ".mtl", made.mtl);
+    addPicture(file, model);
     return valueOrThrow(bag_.add(file.to, made.obj));
   }
 
@@ -331,7 +347,7 @@ class Exporting {
   std::set<Form> written_ = {Form::Csv, Form::Json, Form::Ods};  ///< tables have all sherds
   std::set<store::SherdRow> with_model_;
   std::int64_t done_ = 0, total_ = 0;
-  store::SherdRow lighter_of_, photographs_of_;
+  store::SherdRow lighter_of_, photographs_of_, picture_of_;
   std::optional<texture::TexturedMesh> photographs_;
   LighterModel lighter_;
   std::map<store::SherdRow, std::vector<metadata::SherdFile>> files_;

@@ -12,6 +12,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "drawing/view.h"
 #include "drawing/wording.h"
 #include "store/row.h"
 
@@ -44,6 +45,8 @@ struct ExportOptions {
   std::map<store::SherdRow, std::vector<std::filesystem::path>> drawings;
   /// mm on paper per mm; nothing: for each sherd the largest of 1:1 to 1:5 that fits its sheet.
   std::optional<double> drawing_scale = 1;
+  drawing::Surface drawing_surface = drawing::Surface::Relief;
+  drawing::Dpi drawing_dpi = drawing::Dpi::Usual;
   drawing::Wording wording;         ///< of the drawings
   ColumnWords words;                ///< in the spreadsheet's sheet of columns; may be empty
   std::string program = "ostraka";  ///< with its version

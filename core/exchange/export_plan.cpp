@@ -133,6 +133,8 @@ Result<DrawnSheets> sheetsOf(const Catalogue& catalogue, const records::SherdRec
                              const std::string& title) {
   DrawSherdsOptions how;
   how.drawing.wording = options.wording;
+  how.drawing.surface = options.drawing_surface;
+  how.drawing.dpi = options.drawing_dpi;
   drawing::SheetOptions sheet;
   sheet.title = title;
   sheet.wording = options.wording;

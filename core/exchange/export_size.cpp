@@ -77,9 +77,8 @@ class Sizing {
 
   // Copies that stay as they are; models that are made anew are measured on one of them.
   void copies() {
-    const auto made = [&](const PlannedFile& file) {
-      return isMadeAnew(file, options_) || file.form == Form::Obj ||
-             (file.form == Form::Glb && file.from.extension() == ".ply");
+    const auto made = [](const PlannedFile& file) {
+      return isModel(file.form) && file.from.extension() == ".ply";
     };
     std::vector<PlannedFile> models;
     std::set<store::SherdRow> lightened, with_model;
@@ -98,6 +97,7 @@ class Sizing {
     const auto* middle =
         middleOf(models, [](const PlannedFile& file) { return bytesOf(file.from); });
     const Shares shares = middle == nullptr ? Shares() : sharesOf(*middle);
+    std::set<store::SherdRow> pictured;
     for (const PlannedFile& file : models) {
       // What is made smaller comes to about the same, whatever it was.
       const auto bytes =
@@ -109,9 +109,11 @@ class Sizing {
       const std::string ending = fs::path(file.to).extension().string();
       const auto share = shares.find(ending);
       addAs(ending.c_str(), share == shares.end() ? 1 : share->second);
-      if (file.form != Form::Obj) continue;
-      for (const char* beside : {".mtl", ".png"})
+      const auto addBeside = [&](const char* beside) {
         if (const auto of = shares.find(beside); of != shares.end()) addAs(beside, of->second);
+      };
+      if (file.form == Form::Obj) addBeside(".mtl");
+      if (file.form != Form::Glb && pictured.insert(file.sherd).second) addBeside(".png");
     }
     for (const auto& [batch, number] : plan_.viewed()) {
       stopIfAsked();
@@ -148,13 +150,20 @@ class Sizing {
     // As long as a real one.
     ModelLabel label{std::string(36, '0'), std::string(16, '0'), {}, options_.program, {}};
     if (lighter) label.deviation_mm = label.farthest_mm = lighter->deviation_mm;
-    if (options_.forms.contains(Form::Obj) && textured) {
+    const bool with_ply = options_.forms.contains(Form::Ply),
+               with_obj = options_.forms.contains(Form::Obj);
+    if (textured && (with_ply || with_obj))
+      share(".png", texture::asPng(textured->texture.picture).size());
+    if (textured && with_ply)
+      if (const auto made = labelledTexturedPly(lighter ? lighter->mesh : read->mesh, *textured,
+                                                label, "model.png"))
+        share(".ply", made->size());
+    if (with_obj && textured) {
       if (const auto made = labelledTexturedObj(*textured, label, "model")) {
         share(".obj", made->obj.size());
         share(".mtl", made->mtl.size());
-        share(".png", made->png.size());
       }
-    } else if (options_.forms.contains(Form::Obj)) {
+    } else if (with_obj) {
       if (const auto obj = labelled(Form::Obj, plain, {}, ply.string())) share(".obj", obj->size());
     }
     if (options_.forms.contains(Form::Glb))

@@ -50,7 +50,7 @@ double texelEdge_mm(const texture::TexturedMesh& model) {
   return texels > 0 ? std::sqrt(surface_mm2 / texels) : 0;
 }
 
-// Where a point of one of the model's triangles lies in its picture.
+// Where a point in the plane of one of the model's triangles lies in its picture.
 Eigen::Vector2f placeOf(const texture::TexturedMesh& model, const evaluate::SurfacePoint& at) {
   const auto& t = model.mesh.triangles[static_cast<std::size_t>(at.triangle)];
   const auto corner = [&](std::size_t k) {
@@ -115,6 +115,38 @@ void shrinkPhotographs(texture::TexturedMesh& model, std::size_t most_bytes) {
     cv::resize(whole.seen, model.texture.seen, size, 0, 0, cv::INTER_NEAREST);
     model.texel_mm = whole_texel_mm / scale;
   }
+}
+
+CornerPlaces placesOn(const TriangleMesh& mesh, const texture::TexturedMesh& model) {
+  std::vector<Eigen::Vector3d> corners, middles;
+  for (const Eigen::Vector3f& v : mesh.vertices) corners.push_back(v.cast<double>());
+  const auto cornerOf = [&](std::size_t face, std::size_t k) {
+    return static_cast<std::size_t>(mesh.triangles[face][k]);
+  };
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
+    middles.push_back(
+        (corners[cornerOf(f, 0)] + corners[cornerOf(f, 1)] + corners[cornerOf(f, 2)]) / 3);
+  const evaluate::Surface surface(model.mesh);
+  const auto at_corners = surface.closest(corners, 0), at_middles = surface.closest(middles, 0);
+  const Eigen::Array2f page(static_cast<float>(model.texture.picture.cols),
+                            static_cast<float>(model.texture.picture.rows));
+  const auto texels = [&page](const Eigen::Vector2f& from, const Eigen::Vector2f& to) {
+    return ((to - from).array() * page).matrix().norm();
+  };
+  CornerPlaces places(mesh.triangles.size());
+  for (std::size_t f = 0; f < places.size(); ++f) {
+    const Eigen::Vector2f middle = placeOf(model, at_middles[f]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      evaluate::SurfacePoint beside = at_middles[f];
+      beside.point = corners[cornerOf(f, k)];
+      const Eigen::Vector2f continued = placeOf(model, beside),
+                            own = placeOf(model, at_corners[cornerOf(f, k)]);
+      // Its own place may lie in another chart, or at the other end of a strip.
+      const bool together = texels(own, continued) <= 1 + texels(middle, continued) / 2;
+      places[f][k] = (together ? own : continued).cwiseMax(0.f).cwiseMin(1.f);
+    }
+  }
+  return places;
 }
 
 Result<texture::TexturedMesh> retextured(TriangleMesh mesh, const texture::TexturedMesh& model) {

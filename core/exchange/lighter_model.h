@@ -1,5 +1,6 @@
 #pragma once
 #include "base/result.h"
+#include "cloud/ply.h"
 #include "texture/texture.h"
 
 namespace ostraka::exchange {
@@ -20,6 +21,10 @@ Result<LighterModel> lighterModel(const TriangleMesh& model, std::size_t most_by
 /// texel is what the model shows at the place nearest to it. mesh: closed, outward, mm. Error:
 /// UnusableInput (not closed).
 Result<texture::TexturedMesh> retextured(TriangleMesh mesh, const texture::TexturedMesh& model);
+
+/// Where the corners of each triangle of a mesh of the same sherd lie in the model's picture: of a
+/// triangle across the border of two charts, all in the one that its middle lies in.
+CornerPlaces placesOn(const TriangleMesh& mesh, const texture::TexturedMesh& model);
 
 /// Its photographs in so few texels that its GLB takes at most so many bytes.
 void shrinkPhotographs(texture::TexturedMesh& model, std::size_t most_bytes);

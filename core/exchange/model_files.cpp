@@ -8,6 +8,7 @@
 #include "base/message.h"
 #include "cloud/obj.h"
 #include "cloud/ply.h"
+#include "exchange/lighter_model.h"
 #include "files/json.h"
 #include "files/json_text.h"
 #include "metadata/json_fields.h"
@@ -51,7 +52,25 @@ void append(std::string& out, std::uint32_t value) {
   for (int i = 0; i < 4; ++i) out += static_cast<char>(value >> (8 * i) & 0xFF);
 }
 
-constexpr std::string_view kPlyDoubt = "comment measurements in doubt: ";
+constexpr std::string_view kPlyDoubt = "comment measurements in doubt: ",
+                           kPlyPicture = "comment TextureFile ";
+
+// A model that was read back from an export may carry a doubt that is settled since, and the name
+// of a picture that lies elsewhere: lines gives both anew.
+Result<std::string> withComments(std::string_view ply, const std::string& lines,
+                                 const std::string& where) {
+  const std::size_t end = ply.find("end_header\n");
+  const std::size_t first = ply.find("format ");
+  if (!ply.starts_with("ply\n") || end == std::string_view::npos ||
+      first == std::string_view::npos || first > end)
+    return Error::unusable(message("Not a PLY file."), where);
+  const std::size_t at = ply.find('\n', first) + 1;
+  std::string rest;
+  std::istringstream header(std::string(ply.substr(at, end - at)));
+  for (std::string line; std::getline(header, line);)
+    if (!line.starts_with(kPlyDoubt) && !line.starts_with(kPlyPicture)) rest += line + "\n";
+  return std::string(ply.substr(0, at)) + lines + rest + std::string(ply.substr(end));
+}
 
 // Where the label stands: objects, or nothing yet.
 bool takesLabel(const ordered_json& model) {
@@ -71,19 +90,15 @@ constexpr std::uint32_t kGlb = 0x46546C67, kJson = 0x4E4F534A;
 
 Result<std::string> labelledPly(std::string_view ply, const ModelLabel& label,
                                 const std::string& where) {
-  const std::size_t end = ply.find("end_header\n");
-  const std::size_t first = ply.find("format ");
-  if (!ply.starts_with("ply\n") || end == std::string_view::npos ||
-      first == std::string_view::npos || first > end)
-    return Error::unusable(message("Not a PLY file."), where);
-  const std::size_t at = ply.find('\n', first) + 1;
-  // A model that was read back from an export may carry a doubt that is settled since.
-  std::string rest;
-  std::istringstream header(std::string(ply.substr(at, end - at)));
-  for (std::string line; std::getline(header, line);)
-    if (!line.starts_with(kPlyDoubt)) rest += line + "\n";
-  return std::string(ply.substr(0, at)) + comments(label, "comment ") + rest +
-         std::string(ply.substr(end));
+  return withComments(ply, comments(label, "comment "), where);
+}
+
+Result<std::string> labelledTexturedPly(const TriangleMesh& mesh,
+                                        const texture::TexturedMesh& model, const ModelLabel& label,
+                                        const std::string& picture_file) {
+  return withComments(formatPly(mesh, "plate_front", placesOn(mesh, model)),
+                      comments(label, "comment ") + std::string(kPlyPicture) + picture_file + "\n",
+                      picture_file);
 }
 
 Result<std::string> labelledGlb(std::string_view glb, const ModelLabel& label,
@@ -135,8 +150,7 @@ Result<TexturedObj> labelledTexturedObj(const texture::TexturedMesh& model, cons
   const Result<std::string> obj = formatObj(model.mesh, model.uv, name + ".mtl");
   if (!obj) return obj.error();
   const std::string begin = comments(label, "# ");
-  return TexturedObj{begin + *obj, begin + formatMtl(name + ".png"),
-                     texture::asPng(model.texture.picture)};
+  return TexturedObj{begin + *obj, begin + formatMtl(name + ".png")};
 }
 
 }  // namespace ostraka::exchange

@@ -24,6 +24,9 @@ class Sha256 {
   std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
+/// CRC-32 of ISO 3309, as PNG and ZIP files have it.
+std::uint32_t crc32(std::string_view bytes);
+
 struct Checksum {
   std::string sha256;
   std::int64_t bytes = 0;

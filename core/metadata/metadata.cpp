@@ -67,7 +67,9 @@ constexpr Part kParts[] = {
     {"models/",
      "closed surfaces; a model that was simplified further than this list says\n"
      "                 states its deviation in its file"},
-    {"models/*.ply", "in mm with z up, coloured"},
+    {"models/*.ply",
+     "in mm with z up, coloured, with the photographs of the GLB as PNG beside it\n"
+     "                 where there are any"},
     {"models/*.glb",
      "in metres with y up, simplified (nearly all of it by less than 0.05 mm), with\n"
      "                 the photographs as texture and a mask of the texels that were filled\n"

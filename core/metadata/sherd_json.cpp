@@ -128,7 +128,7 @@ ordered_json filesJson(const std::vector<SherdFile>& files) {
   for (const SherdFile& file : files) {
     ordered_json one = {
         {"role", file.role}, {"path", file.path}, {"sha256", file.sha256}, {"bytes", file.bytes}};
-    // Not for what lies beside an OBJ: its material and its picture.
+    // Not for what lies beside a model: an OBJ's material, a picture.
     if (file.role == "model" && !file.path.ends_with(".mtl") && !file.path.ends_with(".png")) {
       one["unit"] = file.path.ends_with(".glb") ? "m" : "mm";
       one["frame"] = "plate_front";

@@ -34,12 +34,15 @@ struct Text {
   Weight weight = Weight::Plain;
 };
 
-/// A grey photograph or rendering, stretched over its box.
+enum class Ink { Black, Colours };
+
+/// A photograph or rendering, stretched over its box.
 struct Picture {
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< upper left
   Eigen::Vector2d size = Eigen::Vector2d::Zero();    ///< mm
-  std::string jpeg;                                  ///< the file's bytes, one channel
+  std::string jpeg;                                  ///< the file's bytes
   int width_px = 0, height_px = 0;
+  Ink ink = Ink::Black;
 };
 
 /// Things drawn one over the other. Millimetres, x to the right, y down.

@@ -248,11 +248,12 @@ std::string formatPdf(const std::vector<Page>& pages, const std::string& title) 
     std::string named;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       const Picture& p = *pictures[i];
-      const int id = objects.addStream(
-          "/Type /XObject /Subtype /Image /ColorSpace /DeviceGray /BitsPerComponent 8 "
-          "/Filter /DCTDecode /Width " +
-              std::to_string(p.width_px) + " /Height " + std::to_string(p.height_px) + " ",
-          p.jpeg);
+      const int id = objects.addStream(std::string("/Type /XObject /Subtype /Image /ColorSpace ") +
+                                           (p.ink == Ink::Black ? "/DeviceGray" : "/DeviceRGB") +
+                                           " /BitsPerComponent 8 /Filter /DCTDecode /Width " +
+                                           std::to_string(p.width_px) + " /Height " +
+                                           std::to_string(p.height_px) + " ",
+                                       p.jpeg);
       named += "/P" + std::to_string(i) + " " + reference(id) + " ";
     }
     const int id = objects.add("<< /Type /Page /Parent " + reference(tree) + " /MediaBox [0 0 " +

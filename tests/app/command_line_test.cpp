@@ -67,7 +67,7 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
        {"--front", "--back", "--output", "--scale", "--pairing", "--registration", "--boundary"}},
       {"dense", {"IMAGES", "--cameras", "--masks", "--output"}},
       {"evaluate", {"OUT", "--truth", "--align"}},
-      {"draw", {"MODEL.ply", "--output", "--scale", "--rim", "--plates", "--paint"}},
+      {"draw", {"MODEL.ply", "--output", "--scale", "--rim", "--plates", "--surface", "--dpi"}},
       {"plate", {"--output", "--diameter", "--paper", "--ruler-measured"}},
       {"catalogue merge",
        {"A", "B", "--settle", "--dry-run", "For example", "ostraka catalogue merge Hill"}},

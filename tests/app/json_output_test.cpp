@@ -105,6 +105,7 @@ constexpr Printed kOfPhotographs[] = {
     {"process", "process @/batch -o @/out"},
     {"evaluate", "evaluate @/out --truth @/batch/truth"},
     {"draw", "draw @/out/sherds/01/model.ply -o @/sherd.svg"},
+    {"draw", "draw @/out/sherds/01/model.ply -o @/sherd.tif --surface orthophoto --dpi 600"},
     {"dense", "dense @/batch --cameras @/fronts.json -o @/cloud.ply"},
     {"rig-predict", "rig predict @/rig.json --width 400 --sherds-per-size 1 --moves 0"}};
 

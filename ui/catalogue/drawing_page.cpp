@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -14,6 +15,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "catalogue/settings.h"
 #include "drawing/drawing_files.h"
@@ -36,6 +39,16 @@ namespace {
 constexpr double kShownDpi = 200;  // three pixels for the thinnest line, when looked at closely
 constexpr std::size_t kNamed = 5;  // of the sherds that were left out
 enum Rim { FromCatalogue, Yes, No };
+using drawing::Dpi, drawing::Surface;
+// In the order of the choices.
+constexpr std::pair<Surface, Dpi> kSurfaces[] = {{Surface::Relief, Dpi::Usual},
+                                                 {Surface::Painted, Dpi::Usual},
+                                                 {Surface::Orthophoto, Dpi::Usual},
+                                                 {Surface::Orthophoto, Dpi::Fine}};
+
+Result<void> onlyWhether(const Result<std::vector<std::filesystem::path>>& written) {
+  return written ? Result<void>() : written.error();
+}
 
 QString cm(double mm) {
   return QLocale().toString(mm / 10, 'f', 1);
@@ -63,8 +76,10 @@ QLayout* DrawingPage::buildChoices() {
   scale_->addItem(tr("1 : 1"), 1.0);
   scale_->addItem(tr("1 : 2"), 0.5);
   surface_ = choice("drawingSurface", tr("How surfaces are drawn"));
-  surface_->addItem(tr("Shaded form"), static_cast<int>(drawing::Surface::Relief));
-  surface_->addItem(tr("With paint and slip"), static_cast<int>(drawing::Surface::Painted));
+  surface_->addItem(tr("Shaded form"));
+  surface_->addItem(tr("With paint and slip"));
+  for (const Dpi dpi : {Dpi::Usual, Dpi::Fine})
+    surface_->addItem(tr("Orthophoto, %1 dpi").arg(static_cast<int>(dpi)));
   rim_ = choice("drawingRim", tr("Whether it is a rim"));
   rim_->addItem(tr("Automatic"), FromCatalogue);
   rim_->addItem(tr("Rim sherd"), Yes);
@@ -153,7 +168,7 @@ exchange::DrawSherdsOptions DrawingPage::options() const {
   exchange::DrawSherdsOptions how;
   how.drawing.wording = printWording();
   how.drawing.scale = scale_->currentData().toDouble();
-  how.drawing.surface = static_cast<drawing::Surface>(surface_->currentData().toInt());
+  std::tie(how.drawing.surface, how.drawing.dpi) = kSurfaces[surface_->currentIndex()];
   how.rim_from_catalogue = rim_->currentData().toInt() == FromCatalogue;
   if (rim_->currentData().toInt() == Yes) how.drawing.rim = drawing::RimChoice::Yes;
   if (rim_->currentData().toInt() == No) how.drawing.rim = drawing::RimChoice::No;
@@ -215,6 +230,7 @@ void DrawingPage::draw() {
     auto made = std::make_shared<Drawn>();
     made->pages = drawing::layOut(drawn->drawings, how.drawing.scale, titled);
     made->sherds = std::move(*drawn);
+    made->how = how;
     return std::shared_ptr<const Drawn>(std::move(made));
   };
   const JobPriority priority = sherds_.size() > 1 ? JobPriority::Background : JobPriority::Quick;
@@ -316,7 +332,8 @@ void DrawingPage::save() {
   const std::shared_ptr<const Drawn> drawn = drawn_;
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save the drawing"), QDir::home().filePath(fileName() + ".pdf"),
-      tr("PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg)"));
+      tr("PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd "
+         "(*.png);;TIFF, the views of each sherd (*.tif)"));
   if (!file.isEmpty()) saveAs(file, drawn);
 }
 
@@ -325,15 +342,23 @@ void DrawingPage::saveTo(const QString& file) {
 }
 
 void DrawingPage::saveAs(const QString& file, const std::shared_ptr<const Drawn>& drawn) {
+  if (!drawn || !session_) return;
   QString named = file;
-  if (!named.endsWith(".svg", Qt::CaseInsensitive) && !named.endsWith(".pdf", Qt::CaseInsensitive))
-    named += ".pdf";
+  const QString ending = QFileInfo(file).suffix().toLower();
+  if (!QStringList{"pdf", "svg", "png", "tif", "tiff"}.contains(ending)) named += ".pdf";
   write(
       drawn,
-      [named](const std::vector<Page>& pages) -> Result<void> {
-        const auto files = drawing::writeSheets(named.toStdString(), pages);
-        if (!files) return files.error();
-        return {};
+      [drawn, folder = session_->folder(), path = std::filesystem::path(named.toStdString())](
+          const std::vector<Page>& pages) -> Result<void> {
+        const Result<drawing::DrawnAs> as = drawing::drawnAs(path);
+        if (!as) return as.error();
+        if (*as == drawing::DrawnAs::Sheets) return onlyWhether(drawing::writeSheets(path, pages));
+        const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
+        if (!catalogue) return catalogue.error();
+        const auto pictures =
+            exchange::picturesOf(*catalogue, folder, drawn->sherds, drawn->how, path);
+        if (!pictures) return pictures.error();
+        return onlyWhether(drawing::writePictures(path, *pictures));
       },
       tr("Saved: %1").arg(named));
 }

@@ -39,7 +39,7 @@ class DrawingPage final : public QWidget {
  public slots:
   void draw();
   void stop();
-  /// .svg: a file each sheet; everything else is a PDF of all.
+  /// .svg: a file each sheet; .png, .tif: the views of each sherd; everything else is a PDF of all.
   void saveTo(const QString& file);
 
  signals:
@@ -54,6 +54,7 @@ class DrawingPage final : public QWidget {
   struct Drawn {
     exchange::DrawnSherds sherds;
     std::vector<Page> pages;
+    exchange::DrawSherdsOptions how;
   };
   void buildLayout();
   QLayout* buildChoices();

@@ -1,6 +1,6 @@
 #include "cloud/ply.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <cstring>
@@ -49,6 +49,27 @@ TEST(Ply, MeshesComeBackByteForByteWithWhatWasSeen) {
   EXPECT_EQ(read->mesh.triangles, mesh.triangles);
   EXPECT_EQ(read->mesh.seen, mesh.seen);
   EXPECT_EQ(formatPly(read->mesh, "model"), bytes);
+}
+
+TEST(Ply, PlacesInAPictureStandInTheFacesAndTheSurfaceStaysAsItIs) {
+  TriangleMesh mesh = tetrahedron();
+  mesh.seen = {1, 1, 0, 1};
+  CornerPlaces places(4);
+  places[0] = {Eigen::Vector2f(0, 0), Eigen::Vector2f(0.25f, 0.75f), Eigen::Vector2f(1, 0.5f)};
+  for (std::size_t f = 1; f < 4; ++f) places[f].fill(Eigen::Vector2f::Zero());
+  const std::string bytes = formatPly(mesh, "model", places);
+  EXPECT_NE(bytes.find("property list uchar int vertex_indices\n"
+                       "property list uchar float texcoord\nproperty uchar seen\n"),
+            std::string::npos);
+  const std::size_t vertices = bytes.find("end_header\n") + 11, faces = vertices + 4 * 13;
+  ASSERT_EQ(bytes.size(), faces + 4 * (1 + 12 + 1 + 24 + 1));
+  EXPECT_EQ(bytes[faces + 13], 6);
+  float written[6];
+  std::memcpy(written, bytes.data() + faces + 14, sizeof written);
+  EXPECT_THAT(written, testing::ElementsAre(0, 1, 0.25f, 0.25f, 1, 0.5f)) << "upwards";
+  const auto read = parsePly(bytes, "x.ply");
+  ASSERT_TRUE(read.has_value()) << read.error().sentence();
+  EXPECT_EQ(formatPly(read->mesh, "model"), formatPly(mesh, "model"));
 }
 
 TEST(Ply, HeadersNameUnitAndFrame) {

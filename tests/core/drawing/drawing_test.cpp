@@ -165,6 +165,57 @@ TEST(Drawing, RefusesAModelInAnotherUnit) {
   EXPECT_THAT(drawing.error().sentence(), HasSubstr("export it in mm"));
 }
 
+TEST(Drawing, AsAnOrthophotoNeedsPhotographsOrColours) {
+  DrawingOptions options;
+  options.rim = RimChoice::No;
+  options.surface = Surface::Orthophoto;
+  TriangleMesh mesh = wallSherd().sherd.mesh;
+  mesh.colors.clear();
+  const auto refused = drawSherd(mesh, "ARM1-7", options);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(refused.error().what, HasSubstr("neither photographs nor colours"));
+  mesh.colors.assign(mesh.vertices.size(), Color{170, 110, 60});
+  const auto drawing = drawSherd(mesh, "ARM1-7", options);
+  ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
+  EXPECT_THAT(drawing->remarks, testing::Contains(HasSubstr("colours of its vertices")));
+  EXPECT_THAT(formatSvg(layOut({*drawing}, 1, {})[0], "x"), HasSubstr(">5 cm</text>"));
+}
+
+TEST(Drawing, ShowsBothViewsBesideEachOtherInAPictureOfTheirOwn) {
+  DrawingOptions options;
+  options.rim = RimChoice::No;
+  options.surface = Surface::Orthophoto;
+  options.scale = 0.5;
+  TriangleMesh mesh = wallSherd().sherd.mesh;
+  const Color clay{170, 110, 60};
+  mesh.colors.assign(mesh.vertices.size(), clay);
+  const auto drawing = drawSherd(mesh, "ARM1-7", options);
+  ASSERT_TRUE(drawing.has_value()) << drawing.error().sentence();
+  const ViewPicture both = pictureOf(mesh, *drawing, options);
+  Eigen::AlignedBox2d seen;  // of the outer view, on paper
+  for (const Eigen::Vector3f& v : mesh.vertices) {
+    const Eigen::Vector3d p = drawing->outer_from_model * v.cast<double>();
+    seen.extend(0.5 * Eigen::Vector2d(p.y(), p.z()));
+  }
+  const cv::Mat3b pixels = both.pixels;
+  const auto isDrawn = [&](int column) {
+    for (int row = 0; row < pixels.rows; ++row)
+      if (pixels(row, column) != cv::Vec3b::all(255)) return true;
+    return false;
+  };
+  std::vector<int> widths;  // of what is drawn, from the left
+  for (int column = 1; column < pixels.cols; ++column) {
+    if (!isDrawn(column)) continue;
+    if (!isDrawn(column - 1)) widths.push_back(0);
+    ++widths.back();
+  }
+  ASSERT_EQ(widths.size(), 2u);
+  for (const int width : widths)
+    EXPECT_NEAR(width * 25.4 / both.dpi, seen.sizes().x(), 2 * 25.4 / both.dpi);
+  EXPECT_NEAR(both.size_mm().y(), seen.sizes().y() + 2, 2 * 25.4 / both.dpi);  // 1 mm around
+}
+
 TEST(Plates, HoldAllDrawingsInTheirOrderWithoutOverlap) {
   SherdDrawing one;
   one.box = Eigen::AlignedBox2d(Eigen::Vector2d(-5, -10), Eigen::Vector2d(75, 50));

@@ -4,6 +4,7 @@
 
 #include "archive/bagit.h"
 #include "closed_shell.h"
+#include "drawing/drawing_files.h"
 #include "exported_project.h"
 #include "records/sherd.h"
 #include "sherds/measurements.h"
@@ -88,11 +89,40 @@ TEST_F(DrawnSherds, SayWhereTheirPhotographsCannotBeShown) {
   ASSERT_TRUE(relief) << relief.error().sentence();
   EXPECT_THAT(relief->drawings.front().remarks,
               testing::Not(Contains(HasSubstr("without its photographs"))));
-  options.drawing.surface = drawing::Surface::Painted;
-  const auto painted = drawSherds(catalogue(), project_->folder(), one, options, quiet, {});
-  ASSERT_TRUE(painted) << painted.error().sentence();
-  EXPECT_THAT(painted->drawings.front().remarks,
-              Contains(testing::StartsWith("Drawn without its photographs: The texture of this")));
+  for (const auto surface : {drawing::Surface::Painted, drawing::Surface::Orthophoto}) {
+    options.drawing.surface = surface;
+    const auto drawn = drawSherds(catalogue(), project_->folder(), one, options, quiet, {});
+    ASSERT_TRUE(drawn) << drawn.error().sentence();
+    EXPECT_THAT(
+        drawn->drawings.front().remarks,
+        Contains(testing::StartsWith("Drawn without its photographs: The texture of this")));
+  }
+}
+
+TEST_F(DrawnSherds, HavePicturesOfTheirOwnInTheirOrder) {
+  DrawSherdsOptions options;
+  options.drawing.surface = drawing::Surface::Orthophoto;
+  const std::vector<store::SherdRow> two = {rows[2], rows[1]};  // the first cannot be drawn
+  const auto drawn = drawSherds(catalogue(), project_->folder(), two, options, quiet, {});
+  ASSERT_TRUE(drawn) << drawn.error().sentence();
+  const auto pictures = picturesOf(catalogue(), project_->folder(), *drawn, options, "views.png");
+  ASSERT_TRUE(pictures) << pictures.error().sentence();
+  const drawing::ViewPicture shown =
+      drawing::pictureOf(closedShell(), drawn->drawings.front(), options.drawing);
+  EXPECT_THAT(*pictures, testing::ElementsAre(drawing::formatPicture(shown, "views.png")));
+}
+
+TEST_F(DrawnSherds, AreExportedAsOrthophotosWhereThatIsChosen) {
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  options.forms = {Form::Drawings};
+  options.drawing_surface = drawing::Surface::Orthophoto;
+  const std::vector<store::SherdRow> one = {rows[1]};
+  const auto done = exportFolder(catalogue(), project_->folder(), one, options, quiet, {});
+  ASSERT_TRUE(done) << done.error().sentence();
+  EXPECT_THAT(done->warnings, Contains(HasSubstr("colours of its vertices")));
+  EXPECT_THAT(*readFile(options.target / "data/drawings/ARM1-T3-0012-0002.pdf"),
+              HasSubstr("/DeviceRGB"));
 }
 
 TEST_F(DrawnSherds, LeaveVoidOnesOutAndSayWhichUnlessOneAloneIsWanted) {

@@ -237,6 +237,33 @@ TEST_F(Export, AnObjHasThePhotographsOfItsModelBesideIt) {
   EXPECT_FALSE(fs::exists(data / "models/ARM1-T3-0012-0001.mtl")) << "without a texture";
 }
 
+TEST_F(Export, APlyHasThePhotographsOfItsModelBesideItOnTheSameSurface) {
+  const cv::Mat3b picture(8, 16, cv::Vec3b(30, 60, 200));
+  enter(catalogue(), project_->folder(), rows[1], ".glb", texturedGlb(picture), anna);
+  const Result<Exported> done = exportTo("out", {Form::Ply, Form::Obj, Form::Json});
+  ASSERT_TRUE(done) << done.error().sentence();
+  EXPECT_THAT(done->warnings, testing::IsEmpty());
+  const fs::path data = folder_.path() / "out/data";
+  const std::string base = "models/ARM1-T3-0012-0002";
+  const std::string ply = *readFile(data / (base + ".ply"));
+  EXPECT_THAT(ply, testing::HasSubstr("\ncomment TextureFile ARM1-T3-0012-0002.png\n"));
+  EXPECT_THAT(ply, testing::HasSubstr("\nproperty list uchar float texcoord\n"));
+  EXPECT_EQ(cv::imread((data / (base + ".png")).string()).size(), picture.size());
+  const Result<PlyContents> was = readPly(modelOf(1)), read = parsePly(ply, "exported");
+  ASSERT_TRUE(was);
+  ASSERT_TRUE(read) << read.error().sentence();
+  EXPECT_EQ(formatPly(read->mesh, "a"), formatPly(was->mesh, "a"));
+  const std::string record = *readFile(data / "sherds/ARM1-T3-0012-0002.json");
+  EXPECT_EQ(record.find(base + ".png"), record.rfind(base + ".png")) << "once for PLY and OBJ";
+  const std::string plain = *readFile(data / "models/ARM1-T3-0012-0001.ply");
+  EXPECT_THAT(plain, testing::Not(testing::HasSubstr("TextureFile"))) << "without a texture";
+  // What was read back names a picture that lies elsewhere; without photographs it names none.
+  enter(catalogue(), project_->folder(), rows[0], "model.ply", ply, anna);
+  ASSERT_TRUE(exportTo("again", {Form::Ply}));
+  EXPECT_THAT(*readFile(folder_.path() / "again/data/models/ARM1-T3-0012-0001.ply"),
+              testing::Not(testing::HasSubstr("TextureFile")));
+}
+
 TEST_F(Export, PhotographsStayOnSmallerModelsAndTheirSizeIsKnownBefore) {
   const TriangleMesh shell = closedShell();
   GlbTexture photographs;  // seen from above, through to the other side
@@ -250,7 +277,7 @@ TEST_F(Export, PhotographsStayOnSmallerModelsAndTheirSizeIsKnownBefore) {
   for (const std::size_t most : {std::size_t{0}, kSmall}) {
     ExportOptions options;
     options.target = folder_.path() / (most > 0 ? "light" : "whole");
-    options.forms = {Form::Obj, Form::Glb};
+    options.forms = {Form::Ply, Form::Obj, Form::Glb};
     options.most_model_bytes = most;
     const auto size = sizeOfExport(catalogue(), project_->folder(), rows, options, {});
     ASSERT_TRUE(size) << size.error().sentence();

@@ -142,6 +142,33 @@ TEST(LighterModel, HasThePhotographsWhereTheyWere) {
   EXPECT_LT(made->texture.seen_share, 0.9);
 }
 
+TEST(LighterModel, ShowsItsPhotographsOnTheFullModelWithoutASeam) {
+  const auto lighter = lighterModel(dentedBall(), 60'000);
+  ASSERT_TRUE(lighter.has_value());
+  const auto textured = retextured(lighter->mesh, paintedBall());
+  ASSERT_TRUE(textured.has_value()) << textured.error().sentence();
+  const TriangleMesh ball = dentedBall();
+  const CornerPlaces places = placesOn(ball, *textured);
+  ASSERT_EQ(places.size(), ball.triangles.size());
+  const cv::Mat3b& picture = textured->texture.picture;
+  std::size_t right = 0;
+  float largest = 0;  // edge of a triangle in the picture, texels
+  for (std::size_t f = 0; f < places.size(); ++f) {
+    Eigen::Vector2f middle = Eigen::Vector2f::Zero();
+    float z = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      middle += places[f][k] / 3;
+      z += ball.vertices[static_cast<std::size_t>(ball.triangles[f][k])].z() / 3;
+      const Eigen::Vector2f edge = places[f][(k + 1) % 3] - places[f][k];
+      largest = std::max({largest, std::abs(edge.x()) * static_cast<float>(picture.cols),
+                          std::abs(edge.y()) * static_cast<float>(picture.rows)});
+    }
+    right += std::abs(texture::levelAt(picture, middle)[0] - paintAt(z)) < 20 ? 1 : 0;
+  }
+  EXPECT_GE(static_cast<double>(right), 0.97 * static_cast<double>(places.size()));
+  EXPECT_LT(largest, 12) << "an edge has 0.9 mm, a texel 0.2 mm: none spans two charts";
+}
+
 TEST(LighterModel, HasSmallerPhotographsWhereTheyWouldNotFit) {
   auto made = retextured(lighterModel(dentedBall(), 60'000)->mesh, paintedBall());
   ASSERT_TRUE(made.has_value()) << made.error().sentence();

@@ -40,5 +40,10 @@ TEST(Checksum, OfAFileInPiecesIsThatOfItsBytes) {
   std::filesystem::remove(path);
 }
 
+TEST(Checksum, OfPngAndZipIsThatOfTheStandard) {
+  EXPECT_EQ(crc32("123456789"), 0xCBF43926U);
+  EXPECT_EQ(crc32(""), 0U);
+}
+
 }  // namespace
 }  // namespace ostraka

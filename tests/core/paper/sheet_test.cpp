@@ -148,6 +148,16 @@ TEST(Sheet, EncodesPicturesOfAnyLength) {
   }
 }
 
+TEST(Sheet, SaysInThePdfWhetherAPictureHasColours) {
+  for (const auto& [ink, name] :
+       {std::pair(Ink::Black, "/DeviceGray"), {Ink::Colours, "/DeviceRGB"}}) {
+    Sheet sheet;
+    sheet.items.push_back(Picture{{0, 0}, {1, 1}, "M", 1, 1, ink});
+    EXPECT_THAT(formatPdf({pageWith(sheet)}, ""),
+                testing::HasSubstr(std::string("/ColorSpace ") + name + " "));
+  }
+}
+
 TEST(Sheet, TableOfThePdfPointsAtItsObjects) {
   Sheet sheet;
   sheet.circle({20, 20}, 5, 0.0, {});

@@ -85,6 +85,19 @@ class DrawingPageTest : public QObject {
     QVERIFY(formatSvg(page_->pages().front(), {}).find(">1 : 2</text>") != std::string::npos);
   }
 
+  void theOrthophotoIsAChoiceAndHasColours() {
+    show({1});
+    QTRY_VERIFY_WITH_TIMEOUT(!page_->pages().empty(), 30000);
+    QVERIFY(formatPdf(page_->pages(), {}).find("/DeviceRGB") == std::string::npos);
+    auto* surface = child<QComboBox>("drawingSurface");
+    QCOMPARE(surface->itemText(2), QString("Orthophoto, 300 dpi"));
+    surface->setFocus();
+    for (int k = 0; k < 2; ++k) QTest::keyClick(surface, Qt::Key_Down);
+    QVERIFY(isDrawing());
+    QTRY_VERIFY_WITH_TIMEOUT(!page_->pages().empty(), 30000);
+    QVERIFY(formatPdf(page_->pages(), {}).find("/DeviceRGB") != std::string::npos);
+  }
+
   void aSherdWithoutAModelSaysSo() {
     show({4});
     QTRY_VERIFY_WITH_TIMEOUT(words().contains("has no model yet"), 30000);
@@ -166,7 +179,7 @@ class DrawingPageTest : public QObject {
     QVERIFY(child<QPushButton>("drawMany")->isVisible());
   }
 
-  void itIsSavedInBothForms() {
+  void itIsSavedInEachForm() {
     show({1});
     QTRY_VERIFY_WITH_TIMEOUT(!page_->pages().empty(), 30000);
     const QSignalSpy said(page_.get(), &DrawingPage::said);
@@ -176,9 +189,12 @@ class DrawingPageTest : public QObject {
     page_->saveTo(sample_->folder() + "/one");
     QTRY_COMPARE(said.count(), 2);
     QVERIFY(bytesOf(sample_->folder() + "/one.pdf").startsWith("%PDF"));
+    page_->saveTo(sample_->folder() + "/one.png");
+    QTRY_COMPARE(said.count(), 3);
+    QVERIFY(bytesOf(sample_->folder() + "/one.png").contains("pHYs"));
     page_->saveTo(sample_->folder() + "/one.svg/within.pdf");  // a file is no folder
     QTRY_VERIFY(words().contains("one.svg"));
-    QCOMPARE(said.count(), 2);
+    QCOMPARE(said.count(), 3);
   }
 
   // A batch was entered meanwhile, say, and the table is read again.

@@ -10143,6 +10143,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Modell hat weder Fotos noch Farben, daher gibt es kein Orthofoto davon; die schattierte Form zeichnen.</translation>
     </message>
+    <message>
+      <source>%1: 1 point whose normal has no direction was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: 1 Punkt, dessen Normale keine Richtung hat, wurde ausgelassen; den Export prüfen.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points whose normals have no direction were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 Punkte, deren Normalen keine Richtung haben, wurden ausgelassen; den Export prüfen.</translation>
+    </message>
+    <message>
+      <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Foto ist weniger als %1 Pixel breit oder hoch; das Originalfoto verwenden.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

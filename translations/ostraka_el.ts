@@ -10143,6 +10143,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το μοντέλο δεν έχει ούτε φωτογραφίες ούτε χρώματα, άρα δεν υπάρχει ορθοφωτογραφία του· σχεδιάστε τη σκιασμένη μορφή του.</translation>
     </message>
+    <message>
+      <source>%1: 1 point whose normal has no direction was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: 1 σημείο του οποίου η κάθετος δεν έχει διεύθυνση παραλείφθηκε· ελέγξτε την εξαγωγή.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points whose normals have no direction were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: %2 σημεία των οποίων οι κάθετοι δεν έχουν διεύθυνση παραλείφθηκαν· ελέγξτε την εξαγωγή.</translation>
+    </message>
+    <message>
+      <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η φωτογραφία έχει πλάτος ή ύψος μικρότερο από %1 εικονοστοιχεία· χρησιμοποιήστε την αρχική φωτογραφία.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

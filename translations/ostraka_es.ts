@@ -10143,6 +10143,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El modelo no tiene ni fotografías ni colores, por lo que no hay ortofoto de él; dibuje su forma sombreada.</translation>
     </message>
+    <message>
+      <source>%1: 1 point whose normal has no direction was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: se omitió 1 punto cuya normal no tiene dirección; revise la exportación.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points whose normals have no direction were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: se omitieron %2 puntos cuyas normales no tienen dirección; revise la exportación.</translation>
+    </message>
+    <message>
+      <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La fotografía tiene menos de %1 píxeles de ancho o de alto; use la fotografía original.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

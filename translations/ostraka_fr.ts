@@ -10143,6 +10143,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le modèle n&apos;a ni photographies ni couleurs, il n&apos;y a donc pas d&apos;orthophoto ; dessinez sa forme ombrée.</translation>
     </message>
+    <message>
+      <source>%1: 1 point whose normal has no direction was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : 1 point dont la normale n’a pas de direction a été laissé de côté ; vérifiez l’exportation.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points whose normals have no direction were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 : %2 points dont les normales n’ont pas de direction ont été laissés de côté ; vérifiez l’exportation.</translation>
+    </message>
+    <message>
+      <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La photographie fait moins de %1 pixels de large ou de haut ; utilisez la photographie d’origine.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

@@ -10143,6 +10143,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մոդելը ո՛չ լուսանկարներ ունի, ո՛չ գույներ, ուստի դրա օրթոլուսանկար չկա. գծեք ստվերավորված ձևը։</translation>
     </message>
+    <message>
+      <source>%1: 1 point whose normal has no direction was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. 1 կետ, որի նորմալն ուղղություն չունի, բաց է թողնվել. ստուգեք արտահանումը։</translation>
+    </message>
+    <message>
+      <source>%1: %2 points whose normals have no direction were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1. %2 կետ, որոնց նորմալներն ուղղություն չունեն, բաց է թողնվել. ստուգեք արտահանումը։</translation>
+    </message>
+    <message>
+      <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարի լայնությունը կամ բարձրությունը %1 պիքսելից պակաս է. օգտագործեք սկզբնական լուսանկարը։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

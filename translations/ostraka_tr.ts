@@ -10098,6 +10098,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Modelin ne fotoğrafı ne rengi var, bu yüzden ortofotosu yok; gölgeli biçimini çizin.</translation>
     </message>
+    <message>
+      <source>%1: 1 point whose normal has no direction was left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: normalinin yönü olmayan 1 nokta atlandı; dışa aktarmayı denetleyin.</translation>
+    </message>
+    <message>
+      <source>%1: %2 points whose normals have no direction were left out; check the export.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1: normallerinin yönü olmayan %2 nokta atlandı; dışa aktarmayı denetleyin.</translation>
+    </message>
+    <message>
+      <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğrafın genişliği veya yüksekliği %1 pikselden az; özgün fotoğrafı kullanın.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

@@ -4,14 +4,16 @@
 #include <cmath>
 
 #include "base/message.h"
+#include "cloud/point_cloud.h"
 
 namespace ostraka::api {
 
-Result<void> checkCloud(const PointCloud& cloud, const std::string& name) {
+Result<PointCloud> checkedCloud(const PointCloud& cloud, const std::string& name) {
   const auto finite = [](const Eigen::Vector3f& v) { return v.allFinite(); };
   const std::size_t count = cloud.size();
-  if (cloud.normals.size() != count)
-    return Error::unusable(message("The scan has no normals; export it with nx, ny and nz."), name);
+  const Error no_normals =
+      Error::unusable(message("The scan has no normals; export it with nx, ny and nz."), name);
+  if (cloud.normals.size() != count) return no_normals;
   if ((!cloud.colors.empty() && cloud.colors.size() != count) ||
       (!cloud.quality.empty() && cloud.quality.size() != count))
     return Error::unusable(message("The scan's colours or qualities differ in number from its "
@@ -24,7 +26,9 @@ Result<void> checkCloud(const PointCloud& cloud, const std::string& name) {
     return Error::unusable(
         message("A point, a normal or a quality of the scan is not finite; leave such points out."),
         name);
-  return {};
+  PointCloud directed = oriented(cloud);
+  if (directed.normals.size() != directed.size()) return no_normals;
+  return directed;
 }
 
 }  // namespace ostraka::api

@@ -40,18 +40,21 @@ Result<void> checkScans(const PointCloud& front, const PointCloud& back,
                          "front_from_back");
 }
 
-Result<ClosedModel> closed(const PointCloud& front, const PointCloud& back,
+Result<ClosedModel> closed(const PointCloud& given_front, const PointCloud& given_back,
                            const Eigen::Isometry3d& front_from_back, int threads,
                            Progress& progress, const std::stop_token& stop) {
-  if (const Result<void> good = checkCloud(front, "front"); !good) return good.error();
-  if (const Result<void> good = checkCloud(back, "back"); !good) return good.error();
+  const Result<PointCloud> front = checkedCloud(given_front, "front"),
+                           back = checkedCloud(given_back, "back");
+  if (!front) return front.error();
+  if (!back) return back.error();
   const Result<Eigen::Isometry3d> rigid =
       rigidTransform(front_from_back.matrix(), "front_from_back");
   if (!rigid) return rigid.error();
-  if (const Result<void> good = checkScans(front, back, *rigid); !good) return good.error();
+  if (const Result<void> good = checkScans(*front, *back, *rigid); !good) return good.error();
   model::ModelOptions options;
   options.threads = threads;
-  Result<model::SherdModel> made = model::closeModel(front, back, *rigid, options, progress, stop);
+  Result<model::SherdModel> made =
+      model::closeModel(*front, *back, *rigid, options, progress, stop);
   if (!made) return made.error();
   const model::Measures measures = model::measure(made->mesh);
   ClosedModel whole;

@@ -17,11 +17,13 @@ Result<decisions::ScanFolder> asScans(std::span<const PointCloud> clouds, const 
   decisions::ScanFolder folder;
   for (std::size_t i = 0; i < clouds.size(); ++i) {
     const std::string id = side + " " + std::to_string(i);
-    if (clouds[i].size() < kFewestPoints)
+    Result<PointCloud> cloud = checkedCloud(clouds[i], id);
+    if (!cloud) return cloud.error();
+    if (cloud->size() < kFewestPoints)
       return Error{ErrorCode::NotEnough,
                    message("The scan has fewer than 100 points; rescan this side."), id};
-    if (const Result<void> good = checkCloud(clouds[i], id); !good) return good.error();
-    folder.scans.push_back({id, clouds[i], {}, scan::estimateUp(clouds[i])});
+    const Eigen::Vector3d up = scan::estimateUp(*cloud);
+    folder.scans.push_back({id, std::move(*cloud), {}, up});
     folder.files.push_back(std::filesystem::path(side) / std::to_string(i));
   }
   if (folder.scans.empty())

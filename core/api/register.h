@@ -32,7 +32,8 @@ struct RegisteredScans {
 
 /// Which back belongs to which front, and where: as `ostraka register`, which also leaves out
 /// points at the origin and far from all others; here they count. A scan is one
-/// sherd seen from one side: at least 100 points with outward unit normals, mm, any frame; scans
+/// sherd seen from one side: at least 100 points with outward normals, mm, any frame (points whose
+/// normal has length 0 are left out); scans
 /// that stand on z = 0 with their faces up help each other. One front and one back may be handed
 /// in. threads: 0 for all processors; the result does not depend on it.
 /// Errors: UnusableInput (a scan without normals or with a value that is not finite, scans not in

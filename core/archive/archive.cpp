@@ -9,6 +9,7 @@
 #include "catalogue/settings.h"
 #include "files/checksum.h"
 #include "files/files.h"
+#include "files/folder_lock.h"
 #include "files/new_folder.h"
 #include "files/output_place.h"
 #include "store/database.h"
@@ -26,12 +27,12 @@ constexpr const char* kChecks = "file-checks.txt";
 constexpr const char* kCluster = "cluster";
 
 // What belongs to the programs that have the project open, not to the project: the catalogue's
-// journals, whose copy SQLite makes, the locks of the window and of imports, what is half written,
-// what was checked, and what is on a cluster, which whoever has the archive cannot reach.
+// journals, whose copy SQLite makes, the lock of the window and those of folders, what is half
+// written, what was checked, and what is on a cluster, which whoever has the archive cannot reach.
 bool isOfAProgram(const fs::path& name) {
   const std::string text = name.string();
-  return text.starts_with(kCatalogue) || text == ".ostraka.lock" || text == "lock" ||
-         text == kChecks || text == kCluster;
+  return text.starts_with(kCatalogue) || text == ".ostraka.lock" || text == kChecks ||
+         text == kCluster;
 }
 
 struct ProjectFiles {
@@ -50,7 +51,8 @@ Result<ProjectFiles> filesOf(const fs::path& project) {
     }
     std::error_code gone;
     const fs::file_type type = it->symlink_status(gone).type();
-    if (type == fs::file_type::regular) files.regular.push_back(it->path());
+    // An import may have made a folder of that name.
+    if (type == fs::file_type::regular && name != kLockFile) files.regular.push_back(it->path());
     if (type == fs::file_type::symlink) files.links.push_back(it->path());
   }
   if (code)

@@ -95,6 +95,10 @@ inline constexpr Limit kRemarkBytes{
     "Text of all remarks of a list, counting those within each other", 4 * kMiB, "bytes",
     "a kilobyte about each of 4,000 photographs"};
 
+/// Pixels of the shorter side of a photograph from which points are made: its coarsest level has a
+/// quarter of them.
+inline constexpr int kLeastPhotographSide = 16;
+
 inline constexpr Limit kAll[] = {
     kFileBytes,     kJsonBytes,      kJsonDepth,       kPlateMarkers,     kPlateReach_mm,
     kPoseReach_mm,  kScanReach_mm,   kBoardSquares,    kRigCameras,       kRigStops,

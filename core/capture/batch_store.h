@@ -53,6 +53,10 @@ class BatchStore {
   const Manifest& manifest() const { return manifest_; }
   std::filesystem::path fileOf(const ManifestEntry& entry) const { return batch_ / entry.file; }
 
+  BatchStore(BatchStore&&) = default;
+  BatchStore& operator=(BatchStore&&) = default;
+  ~BatchStore() { held_.endWithoutTrace(); }
+
  private:
   explicit BatchStore(FolderLock held) : held_(std::move(held)) {}
   Result<void> tidyUp(batch::Side side);

@@ -148,6 +148,7 @@ Result<store::BatchRow> Batches::add(const records::BatchRecord& wanted,
                b.rig_sha256, b.program, b.settings_sha256, b.note)};
     setBags(*database_, row, b.bags);
     remember(catalogue_, provenance, "batch", row.value, "", "", b.number);
+    remember(catalogue_, provenance, "batch", row.value, "bags", "", bagsText(b.bags));
     return row;
   });
 }

@@ -1,5 +1,7 @@
 #include "catalogue/settings.h"
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -27,6 +29,17 @@ bool isProjectCode(const std::string& code) {
 }
 
 }  // namespace
+
+std::string toldTerm(const std::string& labels_json, const std::string& uri) {
+  return labels_json + " " + uri;
+}
+
+ToldTerm toldTermFrom(const std::string& told) {
+  const std::size_t end = std::min(told.rfind("} "), told.size() - 1);
+  ToldTerm term{told.substr(0, end + 1), end + 2 < told.size() ? told.substr(end + 2) : ""};
+  if (!jsonOrDiscarded(term.labels_json).is_object()) return {"{}", {}};
+  return term;
+}
 
 Result<records::ProjectRecord> Settings::project() const {
   return database_->asResult([&] {
@@ -87,6 +100,15 @@ Result<std::string> Settings::value(const std::string& key) const {
   });
 }
 
+Result<void> Settings::setValue(const std::string& key, const std::string& value,
+                                const records::Provenance& provenance) {
+  return database_->inTransaction([&] {
+    remember(catalogue_, provenance, "setting", 0, key, store::valueOrThrow(Settings::value(key)),
+             value);
+    store::valueOrThrow(setValue(key, value));
+  });
+}
+
 Result<void> Settings::setValue(const std::string& key, const std::string& value) {
   return database_->inTransaction(
       [&] { database_->run("INSERT OR REPLACE INTO setting VALUES (?, ?)", key, value); });
@@ -113,10 +135,16 @@ Result<void> Settings::setVocabulary(const std::string& name,
                                      const std::vector<records::Term>& terms,
                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const auto older =
-        database_->sql("SELECT term FROM vocabulary WHERE name = ? ORDER BY position", name)
-            .all<std::string>();
-    std::vector<std::string> newer;
+    std::vector<std::string> older, newer;
+    std::map<std::string, std::string> described;  // as before
+    {
+      store::Statement rows = database_->sql(
+          "SELECT term, labels, uri FROM vocabulary WHERE name = ? ORDER BY position", name);
+      for (std::string term, labels, uri; rows.read(term, labels, uri);) {
+        older.push_back(term);
+        described[term] = toldTerm(labels, uri);
+      }
+    }
     std::set<std::string> seen;
     for (const records::Term& term : terms) {
       if (store::trimmed(term.term).empty() || term.term.find(';') != std::string::npos)
@@ -133,12 +161,16 @@ Result<void> Settings::setVocabulary(const std::string& name,
                       name);
     }
     database_->run("DELETE FROM vocabulary WHERE name = ?", name);
-    for (std::size_t i = 0; i < terms.size(); ++i)
-      database_->run("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)", name, terms[i].term,
-                     static_cast<std::int64_t>(i), nlohmann::json(terms[i].labels).dump(),
-                     terms[i].uri);
     remember(catalogue_, provenance, "vocabulary", 0, name, store::joinTerms(older),
              store::joinTerms(newer));
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      const std::string labels = nlohmann::json(terms[i].labels).dump();
+      database_->run("INSERT INTO vocabulary VALUES (?, ?, ?, ?, ?)", name, terms[i].term,
+                     static_cast<std::int64_t>(i), labels, terms[i].uri);
+      const auto before = described.try_emplace(terms[i].term, toldTerm("{}", {})).first;
+      remember(catalogue_, provenance, "vocabulary", 0, name + "/" + terms[i].term, before->second,
+               toldTerm(labels, terms[i].uri));
+    }
   });
 }
 

@@ -9,6 +9,14 @@
 
 namespace ostraka::catalogue {
 
+/// How the history tells what a term is called, under the field "part/rim".
+std::string toldTerm(const std::string& labels_json, const std::string& uri);
+struct ToldTerm {
+  std::string labels_json, uri;
+};
+/// None where the text is no such one.
+ToldTerm toldTermFrom(const std::string& told);
+
 /// What holds for the whole project: its record, its settings and its vocabularies.
 class Settings : public Subject {
  public:
@@ -17,6 +25,10 @@ class Settings : public Subject {
   Result<records::ProjectRecord> project() const;
   Result<void> setProject(const records::ProjectRecord&, const records::Provenance&);
   Result<std::string> value(const std::string& key) const;  ///< empty when never set
+  /// What a person set: it goes into the history.
+  Result<void> setValue(const std::string& key, const std::string& value,
+                        const records::Provenance&);
+  /// What the program notes of its own work, and finds or makes anew where it is lost.
   Result<void> setValue(const std::string& key, const std::string& value);
   Result<std::vector<records::Term>> vocabulary(const std::string& name) const;
   Result<void> setVocabulary(const std::string& name, const std::vector<records::Term>&,

@@ -44,6 +44,20 @@ PointCloud subset(const PointCloud& cloud, const std::vector<int>& indices) {
   return part;
 }
 
+PointCloud oriented(PointCloud cloud) {
+  if (!cloud.hasNormals()) return cloud;
+  constexpr float kShortest = 1e-12f, kRounded = 1e-4f;  // the latter stays as it is
+  std::vector<int> directed;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const float length = cloud.normals[i].stableNorm();
+    if (!(length > kShortest)) continue;
+    if (std::abs(length - 1) > kRounded) cloud.normals[i] /= length;
+    directed.push_back(static_cast<int>(i));
+  }
+  if (directed.empty()) cloud.normals.clear();
+  return directed.empty() || directed.size() == cloud.size() ? cloud : subset(cloud, directed);
+}
+
 PointCloud thinned(const PointCloud& cloud, double edge_mm) {
   struct Cube {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

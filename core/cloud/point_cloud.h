@@ -19,6 +19,9 @@ PointCloud transformed(const PointCloud& cloud, const Eigen::Isometry3d& target_
 TriangleMesh transformed(const TriangleMesh& mesh, const Eigen::Isometry3d& target_from_source);
 /// The points with these indices, in this order.
 PointCloud subset(const PointCloud& cloud, const std::vector<int>& indices);
+/// The points whose normals tell a direction, with normals of unit length; without normals where
+/// none does, and where there were none as it is.
+PointCloud oriented(PointCloud cloud);
 /// One point per cube of this edge: the one nearest the cube's mean, in order of first appearance.
 PointCloud thinned(const PointCloud& cloud, double edge_mm);
 /// Median distance from a point to its nearest neighbour, mm, over at most 2000 points; 0 when < 2.

@@ -93,8 +93,8 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const Task& ta
   if (place.isRemote()) {
     if (const Result<void> whole = undoHalf(project, batch); !whole) return whole.error();
     // Of what people say the cluster has copies as old as the job.
-    std::vector<std::string> but(std::begin(batch::kPeoplesFiles), std::end(batch::kPeoplesFiles));
-    but.emplace_back("work/lock");
+    const std::vector<std::string> but(std::begin(batch::kPeoplesFiles),
+                                       std::end(batch::kPeoplesFiles));
     if (const Result<void> here = place.fetch("results/" + batch, kIncoming + batch, 0, but, stop);
         !here)
       return here.error();

@@ -6,6 +6,7 @@
 #include "base/message.h"
 #include "colmap/colmap_program.h"
 #include "files/files.h"
+#include "files/folder_lock.h"
 #include "files/scratch_folder.h"
 
 namespace ostraka::cluster {
@@ -139,9 +140,13 @@ Result<std::string> Place::run(const std::vector<std::string>& words,
 }
 
 Result<void> Place::copy(std::vector<std::string> arguments, const std::stop_token& stop) const {
-  const std::vector<std::string> always{
-      "--recursive",    "--times", "--checksum",
-      "--protect-args", "--rsh",   std::string("ssh -o ") + kNeverAsk + " -o " + kSoon};
+  const std::vector<std::string> always{"--recursive",
+                                        "--times",
+                                        "--checksum",
+                                        std::string("--exclude=") + kLockFile,
+                                        "--protect-args",
+                                        "--rsh",
+                                        std::string("ssh -o ") + kNeverAsk + " -o " + kSoon};
   arguments.insert(arguments.begin(), always.begin(), always.end());
   const Result<std::string> done = runHere("rsync", arguments, "rsync", stop);
   return done ? Result<void>() : done.error();

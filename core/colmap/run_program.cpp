@@ -104,7 +104,7 @@ Result<FolderLock> claimWorkspace(const std::filesystem::path& folder) {
   if (!held) return held;
   std::error_code failed;
   for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
-    if (at->path().filename() != "lock") fs::remove_all(at->path(), failed);
+    if (at->path().filename() != kLockFile) fs::remove_all(at->path(), failed);
   if (failed) return cannotWrite(folder, failed.value());
   return held;
 }

@@ -15,6 +15,7 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
+#include "files/json_text.h"
 #include "rig/camera.h"
 
 namespace ostraka::decisions {
@@ -63,6 +64,10 @@ bool areTooMany(const std::vector<MaskStroke>& strokes) {
     sum.points += s.path_px.size();
     return ++sum.strokes > limits::kMaskStrokes.most || sum.points > limits::kMaskPoints.most;
   });
+}
+
+std::string keyOf(const PaintedPhotograph& photograph) {
+  return photograph.name() + " " + photograph.sha256;
 }
 
 MaskStroke strokeFrom(const json& value) {
@@ -155,6 +160,39 @@ bool goesOn(const std::vector<MaskStroke>& list, const std::vector<MaskStroke>& 
 
 std::string hashOf(const std::vector<MaskStroke>& strokes) {
   return sha256(toJson(strokes).dump());
+}
+
+std::string knownText(const std::vector<MaskStroke>& strokes) {
+  json known = json::object();
+  for (const auto& [photograph, list] : byPhotograph(strokes))
+    known[keyOf(photograph)] = {list.size(), hashOf(list)};
+  return known.dump();
+}
+
+bool haveKnown(const std::vector<MaskStroke>& strokes, const std::string& known) {
+  std::map<std::string, std::vector<MaskStroke>> lists;
+  for (auto& [photograph, list] : byPhotograph(strokes)) lists[keyOf(photograph)] = list;
+  const json all = jsonOrDiscarded(known);
+  for (const auto& [photograph, told] : all.items()) {
+    if (!told.is_array() || told.size() != 2 || !told[0].is_number_unsigned()) continue;
+    std::vector<MaskStroke>& list = lists[photograph];
+    if (list.size() < told[0].get<std::size_t>()) return false;
+    list.resize(told[0].get<std::size_t>());
+    if (told[1] != hashOf(list)) return false;
+  }
+  return true;
+}
+
+std::vector<MaskStroke> commonStart(const std::vector<MaskStroke>& a,
+                                    const std::vector<MaskStroke>& b) {
+  std::vector<MaskStroke> common;
+  auto of_b = byPhotograph(b);
+  for (const auto& [photograph, list] : byPhotograph(a)) {
+    const std::vector<MaskStroke>& other = of_b[photograph];
+    common.insert(common.end(), list.begin(),
+                  std::mismatch(list.begin(), list.end(), other.begin(), other.end()).first);
+  }
+  return common;
 }
 
 std::string photographHash(const fs::path& photograph) {

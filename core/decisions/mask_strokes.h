@@ -70,6 +70,19 @@ std::map<PaintedPhotograph, std::vector<MaskStroke>> byPhotograph(
 /// The list is the other one, perhaps with more strokes behind it.
 bool goesOn(const std::vector<MaskStroke>& list, const std::vector<MaskStroke>& other);
 std::string hashOf(const std::vector<MaskStroke>& strokes);
+
+/// Before a batch's number, the key of the project's setting that tells which strokes its file has,
+/// so that they are missed when they are gone.
+inline constexpr const char* kKnownStrokes = "mask_strokes.";
+/// Of each photograph how many, and their hash.
+std::string knownText(const std::vector<MaskStroke>& strokes);
+/// The strokes that such a text tells of are the first of their photographs. A text that cannot be
+/// read tells of none.
+bool haveKnown(const std::vector<MaskStroke>& strokes, const std::string& known);
+/// Of each photograph those with which both lists begin.
+std::vector<MaskStroke> commonStart(const std::vector<MaskStroke>& a,
+                                    const std::vector<MaskStroke>& b);
+
 /// Before a photograph's name, the field of the history of a batch that tells which lists of its
 /// strokes, by their hashes, were left for which.
 inline constexpr const char* kStrokesField = "strokes/";

@@ -105,6 +105,16 @@ Message farAway(const fs::path& file, std::size_t n) {
                       file, n);
 }
 
+Message withoutDirection(const fs::path& file, std::size_t n) {
+  return n == 1
+             ? message("%1: 1 point whose normal has no direction was left out; check the export.",
+                       file)
+             : message(
+                   "%1: %2 points whose normals have no direction were left out; check the "
+                   "export.",
+                   file, n);
+}
+
 Result<scan::Scan> readScan(const fs::path& file, Message& warning) {
   const Result<std::string> bytes = readFile(file);
   if (!bytes) return bytes.error();
@@ -123,6 +133,12 @@ Result<scan::Scan> readScan(const fs::path& file, Message& warning) {
     const Message far = farAway(file, scan.cloud.size() - measured.size());
     warning = warning.empty() ? far : inOne(warning, far);
     scan.cloud = subset(scan.cloud, measured);
+  }
+  const std::size_t all = scan.cloud.size();
+  scan.cloud = oriented(std::move(scan.cloud));
+  if (scan.cloud.size() < all) {
+    const Message lost = withoutDirection(file, all - scan.cloud.size());
+    warning = warning.empty() ? lost : inOne(warning, lost);
   }
   if (scan.cloud.size() < 100) {
     return Error{ErrorCode::NotEnough,

@@ -10,8 +10,8 @@
 namespace ostraka::decisions {
 
 /// Scans that were split already: one PLY per sherd, oriented points, mm. Points that are no
-/// measurement (far outside of all others, or several at 0, 0, 0) are left out with a warning, and
-/// files whose names begin with a dot are not looked at.
+/// measurement (far outside of all others, or several at 0, 0, 0) and those whose normal has no
+/// direction are left out with a warning, and files whose names begin with a dot are not looked at.
 struct ScanFolder {
   std::vector<scan::Scan> scans;  ///< in the order of their files' names, which they bear
   std::vector<std::filesystem::path> files;  ///< of the scans

@@ -6,6 +6,7 @@
 
 #include "batch/photograph.h"
 #include "decisions/mask_strokes.h"
+#include "files/folder_lock.h"
 #include "files/open_folder.h"
 #include "pipeline/chain.h"
 #include "review/saved_views.h"
@@ -32,8 +33,8 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
 Result<void> addSide(archive::BagWriter& bag, const fs::path& folder, const std::string& to,
                      const std::stop_token& stop) {
   for (const fs::path& file : filesIn(folder)) {
+    if (file.filename() == kLockFile) continue;
     const std::string name = file.lexically_relative(folder).generic_string();
-    if (name == "lock") continue;  // of the working folder
     if (const auto added = bag.addFile(to + name, file, stop); !added) return added.error();
     if (!name.ends_with(kMask)) continue;
     // COLMAP looks for the image's whole name with .png behind it.

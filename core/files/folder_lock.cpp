@@ -17,7 +17,7 @@ Result<std::pair<FolderLock, FolderLock::Held>> FolderLock::tryTo(
     const std::filesystem::path& folder) {
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
-  const std::filesystem::path file = folder / "lock";
+  const std::filesystem::path file = folder / kLockFile;
   FileDescriptor lock(
       ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666));
   if (!lock.isOpen() && errno == ELOOP)
@@ -30,19 +30,24 @@ Result<std::pair<FolderLock, FolderLock::Held>> FolderLock::tryTo(
   return std::pair(FolderLock(folder, std::move(lock)), elsewhere ? Held::Elsewhere : Held::Here);
 }
 
-Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
-  Result<std::pair<FolderLock, Held>> tried = tryTo(folder);
-  if (!tried) return tried.error();
-  if (tried->second == Held::Elsewhere)
-    return Error{
-        ErrorCode::CannotWrite,
-        message(
-            "Another run is writing to this folder; wait until it ends, or choose another folder."),
-        folder.string()};
-  return std::move(tried->first);
+// One that was taken of a file or folder that went away meanwhile keeps nobody out of the new one.
+bool FolderLock::holdsNothingOrStands() const {
+  return !file_.isOpen() || stands();
 }
 
-// One that was taken of a folder that went away meanwhile keeps nobody out of the new one.
+Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
+  for (;;) {
+    Result<std::pair<FolderLock, Held>> tried = tryTo(folder);
+    if (!tried) return tried.error();
+    if (tried->second == Held::Elsewhere)
+      return Error{ErrorCode::CannotWrite,
+                   message("Another run is writing to this folder; wait until it ends, or choose "
+                           "another folder."),
+                   folder.string()};
+    if (tried->first.holdsNothingOrStands()) return std::move(tried->first);
+  }
+}
+
 Result<FolderLock> FolderLock::waitFor(const std::filesystem::path& folder, const Message& waiting,
                                        Progress& progress, const std::stop_token& stop) {
   constexpr std::chrono::milliseconds kPause(50);
@@ -52,8 +57,7 @@ Result<FolderLock> FolderLock::waitFor(const std::filesystem::path& folder, cons
     Result<std::pair<FolderLock, Held>> tried = tryTo(folder);
     if (!tried) return tried.error();
     const bool here = tried->second == Held::Here;
-    if (here && (!tried->first.file_.isOpen() || tried->first.stands()))
-      return std::move(tried->first);
+    if (here && tried->first.holdsNothingOrStands()) return std::move(tried->first);
     if (!here && !std::exchange(noted, true)) progress.note(NoteLevel::Warning, waiting);
   }
 }
@@ -64,8 +68,15 @@ bool FolderLock::stands() const {
   if (!file_.isOpen()) return std::filesystem::is_directory(folder_, failed);
   struct stat held {
   }, there{};
-  return ::fstat(file_.get(), &held) == 0 && ::stat((folder_ / "lock").c_str(), &there) == 0 &&
+  return ::fstat(file_.get(), &held) == 0 && ::stat((folder_ / kLockFile).c_str(), &there) == 0 &&
          held.st_dev == there.st_dev && held.st_ino == there.st_ino;
+}
+
+// While it is held: nobody else can hold the file that goes.
+void FolderLock::endWithoutTrace() {
+  std::error_code ignored;
+  if (file_.isOpen() && stands()) std::filesystem::remove(folder_ / kLockFile, ignored);
+  file_ = FileDescriptor();
 }
 
 }  // namespace ostraka

@@ -10,6 +10,9 @@
 
 namespace ostraka {
 
+/// Of the program that holds a folder, and part of nothing that is archived, sent or merged.
+inline constexpr const char* kLockFile = "lock";
+
 /// Holds a folder for one program at a time: an advisory lock on FOLDER/lock that ends with this
 /// object, or with the process, however it ends. On a file system without locks (some network
 /// shares) it silently holds nothing.
@@ -24,12 +27,15 @@ class FolderLock {
   const std::filesystem::path& folder() const { return folder_; }
   /// False once the folder was deleted or moved away, even if another now has its name.
   bool stands() const;
+  /// Lets go and takes the file away: for folders in which people look for their own files.
+  void endWithoutTrace();
 
  private:
   enum class Held { Here, Elsewhere };
   static Result<std::pair<FolderLock, Held>> tryTo(const std::filesystem::path& folder);
   FolderLock(std::filesystem::path folder, FileDescriptor file)
       : folder_(std::move(folder)), file_(std::move(file)) {}
+  bool holdsNothingOrStands() const;
   std::filesystem::path folder_;
   FileDescriptor file_;
 };

@@ -36,7 +36,7 @@ bool isLeftover(const fs::path& partial) {
   std::error_code failed;
   if (!fs::is_directory(fs::symlink_status(partial, failed))) return false;
   for (const fs::directory_entry& entry : fs::directory_iterator(partial, failed))
-    if (entry.path().filename() != "lock" && entry.path().filename() != "content") return false;
+    if (entry.path().filename() != kLockFile && entry.path().filename() != "content") return false;
   return !failed;
 }
 
@@ -81,7 +81,7 @@ NewFolder::~NewFolder() {
   if (partial_.empty()) return;
   std::error_code ignored;
   fs::remove_all(path(), ignored);
-  fs::remove(partial_ / "lock", ignored);
+  fs::remove(partial_ / kLockFile, ignored);
   fs::remove(partial_, ignored);
 }
 

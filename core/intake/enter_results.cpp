@@ -24,6 +24,7 @@
 #include "intake/results_owner.h"
 #include "intake/review_decisions.h"
 #include "intake/same_pieces.h"
+#include "intake/settle_batch.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "review/review.h"
@@ -67,8 +68,10 @@ class Entering {
     entered_.other_photographs = std::move(other_photographs);
     const int before = sherdRows();
     scans(read.scans, read.edits);
-    valueOrThrow(followDecisions(
-        catalogue_, valueOrThrow(catalogue::Batches(catalogue_).get(batch_)).number, out));
+    const std::string number = valueOrThrow(catalogue::Batches(catalogue_).get(batch_)).number;
+    valueOrThrow(followDecisions(catalogue_, number, out));
+    // A file that cannot be read hinders no results; a check names it.
+    (void)followStrokes(catalogue_, number, out);
     decide(read);
     // Before the models: what lies under a number that waited is another record's from here on.
     entered_.numbers_left = valueOrThrow(sherds::giveTypedNumbers(catalogue_, batch_, provenance_));

@@ -5,6 +5,7 @@
 #include "catalogue/batches.h"
 #include "catalogue/history.h"
 #include "catalogue/places.h"
+#include "catalogue/settings.h"
 #include "intake/batch_figures.h"
 #include "review/review.h"
 #include "store/database.h"
@@ -13,6 +14,24 @@
 namespace ostraka::intake {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// Nothing of results that are no batch's.
+Result<void> knowStrokes(const catalogue::Catalogue& catalogue, const std::string& batch_number,
+                         const std::vector<decisions::MaskStroke>& strokes) {
+  if (const auto batch = catalogue::Batches(catalogue).byNumber(batch_number); !batch)
+    return batch.error();
+  const std::string key = decisions::kKnownStrokes + batch_number;
+  catalogue::Settings settings(catalogue);
+  const Result<std::string> known = settings.value(key);
+  if (!known) return known.error();
+  if (strokes.empty() && known->empty()) return {};
+  const std::string text = decisions::knownText(strokes);
+  return text == *known ? Result<void>() : settings.setValue(key, text);
+}
+
+}  // namespace
 
 Result<void> settleBatch(catalogue::Catalogue& catalogue, const std::string& batch_number,
                          const std::string& person, bool nothing_to_do) {
@@ -75,6 +94,29 @@ Result<void> rememberTakenStrokes(const catalogue::Catalogue& catalogue,
                             decisions::hashOf(rest));
     }
   });
+}
+
+Result<void> saveStrokes(const catalogue::Catalogue& catalogue, const std::string& batch_number,
+                         const std::vector<decisions::MaskStroke>& before,
+                         const std::vector<decisions::MaskStroke>& after,
+                         const records::Provenance& provenance,
+                         const std::function<Result<void>()>& write) {
+  (void)knowStrokes(catalogue, batch_number, decisions::commonStart(before, after));
+  if (Result<void> written = write(); !written) return written;
+  (void)rememberTakenStrokes(catalogue, batch_number, before, after, provenance);
+  (void)knowStrokes(catalogue, batch_number, after);
+  return {};
+}
+
+Result<void> followStrokes(const catalogue::Catalogue& catalogue, const std::string& batch_number,
+                           const fs::path& output) {
+  const auto strokes = decisions::readMaskStrokes(output);
+  if (!strokes) return strokes.error();
+  const Result<std::string> known =
+      catalogue::Settings(catalogue).value(decisions::kKnownStrokes + batch_number);
+  if (!known) return known.error();
+  return decisions::haveKnown(*strokes, *known) ? knowStrokes(catalogue, batch_number, *strokes)
+                                                : Result<void>();
 }
 
 }  // namespace ostraka::intake

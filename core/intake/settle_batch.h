@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,19 @@ Result<void> rememberTakenStrokes(const catalogue::Catalogue& catalogue,
                                   const std::vector<decisions::MaskStroke>& before,
                                   const std::vector<decisions::MaskStroke>& after,
                                   const records::Provenance& provenance);
+
+/// Writes the strokes of a batch by `write`, so that the catalogue tells all the while of none that
+/// the file lacks. What the catalogue cannot take is no error: the file is as it is wanted, though
+/// a merge may bring back what was taken away. Errors: those of `write`.
+Result<void> saveStrokes(const catalogue::Catalogue& catalogue, const std::string& batch_number,
+                         const std::vector<decisions::MaskStroke>& before,
+                         const std::vector<decisions::MaskStroke>& after,
+                         const records::Provenance& provenance,
+                         const std::function<Result<void>()>& write);
+
+/// The catalogue learns of strokes that OUT has beyond those it knows; where it lacks some of
+/// those it learns nothing.
+Result<void> followStrokes(const catalogue::Catalogue& catalogue, const std::string& batch_number,
+                           const std::filesystem::path& output);
 
 }  // namespace ostraka::intake

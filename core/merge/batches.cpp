@@ -134,10 +134,12 @@ void Merging::mergeTerms() {
   copyEvents("vocabulary#0");
   const auto toldIn = [](const std::vector<const Event*>& since) {
     Told told;
-    for (const Event* event : since)
+    for (const Event* event : since) {
+      if (event->field.find('/') != std::string::npos) continue;  // how one term is called
       tellMembers(*event, [&](const std::string& term, bool added) {
         told[{event->field, term}] = added;
       });
+    }
     return told;
   };
   const Told in_a = toldIn(since_a_["vocabulary"]), in_b = toldIn(since_b_["vocabulary"]);
@@ -155,7 +157,8 @@ void Merging::mergeTerms() {
       const std::vector<std::string>& own = *found->second;
       if (own[2] == term[2] && own[3] == term[3]) continue;
       const std::string name = term[0] + "/" + term[1];
-      const std::string a = own[2] + " " + own[3], b = term[2] + " " + term[3];
+      const std::string a = catalogue::toldTerm(own[2], own[3]),
+                        b = catalogue::toldTerm(term[2], term[3]);
       const auto version = [](const std::vector<std::string>& said) {
         return Version{{{"labels", labelsIn(said[2])}, {"uri", said[3]}}};
       };
@@ -230,10 +233,10 @@ void Merging::mergeSettings() {
           .run();
     if (!key.starts_with(typed)) continue;
     const auto batch = folder_of_.find(key.substr(typed.size()));
-    if (batch != folder_of_.end())
-      database_.sql("INSERT OR IGNORE INTO setting VALUES (?, ?)")
-          .with(typed + batch->second, value)
-          .run();
+    if (batch == folder_of_.end()) continue;
+    const std::string own = typed + batch->second;
+    if (!database_.sql("SELECT 1 FROM setting WHERE key = ?", own).next())
+      store::valueOrThrow(catalogue::Settings(projects_.a).setValue(own, value, provenance_));
   }
 }
 

@@ -162,8 +162,10 @@ void Merging::withdrawLosers() {
     store::Statement known = database_.sql("SELECT decision FROM " + table + " WHERE id = ?");
     if (known.with(id).next()) known >> in_file;
     database_
-        .sql("INSERT INTO " + table + " (id, decision, at, batch, verdict, replaces, note" + extra +
-             ") SELECT ?1, CASE decision WHEN '' THEN '' ELSE ?1 END, ?2, batch, 'withdraw', row, "
+        .sql("INSERT INTO " + table +
+             " (id, decision, came_alone, at, batch, verdict, replaces, note" + extra +
+             ") SELECT ?1, CASE decision WHEN '' THEN '' ELSE ?1 END, came_alone, ?2, batch, "
+             "'withdraw', row, "
              "'settled when two projects were merged'" +
              extra + " FROM " + table + " WHERE id = ?3")
         .with(withdrawal, projects_.a.now(), id)

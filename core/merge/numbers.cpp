@@ -2,7 +2,9 @@
 #include "sherds/numbers.h"
 
 #include <algorithm>
+#include <map>
 
+#include "catalogue/history.h"
 #include "catalogue/search.h"
 #include "merge/merging.h"
 #include "merge/told.h"
@@ -21,6 +23,9 @@ std::string slugOfNumber(const std::string& number) {
   return number.empty() ? std::string() : store::uniqueKey(store::slug(number));
 }
 
+// What a merge joined or parted is no word of a person: a later one asks who said so.
+constexpr const char* kMergeSource = "merge";
+
 // Of one project's history, by pair. It names sherds by the numbers that they had then.
 template <class Canonical>
 Told toldJoins(const Content& content, const std::vector<const Event*>& since,
@@ -30,7 +35,7 @@ Told toldJoins(const Content& content, const std::vector<const Event*>& since,
     by_number[slugOfNumber(given[2].value_or(""))] = given[3].value_or("");
   Told told;
   for (const Event* event : since)
-    if (event->field == "joins")
+    if (event->field == "joins" && event->source != kMergeSource)
       tellMembers(*event, [&](const std::string& name, bool added) {
         const auto numbered = by_number.find(slugOfNumber(name));
         const std::string sherd = canonical(event->row),
@@ -225,19 +230,36 @@ void Merging::mergeJoins() {
                          const std::pair<std::string, std::string>& pair) {
     return isGone(here, there, std::minmax(pair.first, pair.second));
   };
+  const auto joinsOf = [&](std::int64_t sherd) {
+    return store::joinTerms(
+        database_
+            .sql("SELECT iif(s.number = '', s.id, s.number) FROM sherd_join j JOIN sherd s ON "
+                 "s.row = j.other WHERE j.sherd = ? ORDER BY s.number_sort, s.row",
+                 sherd)
+            .all<std::string>());
+  };
+  std::map<std::int64_t, std::string> before;
   for (const auto& pair : theirs) {
     if (mine.contains(pair) || parted(in_a, in_b, pair)) continue;
     if (!rows_.contains(pair.first) || !rows_.contains(pair.second) || pair.first == pair.second)
       continue;
+    const std::int64_t sherd = rows_.at(pair.first);
+    if (!before.contains(sherd)) before[sherd] = joinsOf(sherd);
     database_.sql("INSERT OR IGNORE INTO sherd_join VALUES (?, ?)")
         .with(rows_.at(pair.first), rows_.at(pair.second))
         .run();
   }
-  for (const auto& pair : mine)
-    if (!theirs.contains(pair) && parted(in_b, in_a, pair))
-      database_.sql("DELETE FROM sherd_join WHERE sherd = ? AND other = ?")
-          .with(rows_.at(pair.first), rows_.at(pair.second))
-          .run();
+  for (const auto& pair : mine) {
+    if (theirs.contains(pair) || !parted(in_b, in_a, pair)) continue;
+    const std::int64_t sherd = rows_.at(pair.first);
+    if (!before.contains(sherd)) before[sherd] = joinsOf(sherd);
+    database_.sql("DELETE FROM sherd_join WHERE sherd = ? AND other = ?")
+        .with(sherd, rows_.at(pair.second))
+        .run();
+  }
+  for (const auto& [sherd, joins] : before)
+    catalogue::remember(projects_.a, {provenance_.person, kMergeSource, provenance_.why}, "sherd",
+                        sherd, "joins", joins, joinsOf(sherd));
 }
 
 void Merging::searchAnew() {

@@ -6,6 +6,7 @@
 
 #include "base/limits.h"
 #include "base/text.h"
+#include "catalogue/settings.h"
 #include "decisions/decisions.h"
 #include "decisions/mask_strokes.h"
 #include "files/files.h"
@@ -131,6 +132,12 @@ Text joinedStrokes(const Text& mine, const fs::path& here, const Text& theirs,
   return text;
 }
 
+// So that they are missed in A, too, when they are gone.
+void knowStrokes(const catalogue::Catalogue& a, const std::string& batch,
+                 const std::string& known) {
+  store::valueOrThrow(catalogue::Settings(a).setValue(decisions::kKnownStrokes + batch, known));
+}
+
 }  // namespace
 
 void Merging::mergePeoplesFiles() {
@@ -139,9 +146,15 @@ void Merging::mergePeoplesFiles() {
   const LeftLists left_by_b(b_.events, [this](const std::string& id) { return canonicalId(id); });
   for (const Row& row : batches.rows) {
     const std::string id = canonicalId(row.id);
-    if (fresh_batches_.contains(id)) continue;  // all of its files come
-    const std::string from = "results/" + row.values[batches.column("number")].value_or("") + "/",
-                      to = "results/" + labelOf(id) + "/";
+    const std::string number = row.values[batches.column("number")].value_or("");
+    if (fresh_batches_.contains(id)) {  // all of its files come
+      const auto known = std::find_if(b_.settings.begin(), b_.settings.end(), [&](const auto& one) {
+        return one.first == decisions::kKnownStrokes + number;
+      });
+      if (known != b_.settings.end()) knowStrokes(projects_.a, labelOf(id), known->second);
+      continue;
+    }
+    const std::string from = "results/" + number + "/", to = "results/" + labelOf(id) + "/";
     for (const std::string file : batch::kPeoplesFiles) {
       Text& placed = outcome_.peoples_files[to + file];
       const Text theirs = textIn(projects_.b_folder, from + file),
@@ -167,6 +180,10 @@ void Merging::mergePeoplesFiles() {
                                   {Take::A, Take::B}},
                                  id, decisions::hashOf(of_a), decisions::hashOf(of_b));
             });
+      if (file == batch::kMaskStrokesFile && placed)
+        knowStrokes(projects_.a, labelOf(id),
+                    decisions::knownText(
+                        store::valueOrThrow(decisions::parseMaskStrokes(*placed, here.string()))));
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "catalogue/settings.h"
 #include "files/checksum.h"
 #include "files/files.h"
+#include "files/folder_lock.h"
 #include "files/json_text.h"
 #include "store/database.h"
 
@@ -176,7 +177,7 @@ Result<std::vector<FileCopy>> filesToCopy(const fs::path& b, const Outcome& outc
     if (!entries) return entries.error();
     for (const OpenFolder::Entry& entry : *entries) {
       const std::string name = fs::path(entry.path).filename().string();
-      if (name == "lock" || name.ends_with(".partial")) continue;
+      if (name == kLockFile || name.ends_with(".partial")) continue;
       if (!entry.is_regular)
         return Error::unusable(
             message(

@@ -88,9 +88,9 @@ Result<void> restorePieceRow(const catalogue::Catalogue& catalogue, store::Batch
   store::Database& database = catalogue.database();
   return database.inTransaction([&] {
     database.run(
-        "INSERT INTO piece_decision (id, decision, at, person, batch, side, verdict, pieces, "
-        "cut_mm, "
-        "replaces, note) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, (SELECT row FROM piece_decision "
+        "INSERT INTO piece_decision (id, decision, came_alone, at, person, batch, side, verdict, "
+        "pieces, cut_mm, "
+        "replaces, note) VALUES (?, ?, 1, ?, ?, ?, ?, ?, ?, ?, (SELECT row FROM piece_decision "
         "WHERE "
         "id = ?), ?)",
         wellFormed(row.id), row.decision.empty() ? row.decision : wellFormed(row.decision),

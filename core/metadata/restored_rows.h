@@ -33,7 +33,7 @@ struct PieceRow {
 };
 Result<std::vector<PieceRow>> pieceRows(const catalogue::Catalogue& catalogue,
                                         store::BatchRow batch);
-/// by: who that person is here.
+/// by: who that person is here. No decisions.json here has it, as of restoreDecision.
 Result<void> restorePieceRow(const catalogue::Catalogue& catalogue, store::BatchRow batch,
                              store::PersonRow by, const PieceRow& row);
 /// What a sherd was made from.

@@ -43,17 +43,19 @@ void checkSide(store::Database& database, store::BatchRow batch, store::ScanRow 
                       : message("The scan is not a back of this batch."));
 }
 
+enum class DecisionsFile { HasIt, CameWithoutIt };
+
 store::DecisionRow insertDecision(store::Database& database, const records::PairDecision& d,
-                                  const std::string& id) {
+                                  const std::string& id, DecisionsFile file) {
   database.run(
-      "INSERT INTO pair_decision (id, decision, at, person, batch, front, back, "
+      "INSERT INTO pair_decision (id, decision, came_alone, at, person, batch, front, back, "
       "front_from_back, "
       "score, margin, ambiguous, fracture_rms_mm, fracture_overlap, verdict, replaces, note) "
       "VALUES "
-      "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-      id, d.decision, d.at_ms, d.by, d.batch, d.front, d.back, poseText(d.front_from_back), d.score,
-      d.margin, d.ambiguous, d.fracture_rms_mm, d.fracture_overlap, records::wordOf(d.verdict),
-      d.replaces, d.note);
+      "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      id, d.decision, file == DecisionsFile::CameWithoutIt, d.at_ms, d.by, d.batch, d.front, d.back,
+      poseText(d.front_from_back), d.score, d.margin, d.ambiguous, d.fracture_rms_mm,
+      d.fracture_overlap, records::wordOf(d.verdict), d.replaces, d.note);
   return {database.lastRow()};
 }
 
@@ -227,7 +229,8 @@ Result<store::DecisionRow> PairDecisions::add(const records::PairDecision& d,
     records::PairDecision decided = d;
     decided.at_ms = now();
     decided.by = provenance.person;
-    const store::DecisionRow row = insertDecision(*database_, decided, newId(now()));
+    const store::DecisionRow row =
+        insertDecision(*database_, decided, newId(now()), DecisionsFile::HasIt);
     settleSherds(catalogue_, d.batch, provenance);
     return row;
   });
@@ -242,7 +245,7 @@ Result<store::DecisionRow> restoreDecision(const catalogue::Catalogue& catalogue
     for (const std::string& given : {id, d.decision.empty() ? id : d.decision})
       if (!isUuid(given))
         store::refuse(message("The uuid of a decision is not well formed."), given);
-    return insertDecision(database, d, id);
+    return insertDecision(database, d, id, DecisionsFile::CameWithoutIt);
   });
 }
 

@@ -21,7 +21,7 @@ class PairDecisions : public catalogue::Subject {
 };
 
 /// For reading back what another catalogue exported: with its id, time and person; sherds and scans
-/// do not follow it.
+/// do not follow it, and no decisions.json here has it.
 Result<store::DecisionRow> restoreDecision(const catalogue::Catalogue& catalogue,
                                            const records::PairDecision& decision,
                                            const std::string& id);

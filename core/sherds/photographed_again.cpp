@@ -163,7 +163,8 @@ void takeOver(const catalogue::Catalogue& catalogue, const records::SherdRecord&
   database.run("UPDATE sherd SET front = NULL, back = NULL WHERE row = ?", made.row);
   store::valueOrThrow(Sherds(catalogue).voidSherd(made.row, "reshot: " + known.number, provenance));
   // Else it lay on two plates, and could not be typed on a third.
-  if (known.batch && known.batch != made.batch) forgetTyped(catalogue, known.batch, known.number);
+  if (known.batch && known.batch != made.batch)
+    forgetTyped(catalogue, known.batch, known.number, provenance);
   database.run("UPDATE sherd SET batch = ?, front = ?, back = ? WHERE row = ?", made.batch,
                made.front, made.back, known.row);
   const auto keep = [&](const char* field, auto before, auto now) {

@@ -163,7 +163,8 @@ Result<std::vector<TypedNumber>> typedNumbers(const catalogue::Catalogue& catalo
 }
 
 Result<void> setTypedNumbers(const catalogue::Catalogue& catalogue, store::BatchRow batch,
-                             std::span<const TypedNumber> numbers) {
+                             std::span<const TypedNumber> numbers,
+                             const records::Provenance& provenance) {
   store::Database& database = catalogue.database();
   return database.inTransaction([&] {
     const std::string own = store::valueOrThrow(catalogue::Batches(catalogue).get(batch)).number;
@@ -193,20 +194,20 @@ Result<void> setTypedNumbers(const catalogue::Catalogue& catalogue, store::Batch
         store::refuse(message("The number %1 already belongs to another sherd.", typed.number),
                       typed.number);
     }
-    store::valueOrThrow(
-        catalogue::Settings(catalogue).setValue(keyOf(catalogue, batch), textOf(numbers)));
+    store::valueOrThrow(catalogue::Settings(catalogue).setValue(keyOf(catalogue, batch),
+                                                                textOf(numbers), provenance));
   });
 }
 
 void forgetTyped(const catalogue::Catalogue& catalogue, store::BatchRow batch,
-                 const std::string& number) {
+                 const std::string& number, const records::Provenance& provenance) {
   std::vector<TypedNumber> left = store::valueOrThrow(typedNumbers(catalogue, batch));
   const std::size_t erased = std::erase_if(left, [&](const TypedNumber& typed) {
     return store::uniqueKey(typed.number) == store::uniqueKey(number);
   });
   if (erased > 0)
     store::valueOrThrow(
-        catalogue::Settings(catalogue).setValue(keyOf(catalogue, batch), textOf(left)));
+        catalogue::Settings(catalogue).setValue(keyOf(catalogue, batch), textOf(left), provenance));
 }
 
 Result<std::string> wholeNumber(const catalogue::Catalogue& catalogue, store::BatchRow batch,

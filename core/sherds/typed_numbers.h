@@ -24,11 +24,12 @@ Result<std::vector<TypedNumber>> typedNumbers(const catalogue::Catalogue& catalo
 /// All of a batch. Errors: UnusableInput, a number that stands here twice or belongs to another
 /// sherd that waits for no photographs, here or on a plate that is not computed yet.
 Result<void> setTypedNumbers(const catalogue::Catalogue& catalogue, store::BatchRow batch,
-                             std::span<const TypedNumber> numbers);
+                             std::span<const TypedNumber> numbers,
+                             const records::Provenance& provenance = {});
 
 /// The sherd of this number lies on another plate by now. Throws Refused.
 void forgetTyped(const catalogue::Catalogue& catalogue, store::BatchRow batch,
-                 const std::string& number);
+                 const std::string& number, const records::Provenance& provenance);
 
 /// The whole number of what was typed or scanned: digits alone are the running number in the
 /// batch's context after the project's scheme, a label's code (OST1:S:...) holds its own, and what

@@ -47,7 +47,7 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
   std::error_code failed;
   if (!fs::exists(file, failed)) {
     // A run that ended before it could name its batch leaves the lock alone.
-    const bool own = fs::exists(file.parent_path() / "lock", failed) &&
+    const bool own = fs::exists(file.parent_path() / kLockFile, failed) &&
                      !fs::exists(file.parent_path() / kScansFile, failed);
     if (!own && !holdsOnlyOurs(output) && fs::exists(output, failed) &&
         !fs::is_empty(output, failed))
@@ -80,7 +80,7 @@ bool isUntouched(const fs::path& output) {
   if (failed || !fs::exists(output / "work", failed)) return !failed;
   for (const fs::directory_entry& entry : fs::directory_iterator(output / "work", failed)) {
     const std::string name = entry.path().filename().string();
-    if (name != "lock" && !name.starts_with('.')) return false;
+    if (name != kLockFile && !name.starts_with('.')) return false;
   }
   return !failed;
 }

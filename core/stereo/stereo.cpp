@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/limits.h"
 #include "base/message.h"
 #include "base/parallel.h"
 #include "stereo/frame.h"
@@ -63,6 +64,12 @@ Result<void> Matching::check() const {
           message("The photograph differs in size from the images that its camera was calibrated "
                   "with; use the original photograph."),
           v.camera.file};
+    if (std::min(v.photograph.cols, v.photograph.rows) < limits::kLeastPhotographSide)
+      return Error{ErrorCode::UnusableInput,
+                   message("The photograph is less than %1 pixels wide or high; use the original "
+                           "photograph.",
+                           limits::kLeastPhotographSide),
+                   v.camera.file};
     if (!v.mask.empty() && v.mask.size() != v.photograph.size())
       return Error{ErrorCode::UnusableInput, message("The mask and its photograph differ in size."),
                    v.camera.file};

@@ -350,7 +350,8 @@ CsvTable mapped(const CsvTable& table, const TableMapping& mapping, const Number
   return out;
 }
 
-Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping& mapping) {
+Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping& mapping,
+                             const records::Provenance& provenance) {
   std::vector<std::string> columns;
   json choices = json::object();
   for (const ColumnChoice& choice : mapping.columns) {
@@ -358,7 +359,7 @@ Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping
     const bool certain = !choice.unit_guessed && !choice.unit_idle;
     choices[choice.column] = {{"field", choice.field}, {"unit", certain ? choice.unit : ""}};
   }
-  return catalogue::Settings(catalogue).setValue(settingOf(columns), choices.dump());
+  return catalogue::Settings(catalogue).setValue(settingOf(columns), choices.dump(), provenance);
 }
 
 Result<ColumnChoice> parseColumnChoice(std::string_view text) {

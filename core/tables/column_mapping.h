@@ -7,6 +7,7 @@
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "records/records.h"
 #include "tables/csv.h"
 
 namespace ostraka::tables {
@@ -53,7 +54,8 @@ CsvTable mapped(const CsvTable& table, const TableMapping& mapping, const Number
 
 /// For the next table with the same columns, in whatever order. Of units only those that a person
 /// chose or that a heading says; others are guessed again.
-Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping& mapping);
+Result<void> rememberColumns(catalogue::Catalogue& catalogue, const TableMapping& mapping,
+                             const records::Provenance& provenance);
 
 /// COLUMN=FIELD or COLUMN=FIELD:unit, as typed; FIELD may lack its unit (weight), be extra.NAME, or
 /// '-' to leave the column out. Errors: neither.

@@ -63,7 +63,7 @@ Result<std::string> decoded(std::string_view bytes, const std::string& where) {
 // Some programs quote the first name together with the mark of the file.
 std::string columnNamed(std::string_view written) {
   const std::string name = store::trimmed(written);
-  return store::trimmed(std::string_view(name).substr(marksBefore(name)));
+  return unguarded(store::trimmed(std::string_view(name).substr(marksBefore(name))));
 }
 
 // Of a row that is too short there is nothing to leave out.

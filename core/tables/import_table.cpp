@@ -157,7 +157,8 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
     if (choice.by == ChosenBy::Nobody) report->warnings.push_back(customField(choice, *mapping));
   report->held = held;
   if (named.mode == ImportMode::Enter)
-    if (Result<void> saved = rememberColumns(catalogue, *mapping); !saved) return saved.error();
+    if (Result<void> saved = rememberColumns(catalogue, *mapping, provenance); !saved)
+      return saved.error();
   report->mapping = *mapping;
   return report;
 }

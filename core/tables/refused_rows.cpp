@@ -16,7 +16,8 @@ std::string refusedRowsCsv(const ImportReport& report,
   // file without a mark for one of an older encoding.
   const auto line = [&](std::string first, const std::vector<std::string>& values) {
     std::vector<std::string> all = {std::move(first)};
-    all.insert(all.end(), values.begin(), values.end());
+    // A table from elsewhere may hold formulas, in its header, too.
+    for (const std::string& value : values) all.push_back(guarded(unguarded(value)));
     return csvLine(all, report.left_out.separator);
   };
   const std::string head = kRemarkColumn + words(message("why this row was not imported"));
@@ -24,7 +25,7 @@ std::string refusedRowsCsv(const ImportReport& report,
     std::string text = kUtf8Mark + line(head, {"line", "column", "value"});
     for (const Refusal& refusal : refusals)
       text += line(guarded(words(refusal.reason)),
-                   {std::to_string(refusal.line), guarded(refusal.column), guarded(refusal.value)});
+                   {std::to_string(refusal.line), refusal.column, refusal.value});
     return text;
   }
   std::map<int, std::string> reasons;

@@ -5,6 +5,7 @@
 
 #include "catalogue/history.h"
 #include "catalogue/search.h"
+#include "catalogue/settings.h"
 #include "decisions/mask_strokes.h"
 #include "records/sherd.h"
 #include "sherds/sherd_changes.h"
@@ -141,10 +142,18 @@ void keepNumbersTaken(catalogue::Catalogue& repaired) {
   }
 }
 
-// Terms that were deleted since go, and new ones come without their labels.
+// Terms that were deleted since go, new ones come, and each is called as it was last.
 void replayVocabularies(store::Database& database, std::int64_t last_known, RepairReport& report) {
   std::set<std::string> changed;
   for (const Told& told : toldSince(database, "vocabulary", {}, last_known)) {
+    if (const std::size_t end = told.field.find('/'); end != std::string::npos) {
+      const catalogue::ToldTerm term = catalogue::toldTermFrom(told.after);
+      database.run("UPDATE vocabulary SET labels = ?, uri = ? WHERE name = ? AND term = ?",
+                   term.labels_json, term.uri, told.field.substr(0, end),
+                   told.field.substr(end + 1));
+      changed.insert(told.field.substr(0, end));
+      continue;
+    }
     const std::vector<std::string> terms = store::splitTerms(told.after);
     for (const std::string& term : store::splitTerms(told.before))
       if (std::find(terms.begin(), terms.end(), term) == terms.end())
@@ -160,6 +169,16 @@ void replayVocabularies(store::Database& database, std::int64_t last_known, Repa
     report.rows.push_back({"vocabulary", 0, name, {}, From::History});
 }
 
+void replaySettings(store::Database& database, std::int64_t last_known, RepairReport& report) {
+  std::set<std::string> changed;
+  for (const Told& told : toldSince(database, "setting", {}, last_known)) {
+    database.run("INSERT OR REPLACE INTO setting VALUES (?, ?)", told.field, told.after);
+    changed.insert(told.field);
+  }
+  for (const std::string& key : changed)
+    report.rows.push_back({"setting", 0, key, {}, From::History});
+}
+
 // By any number that was ever its own, or by its uuid.
 store::SherdRow sherdCalled(store::Database& database, const std::string& name) {
   const sherds::Taken taken = sherds::takenBy(database, name);
@@ -167,8 +186,7 @@ store::SherdRow sherdCalled(store::Database& database, const std::string& name) 
   return database.sql("SELECT row FROM sherd WHERE id = ?", name).one<store::SherdRow>();
 }
 
-// What each change joined and parted: pairs of which the history does not speak, as those that a
-// merge joined, stay.
+// What each change joined and parted.
 void replayJoins(store::Database& database, std::int64_t last_known, RepairReport& report) {
   std::set<std::int64_t> changed;
   for (const Told& told : toldSince(database, "sherd", "joins", last_known)) {
@@ -286,6 +304,7 @@ Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_kno
   store::Database& database = repaired.database();
   std::vector<RepairedRow> unknown;
   const Result<void> done = database.asResult([&] {
+    if (report.cut_tables.contains("setting")) replaySettings(database, last_known, report);
     if (report.cut_tables.contains("vocabulary")) replayVocabularies(database, last_known, report);
     for (const RepairedRow& row : report.rows) {
       if (row.row == 0 || !row.field.empty() || row.from == From::Nowhere) continue;

@@ -19,17 +19,33 @@ std::optional<Damage> damageOfDecisions(const std::string& text, const std::stri
   return ids.empty() ? std::nullopt : std::optional(Damage::Changed);
 }
 
-std::optional<Damage> lookAtPeoplesFile(const std::string& path, const std::set<std::string>& ids,
-                                        const OpenFolder& project) {
+std::optional<Damage> damageOfStrokes(const std::string& text, const std::string& path,
+                                      const std::string& known) {
+  const auto strokes = decisions::parseMaskStrokes(text, path);
+  if (!strokes) return Damage::Unreadable;
+  return decisions::haveKnown(*strokes, known) ? std::nullopt : std::optional(Damage::Changed);
+}
+
+// What the catalogue knows of a batch's files.
+struct Known {
+  std::set<std::string> decisions;
+  std::string strokes;
+  bool hasAnyIn(const std::string& file) const {
+    return file == batch::kDecisionsFile ? !decisions.empty() : !decisions::haveKnown({}, strokes);
+  }
+};
+
+std::optional<Damage> lookAtPeoplesFile(const std::string& path, const std::string& name,
+                                        const Known& known, const OpenFolder& project) {
   const Result<ContainedPath> place = ContainedPath::parse(path);
   if (!place) return Damage::Unreadable;
-  if (!project.has(*place)) return ids.empty() ? std::nullopt : std::optional(Damage::Missing);
+  if (!project.has(*place))
+    return known.hasAnyIn(name) ? std::optional(Damage::Missing) : std::nullopt;
   Result<OpenFile> file = project.read(*place);
   const Result<std::string> text = file ? file->readAll(limits::kJsonBytes.most) : file.error();
   if (!text) return Damage::Unreadable;
-  if (path.ends_with(batch::kDecisionsFile)) return damageOfDecisions(*text, path, ids);
-  return decisions::parseMaskStrokes(*text, path) ? std::nullopt
-                                                  : std::optional(Damage::Unreadable);
+  return name == batch::kDecisionsFile ? damageOfDecisions(*text, path, known.decisions)
+                                       : damageOfStrokes(*text, path, known.strokes);
 }
 
 }  // namespace
@@ -40,27 +56,28 @@ Result<std::vector<DamagedFile>> checkPeoplesFiles(const catalogue::Catalogue& c
   return database.asResult([&] {
     std::vector<DamagedFile> damaged;
     store::Statement batches = database.sql(
-        "SELECT b.row, b.number FROM batch b WHERE EXISTS (SELECT 1 FROM file f WHERE f.batch = "
-        "b.row AND f.path GLOB 'results/' || b.number || '/*') ORDER BY b.number");
+        "SELECT b.row, b.number, ifnull(s.value, '') FROM batch b LEFT JOIN setting s ON s.key = "
+        "? || b.number WHERE s.value <> '' OR EXISTS (SELECT 1 FROM file f WHERE f.batch = b.row "
+        "AND f.path GLOB 'results/' || b.number || '/*') ORDER BY b.number",
+        std::string(decisions::kKnownStrokes));
     store::BatchRow row;
-    for (std::string number; batches.read(row, number);) {
-      // Decisions that came with an export are older than their batch is here; no file has them.
+    Known known;
+    for (std::string number; batches.read(row, number, known.strokes);) {
       const auto decided =
           database
               .sql(
-                  "SELECT decision FROM (SELECT batch, decision, at FROM pair_decision UNION "
-                  "SELECT batch, decision, at FROM piece_decision) d JOIN batch b ON b.row = "
-                  "d.batch WHERE b.row = ? AND decision <> '' AND at >= b.created_at",
+                  "SELECT decision FROM (SELECT batch, decision, came_alone FROM pair_decision "
+                  "UNION SELECT batch, decision, came_alone FROM piece_decision) WHERE batch = ? "
+                  "AND decision <> '' AND came_alone = 0",
                   row)
               .all<std::string>();
+      known.decisions = {decided.begin(), decided.end()};
       for (const std::string name : batch::kPeoplesFiles) {
         KnownFile file;
         file.path = "results/" + number + "/" + name;
         file.role = "report";
         file.batch = number;
-        std::set<std::string> ids;
-        if (name == batch::kDecisionsFile) ids.insert(decided.begin(), decided.end());
-        if (const std::optional<Damage> damage = lookAtPeoplesFile(file.path, ids, project))
+        if (const auto damage = lookAtPeoplesFile(file.path, name, known, project))
           damaged.push_back({file, *damage});
       }
     }

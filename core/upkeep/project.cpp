@@ -52,19 +52,6 @@ Result<void> checkFolder(const fs::path& folder) {
   return {};
 }
 
-// The data of an archive, wherever links lead from: opening it for writing alone changes files
-// whose hashes the archive states.
-Result<void> checkOutsideArchives(const fs::path& file) {
-  std::error_code code;
-  const fs::path folder = fs::canonical(file, code).parent_path();
-  if (folder.filename() != "data" || !fs::exists(folder.parent_path() / "bagit.txt", code))
-    return {};
-  return refused(message("This project lies in the archive '%1', which any change would make "
-                         "invalid; restore the archive to a new folder, and open that.",
-                         folder.parent_path().string()),
-                 folder);
-}
-
 Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
                                            const catalogue::Catalogue::Clock& clock,
                                            const store::Waiting& waiting) {
@@ -79,7 +66,7 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
     return own.error();
   const bool writable = mayBeWritten(folder) && mayBeWritten(file);
   if (writable)
-    if (const Result<void> good = checkOutsideArchives(file); !good) return good.error();
+    if (const Result<void> good = checkOutsideArchives(folder); !good) return good.error();
   Result<std::unique_ptr<store::Database>> database =
       store::Database::open(file, writable ? Mode::ReadWrite : Mode::ReadOnly, waiting);
   if (!database) return database.error();
@@ -120,6 +107,17 @@ bool isFree(const fs::path& folder) {
 }
 
 }  // namespace
+
+Result<void> checkOutsideArchives(const fs::path& project) {
+  std::error_code code;
+  const fs::path folder = fs::weakly_canonical(project / kFile, code).parent_path();
+  if (folder.filename() != "data" || !fs::exists(folder.parent_path() / "bagit.txt", code))
+    return {};
+  return refused(message("This project lies in the archive '%1', which any change would make "
+                         "invalid; restore the archive to a new folder, and open that.",
+                         folder.parent_path().string()),
+                 folder);
+}
 
 Result<Project> Project::create(const fs::path& folder, const records::ProjectRecord& record,
                                 const catalogue::Catalogue::Clock& clock) {

@@ -60,4 +60,8 @@ class Project {
   catalogue::Catalogue catalogue_;
 };
 
+/// Refuses the data of an archive, wherever links lead from: opening it for writing alone changes
+/// files whose hashes the archive states.
+Result<void> checkOutsideArchives(const std::filesystem::path& project);
+
 }  // namespace ostraka::upkeep

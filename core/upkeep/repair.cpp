@@ -448,6 +448,7 @@ Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress
   if (!Project::isProject(project) && !(gone && !backupsOf(project, now()).empty()))
     return Error::unusable(message("Not an Ostraka project: this folder has no catalogue.sqlite."),
                            project.string());
+  if (Result<void> outside = checkOutsideArchives(project); !outside) return outside.error();
   store::PartialFile::removeLeftovers(project);
   return Repair(fs::absolute(project), progress, std::move(stop), now).run();
 }

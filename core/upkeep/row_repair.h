@@ -22,9 +22,9 @@ Result<void> collectRows(store::Database& damaged, store::Database& backup, stor
 void makeLostRowsAnew(store::Database& fresh, RepairReport& report);
 
 /// Changes rows that came from the backup as the history of `repaired` says that they were changed
-/// afterwards, and adds sherds of which only the history is left; likewise the joins, bags and
-/// terms of tables that could not be read whole. A sherd whose number was given to another loses
-/// it. last_known: the number of the backup's last row of the history.
+/// afterwards, and adds sherds of which only the history is left; likewise the joins, bags,
+/// terms and settings of tables that could not be read whole. A sherd whose number was given to
+/// another loses it. last_known: the number of the backup's last row of the history.
 Result<void> replayHistory(catalogue::Catalogue& repaired, std::int64_t last_known,
                            RepairReport& report);
 

@@ -136,6 +136,7 @@ CREATE TABLE scan (
 CREATE TABLE pair_decision (
   row INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, at INTEGER NOT NULL,
   decision TEXT NOT NULL DEFAULT '',  -- its id in the batch's decisions.json; '': the program's own
+  came_alone INTEGER NOT NULL DEFAULT 0 CHECK (came_alone IN (0, 1)),  -- 1: without that file
   person INTEGER REFERENCES person, batch INTEGER NOT NULL REFERENCES batch,
   front INTEGER REFERENCES scan, back INTEGER REFERENCES scan,
   front_from_back TEXT NOT NULL DEFAULT '', score REAL, margin REAL,
@@ -151,6 +152,7 @@ CREATE INDEX pair_decision_batch ON pair_decision (batch);
 CREATE TABLE piece_decision (
   row INTEGER PRIMARY KEY, id TEXT NOT NULL UNIQUE, at INTEGER NOT NULL,
   decision TEXT NOT NULL DEFAULT '',  -- its id in the batch's decisions.json
+  came_alone INTEGER NOT NULL DEFAULT 0 CHECK (came_alone IN (0, 1)),  -- 1: without that file
   person INTEGER REFERENCES person, batch INTEGER NOT NULL REFERENCES batch,
   side TEXT NOT NULL CHECK (side IN ('front', 'back')),
   verdict TEXT NOT NULL CHECK (verdict IN ('join', 'cut', 'withdraw')),

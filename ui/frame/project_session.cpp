@@ -67,6 +67,11 @@ QString ProjectSession::setting(const char* key) const {
 }
 
 void ProjectSession::keepSetting(const char* key, const QString& value) {
+  (void)catalogue::Settings(project_->catalogue())
+      .setValue(key, value.toStdString(), {{person_row_}, "window", {}});
+}
+
+void ProjectSession::noteSetting(const char* key, const QString& value) {
   (void)catalogue::Settings(project_->catalogue()).setValue(key, value.toStdString());
 }
 

@@ -50,6 +50,8 @@ class ProjectSession final : public QObject {
   /// What the project remembers of the window under a key; empty: nothing.
   QString setting(const char* key) const;
   void keepSetting(const char* key, const QString& value);
+  /// Where the window was left: nobody's act, so the history says nothing of it.
+  void noteSetting(const char* key, const QString& value);
 
   /// Who does something now, for calls that change the catalogue. Makes the person's row when the
   /// project does not know the initials yet.

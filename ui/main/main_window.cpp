@@ -181,7 +181,7 @@ void MainWindow::closeProject() {
   // What stands in a field without Return or Tab after it is saved too.
   if (auto* typing = qobject_cast<QLineEdit*>(focusWidget())) emit typing->editingFinished();
   const QString shown = screens()[static_cast<std::size_t>(work_->shown())]->iconName();
-  if (session()->setting(kScreen) != shown) session()->keepSetting(kScreen, shown);
+  if (session()->setting(kScreen) != shown) session()->noteSetting(kScreen, shown);
   work_->closeProject();
   settings_page_->setSession(nullptr);
   file_watch_->stop();

@@ -4,6 +4,7 @@
 #include <QUndoCommand>
 #include <QUndoStack>
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -38,6 +39,15 @@ Result<OpenedMasks> opened(const std::filesystem::path& output, const std::stop_
     hashes.push_back(asked ? decisions::photographHash(p.photograph) : std::string());
   }
   return OpenedMasks{std::move(*photographs), std::move(hashes), std::move(*strokes)};
+}
+
+Result<void> saved(ProjectSession* session, const std::string& batch,
+                   const std::vector<decisions::MaskStroke>& before,
+                   const std::vector<decisions::MaskStroke>& after,
+                   const std::function<Result<void>()>& write) {
+  if (session == nullptr || !session->hasProject()) return write();
+  return intake::saveStrokes(session->project().catalogue(), batch, before, after,
+                             session->provenance(), write);
 }
 
 QImage overlayOf(const QImage& mask) {
@@ -96,14 +106,11 @@ class StrokeCommand final : public QUndoCommand {
     const std::vector<decisions::MaskStroke> before = *strokes;
     apply(*strokes);
     const bool shown = model_ && model_->output_ == output_;
-    const Result<void> written =
-        shown ? model_->hold(*strokes) : decisions::writeMaskStrokes(output_, *strokes);
-    if (!written) return written;
     const std::string batch = output_.filename().string();
-    // What the catalogue cannot take now, a merge may bring back; the file is as it is wanted.
-    if (session_ && session_->hasProject())
-      (void)intake::rememberTakenStrokes(session_->project().catalogue(), batch, before, *strokes,
-                                         session_->provenance());
+    const Result<void> written = saved(session_, batch, before, *strokes, [&] {
+      return shown ? model_->hold(*strokes) : decisions::writeMaskStrokes(output_, *strokes);
+    });
+    if (!written) return written;
     if (model_ && !shown) model_->settle(session_, QString::fromStdString(batch));
     return written;
   }
@@ -286,7 +293,9 @@ void MaskModel::paint(decisions::MaskPaint paint, const QPolygonF& path, double 
   stroke.photograph = hashes_[static_cast<std::size_t>(index_)];
   std::vector<decisions::MaskStroke> strokes = strokes_;
   strokes.push_back(stroke);
-  if (const Result<void> done = hold(std::move(strokes)); !done)
+  const auto before = strokes_;
+  const auto write = [&] { return hold(strokes); };
+  if (const auto done = saved(session_, batch_.toStdString(), before, strokes, write); !done)
     return emit failed(sentenceOf(done.error()));
   session_->undo().push(new StrokeCommand(*this, std::move(stroke)));
 }

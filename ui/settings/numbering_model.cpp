@@ -174,7 +174,8 @@ Result<void> NumberingModel::store(const Numbering& numbering,
   if (Result<void> set = settings.setProject(*project, provenance); !set) return set;
   for (const auto& [key, value] :
        {std::pair(kFirst, numbering.first), std::pair(kLast, numbering.last)})
-    if (Result<void> set = settings.setValue(key, std::to_string(value)); !set) return set;
+    if (Result<void> set = settings.setValue(key, std::to_string(value), provenance); !set)
+      return set;
   return {};
 }
 

@@ -78,7 +78,7 @@ QString SherdNumbers::give(int sherd, const QString& typed) {
     if (place[i] != sherd && !same) all.push_back(typed_[i]);
   }
   if (!number->empty()) all.push_back({places_mm_[static_cast<std::size_t>(sherd)], *number});
-  if (const auto kept = sherds::setTypedNumbers(rows, row_, all); !kept) {
+  if (const auto kept = sherds::setTypedNumbers(rows, row_, all, session_->provenance()); !kept) {
     if (const auto other = sherds::Sherds(rows).byNumber(*number); other && *other)
       if (const auto holder = sherds::Sherds(rows).get(*other);
           holder && !holder->batch_number.empty())

@@ -75,6 +75,21 @@ TEST(Api, RefusesScansWithoutNormalsOrPointsAndNamesThem) {
   EXPECT_EQ(registerScans({}, fronts, 1, quiet, {}).error().code, ErrorCode::NotEnough);
 }
 
+// One rule with the files of `ostraka register`.
+TEST(Api, LeavesOutPointsWhoseNormalsHaveNoDirection) {
+  const PointCloud good = scanOfBox(model::BoxScan{}, false, 1);
+  PointCloud none = good, few = good;
+  for (Eigen::Vector3f& normal : none.normals) normal.setZero();
+  for (std::size_t i = 99; i < few.size(); ++i) few.normals[i].setZero();
+  const std::vector<PointCloud> fronts = {good}, without = {none}, left = {few};
+  const auto no_normals = registerScans(fronts, without, 1, quiet, {});
+  ASSERT_FALSE(no_normals.has_value());
+  EXPECT_EQ(no_normals.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(registerScans(fronts, left, 1, quiet, {}).error().code, ErrorCode::NotEnough);
+  EXPECT_EQ(closeModel(good, none, Eigen::Isometry3d::Identity(), 1, quiet, {}).error().code,
+            ErrorCode::UnusableInput);
+}
+
 TEST(Api, RefusesPointsThatAreNotFiniteAndListsOfOtherLengths) {
   const PointCloud good = scanOfBox(model::BoxScan{}, false, 1);
   PointCloud nowhere = good, few_colours = good, doubtful = good;
@@ -143,6 +158,19 @@ TEST(Api, RefusesPhotographsWhoseCameraOrPoseIsNone) {
     EXPECT_EQ(found.error().code, ErrorCode::UnusableInput) << i;
     EXPECT_EQ(found.error().where, "photograph 1") << i;
   }
+}
+
+TEST(Api, SaysThatPhotographsAreTooSmall) {
+  const std::vector<std::uint8_t> rgb(3, 128), mask(1, 255);
+  DensePhotograph pixel;
+  pixel.width = pixel.height = 1;
+  pixel.rgb = rgb;
+  pixel.mask = mask;
+  pixel.fx = pixel.fy = 1;
+  const auto found = dense(std::vector<DensePhotograph>(3, pixel), 1, quiet, {});
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(found.error().sentence(), HasSubstr("less than 16 pixels"));
 }
 
 TEST(Api, FindsABallInPhotographsWithKnownCameras) {

@@ -13,6 +13,7 @@
 #include "sherds/sherds.h"
 #include "tests/core/exchange/exported_project.h"
 #include "tests/core/exchange/mended_bag.h"
+#include "upkeep/repair.h"
 
 namespace ostraka::archive {
 namespace {
@@ -71,6 +72,18 @@ TEST_F(Archive, OnAnEmptyLaptopIsTheSameProject) {
   EXPECT_FALSE(archiveProject(*project_, {project_->folder() / "inside"}, quiet, {}));
 }
 
+// As a capture or a computation that was killed leaves it.
+TEST_F(Archive, TakesNoLockAlong) {
+  for (const char* folder : {"", "batches/B0001", "results/B0001/work", "models/B0001"})
+    put(project_->folder() / folder / "lock", "");
+  put(project_->folder() / "imported/lock/model.ply", "ply");
+  ASSERT_TRUE(archive());
+  for (const auto& entry : fs::recursive_directory_iterator(at("archive")))
+    EXPECT_FALSE(entry.is_regular_file() && entry.path().filename() == "lock") << entry.path();
+  EXPECT_TRUE(fs::exists(at("archive/data/imported/lock/model.ply")))
+      << "of an export that was called so";
+}
+
 // Not even by one who only looks at the catalogue in it.
 TEST_F(Archive, IsNotOpenedAsAProjectAndCanStillBeRestored) {
   ASSERT_TRUE(archive());
@@ -84,6 +97,9 @@ TEST_F(Archive, IsNotOpenedAsAProjectAndCanStillBeRestored) {
     EXPECT_NE(opened.error().what.english().find("restore the archive"), std::string::npos)
         << opened.error().sentence();
     EXPECT_FALSE(upkeep::Project::connect(at(name))) << name;
+    const auto repaired = upkeep::repairCatalogue(at(name), quiet, {});
+    ASSERT_FALSE(repaired) << name;
+    EXPECT_EQ(repaired.error().what, opened.error().what);
   }
   const Result<Restored> restored = restore();
   EXPECT_TRUE(restored) << restored.error().sentence();

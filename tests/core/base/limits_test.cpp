@@ -44,6 +44,9 @@ TEST(Limits, StandInTheDocumentAsInTheHeader) {
   EXPECT_NE(textOf("docs/limits.md").find(table), std::string::npos)
       << "the table of docs/limits.md must be:\n"
       << table;
+  EXPECT_NE(textOf("docs/limits.md")
+                .find("at least " + std::to_string(limits::kLeastPhotographSide) + " pixels wide"),
+            std::string::npos);
 }
 
 }  // namespace

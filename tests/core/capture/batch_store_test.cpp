@@ -35,6 +35,21 @@ class Store : public ::testing::Test {
   batch::Plate plate_ = testing::makeFlatRig(1).devices.plate;
 };
 
+// Of a capture that was killed one is left, and is in nobody's way.
+TEST_F(Store, LeavesNoLockBehind) {
+  fs::create_directories(folder_);
+  ASSERT_TRUE(writeFileAtomically(folder_ / "lock", ""));
+  {
+    const Result<BatchStore> store = open(plate_);
+    ASSERT_TRUE(store.has_value()) << store.error().what;
+    EXPECT_FALSE(open(plate_).has_value()) << "one capture at a time";
+    EXPECT_TRUE(fs::exists(folder_ / "lock"));
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "lock"));
+  take({{"DSC_1.JPG", "\xFF\xD8 a photograph"}});
+  EXPECT_FALSE(fs::exists(folder_ / "lock"));
+}
+
 // The program ended between the names of a photograph and of its raw file.
 TEST_F(Store, NamesTheRawFileOfAPhotographAfterACrash) {
   take({{"DSC_1.JPG", "\xFF\xD8 a photograph"}, {"DSC_1.NEF", "a raw file"}});

@@ -63,7 +63,7 @@ TEST_F(BatchesTest, AStateIsKeptWithWhoAndWhen) {
   ASSERT_TRUE(Batches(catalogue()).setState(row, records::BatchState::Queued, anna));
   EXPECT_EQ(Batches(catalogue()).byNumber("B0001")->state, records::BatchState::Queued);
   const std::vector<records::HistoryEntry> history = *History(catalogue()).of("batch", row.value);
-  ASSERT_EQ(history.size(), 2u);
+  ASSERT_EQ(history.size(), 3u) << "it was begun, with its bag";
   EXPECT_EQ(history[0].old_value, "placed");
   EXPECT_EQ(history[0].new_value, "queued");
   EXPECT_EQ(history[0].by, anna.person);

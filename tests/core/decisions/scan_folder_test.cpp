@@ -73,6 +73,22 @@ TEST_F(ScanFolders, LeaveOutPointsThatAreNoMeasurementAndSaySo) {
   EXPECT_THAT(side.warnings[1], HasSubstr("unseen.ply: 30 points"));
 }
 
+// As MeshLab writes the vertices that no face uses.
+TEST_F(ScanFolders, LeaveOutPointsWhoseNormalsHaveNoDirectionAndSaySo) {
+  PointCloud some = disc(), none = disc();
+  for (std::size_t i = 0; i < 7; ++i) some.normals[i].setZero();
+  for (Eigen::Vector3f& normal : none.normals) normal.setZero();
+  write("front/some.ply", some);
+  write("front/none.ply", none);
+  const ScanFolder side = read("front");
+  ASSERT_EQ(side.scans.size(), 1u);
+  EXPECT_EQ(side.scans[0].cloud.size(), disc().size() - 7);
+  EXPECT_EQ(side.unusable, 1);
+  EXPECT_THAT(side.warnings,
+              testing::Contains(HasSubstr("some.ply: 7 points whose normals have no direction")));
+  EXPECT_THAT(side.warnings, testing::Contains(HasSubstr("The scan has no normals")));
+}
+
 TEST_F(ScanFolders, DoNotLookAtHiddenFiles) {
   write("batch/front/a.ply", disc());
   ASSERT_TRUE(writeFileAtomically(folder / "batch/front/._a.ply", "Mac OS X").has_value());

@@ -97,6 +97,17 @@ TEST_F(FolderLocks, AProcessThatDiesLetsGo) {
   ::close(ready[1]);
 }
 
+TEST_F(FolderLocks, OneThatEndsWithoutTraceLeavesNoFileAndNeverThatOfAnother) {
+  Result<FolderLock> first = FolderLock::take(folder);
+  ASSERT_TRUE(first.has_value());
+  first->endWithoutTrace();
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  const Result<FolderLock> second = FolderLock::take(folder);
+  ASSERT_TRUE(second.has_value());
+  first->endWithoutTrace();
+  EXPECT_TRUE(second->stands());
+}
+
 TEST_F(FolderLocks, AFolderThatWasDeletedDoesNotStandThoughOneOfItsNameIsThere) {
   const Result<FolderLock> held = FolderLock::take(folder);
   ASSERT_TRUE(held.has_value());

@@ -70,6 +70,23 @@ TEST_F(MergingProjects, SherdsThatOnePartedAndTheOtherJoinedAgainStayJoined) {
   EXPECT_EQ(valueOf(rows[1], "joins"), "ARM1-T3-0012-0001");
 }
 
+// So that a repair can tell them; later merges ask what persons said, as before.
+TEST_F(MergingProjects, PairsThatAMergeJoinedOrPartedAreInTheHistory) {
+  say(b_, rows[1], "joins", "ARM1-T3-0012-0003");
+  merged(*project_, b_);
+  for (const auto& [sherd, before, after] :
+       {std::tuple(rows[0], "ARM1-T3-0012-0002", ""), {rows[2], "", "ARM1-T3-0012-0002"}}) {
+    const auto history = valueIn(History(catalogue()).of(sherd));
+    EXPECT_EQ(history.front().field, "joins");
+    EXPECT_EQ(history.front().old_value, before);
+    EXPECT_EQ(history.front().new_value, after);
+    EXPECT_EQ(history.front().source, "merge");
+  }
+  say(b_, rows[1], "joins", "");
+  merged(*project_, b_);
+  EXPECT_EQ(valueOf(rows[1], "joins"), "") << "the merge did not say that they join";
+}
+
 class MergingTerms : public MergingProjects {
  protected:
   static std::vector<std::string> termsOf(const upkeep::Project& project) {
@@ -110,6 +127,14 @@ TEST_F(MergingTerms, ThatASherdHasStay) {
   merged(*project_, b_);
   for (const upkeep::Project* project : {&*project_, &b_})
     EXPECT_THAT(termsOf(*project), testing::Contains(used));
+}
+
+TEST_F(MergingTerms, AreCalledAsTheOneProjectSaysThatChangedThem) {
+  std::vector<records::Term> terms = valueIn(Settings(b_.catalogue()).vocabulary("condition"));
+  terms.front().labels["de"] = "angekohlt";
+  ASSERT_TRUE(Settings(b_.catalogue()).setVocabulary("condition", terms, anna));
+  EXPECT_THAT(merged(*project_, b_).conflicts, IsEmpty());
+  EXPECT_EQ(valueIn(Settings(catalogue()).vocabulary("condition")), terms);
 }
 
 TEST_F(MergingProjects, WhatWasChangedBackHoldsAgainstWhatWasNeverChanged) {

@@ -114,6 +114,9 @@ TEST_F(PeoplesFiles, StrokesOfBComeThoughNothingElseDiffers) {
   EXPECT_THAT(paintedIn(*project_), IsEmpty());
   EXPECT_EQ(merged(*project_, b_).files, 1);
   EXPECT_EQ(paintedIn(*project_), paintedIn(b_));
+  EXPECT_EQ(valueIn(Settings(catalogue()).value("mask_strokes.B0001")),
+            decisions::knownText(paintedIn(b_)))
+      << "so that they are missed when they are gone";
   EXPECT_EQ(merged(*project_, b_).files, 0) << "once";
 }
 

@@ -143,5 +143,18 @@ TEST_F(Import, RefusedRowsAreWrittenAsTheTableHasThemAndImportedAgain) {
   EXPECT_EQ(again.left_out.rows[0].values.size(), 3u);
 }
 
+// Whoever made the table: the file is opened in a spreadsheet.
+TEST_F(Import, RefusedRowsHoldNoFormulasAndAreReadAsTheTable) {
+  const std::string formula = "=1+1";
+  const ImportReport report = import("number,site,trench,context,part," + formula +
+                                     ",@sum\nK-1,ARM1,T3,0012,wing," + formula + ",'-1\n");
+  ASSERT_EQ(report.refused, 1);
+  const std::string text =
+      refusedRowsCsv(report, [](const Message& reason) { return reason.english(); });
+  EXPECT_NE(text.find(",'" + formula + ",'@sum\r\n"), std::string::npos) << text;
+  EXPECT_NE(text.find(",wing,'" + formula + ",'-1\r\n"), std::string::npos) << text;
+  EXPECT_EQ(import(text).left_out.columns, report.left_out.columns);
+}
+
 }  // namespace
 }  // namespace ostraka::tables

@@ -5,8 +5,10 @@
 #include <chrono>
 #include <fstream>
 
+#include "base/uuid.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
+#include "catalogue/settings.h"
 #include "decisions/decisions.h"
 #include "decisions/mask_strokes.h"
 #include "files/files.h"
@@ -320,6 +322,51 @@ TEST_F(PeoplesFiles, HoldTheDecisionsOfTheCatalogueOrAreDamaged) {
   fs::remove(at(kFile));
   EXPECT_THAT(sentences(share(1 << 20)),
               testing::ElementsAre("results/B0001/decisions.json (batch B0001) is missing."));
+}
+
+// Whatever its clock said: no file here ever had it.
+TEST_F(PeoplesFiles, NeedNotHoldADecisionThatCameWithAnExport) {
+  records::PairDecision came;
+  came.decision = "0190a0b0-0000-7000-8000-000000000001";
+  came.batch = batch;
+  came.front = scan(batch, batch::Side::Front, 2);
+  came.verdict = records::Verdict::Aside;
+  came.by = anna.person;
+  for (const std::int64_t ahead_ms : {-86'400'000, 86'400'000}) {
+    came.at_ms = now_ms + ahead_ms;
+    ASSERT_TRUE(sherds::restoreDecision(catalogue(), came, newId(came.at_ms)));
+    EXPECT_THAT(sentences(check()), testing::IsEmpty());
+  }
+}
+
+TEST_F(PeoplesFiles, HoldTheStrokesThatTheCatalogueKnowsOrAreDamaged) {
+  const auto stroke = [](int position, double x) {
+    decisions::MaskStroke s;
+    s.stop = position;
+    s.radius_px = 5;
+    s.path_px = {{x, 10}};
+    s.photograph = sha256(std::to_string(position));
+    return s;
+  };
+  const std::vector<decisions::MaskStroke> known = {stroke(0, 1), stroke(3, 2), stroke(0, 3)};
+  const auto checkedWith = [&](const std::vector<decisions::MaskStroke>& strokes) {
+    EXPECT_TRUE(decisions::writeMaskStrokes(at("results/B0001"), strokes));
+    return sentences(check());
+  };
+  ASSERT_TRUE(
+      catalogue::Settings(catalogue())
+          .setValue(std::string(decisions::kKnownStrokes) + "B0001", decisions::knownText(known)));
+  EXPECT_THAT(checkedWith(known), testing::IsEmpty());
+  EXPECT_THAT(checkedWith({stroke(0, 1), stroke(0, 3), stroke(3, 2), stroke(3, 4)}),
+              testing::IsEmpty())
+      << "painted on, as where the program ended before the catalogue learned of it";
+  const auto changed = testing::ElementsAre(
+      "results/B0001/mask_strokes.json (batch B0001) has changed since it was entered.");
+  EXPECT_THAT(checkedWith({stroke(0, 1), stroke(3, 2)}), changed);
+  EXPECT_THAT(checkedWith({stroke(0, 1), stroke(3, 7), stroke(0, 3)}), changed);
+  fs::remove(at("results/B0001/mask_strokes.json"));
+  EXPECT_THAT(sentences(share(1 << 20)),
+              testing::ElementsAre("results/B0001/mask_strokes.json (batch B0001) is missing."));
 }
 
 TEST_F(PeoplesFiles, AreReadThoughTheCatalogueDoesNotKnowThem) {

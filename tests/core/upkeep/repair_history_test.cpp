@@ -69,7 +69,7 @@ TEST_F(RepairHistory, TellsJoinsThatAreNewerThanTheBackup) {
   ASSERT_TRUE(set(c, "joins", numberOf(b)));
   const std::string joins = valueOf(b, "joins");
   const std::vector<std::string> words = repairedWithout("sherd_join");
-  EXPECT_THAT(words, Contains("sherd_join: not restored")) << "a merge may have joined others";
+  EXPECT_THAT(words, Contains("sherd_join: not restored")) << "it may have held others";
   EXPECT_THAT(words, Contains("sherd 1 (ARM1-T3-0012-0001), joins: from the history"));
   EXPECT_EQ(valueOf(a, "joins"), numberOf(b));
   EXPECT_EQ(valueOf(b, "joins"), joins) << "to a, c and, as the backup has it, d";
@@ -100,19 +100,41 @@ TEST_F(RepairHistory, TellsTermsThatAreNewerThanTheBackup) {
   ASSERT_TRUE(project_->backUp());
   std::vector<records::Term> changed = *catalogue::Settings(catalogue()).vocabulary("part");
   changed.erase(changed.begin());
-  changed.insert(changed.begin() + 1, records::Term{"spout tip", {}, {}});
+  changed.insert(changed.begin() + 1, {"spout tip", {{"de", "Tülle"}}, "https://example.org/1"});
+  changed.back().labels["tr"] = "kulp}";
   ASSERT_TRUE(catalogue::Settings(catalogue()).setVocabulary("part", changed, anna));
   const std::vector<std::string> before = terms();
   const std::vector<std::string> words = repairedWithout("vocabulary");
-  EXPECT_THAT(words, Contains("vocabulary: not restored")) << "labels are not in the history";
+  EXPECT_THAT(words, Contains("vocabulary: not restored")) << "it may have held others";
   EXPECT_THAT(words, Contains("vocabulary (part): from the history"));
   EXPECT_EQ(terms(), before);
+  EXPECT_EQ(catalogue::valueIn(catalogue::Settings(catalogue()).vocabulary("part")), changed);
 }
 
 TEST_F(RepairHistory, NamesTheTableOfSettingsThatAreLost) {
   ASSERT_TRUE(project_->backUp());
   ASSERT_TRUE(catalogue::Settings(catalogue()).setValue("unit.weight", "g"));
   EXPECT_THAT(repairedWithout("setting"), Contains("setting: not restored"));
+}
+
+TEST_F(RepairHistory, TellsWhatAPersonSetSinceTheBackup) {
+  catalogue::Settings settings(catalogue());
+  ASSERT_TRUE(settings.setValue("numbering.first", "1", anna));
+  ASSERT_TRUE(project_->backUp());
+  ASSERT_TRUE(settings.setValue("numbering.first", "5001", anna));
+  ASSERT_TRUE(settings.setValue("numbering.last", "5002", anna));
+  const std::vector<std::string> words = repairedWithout("setting");
+  EXPECT_THAT(words, Contains("setting (numbering.last): from the history"));
+  const catalogue::Settings repaired(catalogue());
+  EXPECT_EQ(catalogue::valueIn(repaired.value("numbering.first")), "5001");
+  EXPECT_EQ(catalogue::valueIn(repaired.value("numbering.last")), "5002");
+}
+
+TEST_F(RepairHistory, TellsTheBagsThatABatchWasBegunWith) {
+  ASSERT_TRUE(project_->backUp());
+  const store::BatchRow row = newBatch({bag5, bag1});
+  EXPECT_THAT(repairedWithout("batch_bag"), Contains("batch 1 (B0001), bags: from the history"));
+  EXPECT_THAT(catalogue::Batches(catalogue()).get(row)->bags, ElementsAre(bag5, bag1));
 }
 
 // Site ARM2 with trench T9 and context 0099, and a sherd there with a weight: all newer than the

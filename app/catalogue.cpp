@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -13,6 +12,7 @@
 #include "command.h"
 #include "exchange/export_folder.h"
 #include "intake/enter_results.h"
+#include "options.h"
 #include "sherds/filter.h"
 #include "sherds/sherds.h"
 #include "shown.h"
@@ -296,12 +296,6 @@ int runRepair(const Options& options, Session& session) {
                 words);
 }
 
-CLI::Option* addProject(CLI::App* command, Options& options) {
-  return command->add_option("PROJECT", options.project, "Folder of the project")
-      ->required()
-      ->check(CLI::ExistingDirectory);
-}
-
 CLI::Option* addOutput(CLI::App* command, Options& options, const char* words) {
   return command->add_option("--output,-o", options.output, words)->required();
 }
@@ -315,7 +309,7 @@ void addCatalogue(CLI::App& root, Command& chosen) {
   auto options = std::make_shared<Options>();
   const auto add = [&](const char* name, const char* words, int (*run)(const Options&, Session&)) {
     CLI::App* command = catalogue->add_subcommand(name, words);
-    workOf(*command, chosen, options, run);
+    workOf(*command, chosen, run, options);
     return command;
   };
   CLI::App* fresh = add("new", "Make an empty project", runNew);
@@ -328,41 +322,36 @@ void addCatalogue(CLI::App& root, Command& chosen) {
   addCatalogueImport(*catalogue, chosen);
   addCatalogueMerge(*catalogue, chosen);
   CLI::App* out = add("export", "Write sherds as a folder with checksums", runExport);
-  addProject(out, *options);
+  addProject(*out, options->project);
   addOutput(out, *options, "New folder for the export");
   out->add_option("--filter", options->filter, "Which sherds, as in the window: rim thickness>6");
   out->add_option("--forms", options->forms, "Formats to write")
       ->delimiter(',')
       ->transform(CLI::CheckedTransformer(formsByName()))
       ->default_str("csv,json,ply,glb,pictures");
-  out->add_option(
-         "--size", options->most_model_bytes,
-         "How large a GLB may be: as it is (full), 5 MB (web) or 1 MB (phone); PLY and OBJ "
-         "get the same surface")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, std::size_t>{
-          {"full", 0}, {"web", exchange::kWebBytes}, {"phone", exchange::kPhoneBytes}}))
-      ->default_str("full");
+  addChoice(*out, "--size", options->most_model_bytes,
+            {{"full", 0}, {"web", exchange::kWebBytes}, {"phone", exchange::kPhoneBytes}}, "full",
+            "How large a GLB may be: as it is (full), 5 MB (web) or 1 MB (phone); PLY and OBJ "
+            "get the same surface");
   addSurface(*out, options->surface, options->dpi);
   CLI::App* enter = add("enter", "Enter the results of 'ostraka process' of a batch", runEnter);
-  addProject(enter, *options);
+  addProject(*enter, options->project);
   enter->add_option("BATCH", options->batch, "Number of the batch, as B0031")->required();
   CLI::App* archive =
       add("archive", "Write the whole project as a folder with checksums", runArchive);
-  addProject(archive, *options);
+  addProject(*archive, options->project);
   addOutput(archive, *options, "New folder for the archive");
   archive->add_flag("--with-damage", options->with_damage,
                     "Archive it though files are missing or changed, and list them in it");
   CLI::App* restore = add("restore", "Make a project from an archive", runRestore);
-  restore->add_option("ARCHIVE", options->other, "Folder that 'catalogue archive' wrote")
-      ->required()
-      ->check(CLI::ExistingDirectory);
+  addProject(*restore, options->other, "ARCHIVE", "Folder that 'catalogue archive' wrote");
   addOutput(restore, *options, "New folder for the project");
   CLI::App* check = add("check", "Check the catalogue and its files, and back it up", runCheck);
-  addProject(check, *options);
+  addProject(*check, options->project);
   check->add_flag("--quick", options->quick,
                   "Only names and sizes of the files, not what is in them");
-  addProject(add("repair", "Restore a damaged catalogue from its backups and history", runRepair),
-             *options);
+  addProject(*add("repair", "Restore a damaged catalogue from its backups and history", runRepair),
+             options->project);
 }
 
 }  // namespace ostraka::app

@@ -1,5 +1,4 @@
 // `ostraka catalogue import`: tables and export folders into a project.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cstdio>
@@ -15,6 +14,7 @@
 #include "files/files.h"
 #include "files/open_folder.h"
 #include "files/output_place.h"
+#include "options.h"
 #include "shown.h"
 #include "tables/column_names.h"
 #include "tables/refused_rows.h"
@@ -277,10 +277,8 @@ void addCatalogueImport(CLI::App& catalogue, Command& chosen) {
   CLI::App* command = catalogue.add_subcommand(
       "import", "Read a CSV table or an export folder; a preview without --enter");
   const auto arguments = std::make_shared<ImportArguments>();
-  workOf(*command, chosen, arguments, runImport);
-  command->add_option("PROJECT", arguments->project, "Folder of the project")
-      ->required()
-      ->check(CLI::ExistingDirectory);
+  workOf(*command, chosen, runImport, arguments);
+  addProject(*command, arguments->project);
   command->add_option("FILE", arguments->source, "Table (CSV) of sherds or contexts, or an export")
       ->required()
       ->check(CLI::ExistingPath);

@@ -1,5 +1,4 @@
 // `ostraka catalogue merge`: what another project holds comes into this one.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +8,7 @@
 #include "base/text.h"
 #include "catalogue_commands.h"
 #include "merge/merge.h"
+#include "options.h"
 #include "shown.h"
 #include "upkeep/project.h"
 
@@ -123,7 +123,7 @@ void addCatalogueMerge(CLI::App& catalogue, Command& chosen) {
   CLI::App* command = catalogue.add_subcommand(
       "merge", "Bring what project B holds into project A; B is only read");
   const auto arguments = std::make_shared<MergeArguments>();
-  workOf(*command, chosen, arguments, runMerge);
+  workOf(*command, chosen, runMerge, arguments);
   command->footer(
       "For example, to see what would come from another laptop, and then bring it:\n"
       "  ostraka catalogue merge Hill Hill-laptop --dry-run\n"
@@ -131,12 +131,8 @@ void addCatalogueMerge(CLI::App& catalogue, Command& chosen) {
       "choices.json has a choice for the id of each conflict that the first command lists:\n"
       "  [{\"id\": \"sherd/UUID/ware\", \"take\": \"b\"},\n"
       "   {\"id\": \"number/UUID\", \"number\": \"ARM1-T3-0012-0099\"}]");
-  command->add_option("A", arguments->a, "Folder of the project that is changed")
-      ->required()
-      ->check(CLI::ExistingDirectory);
-  command->add_option("B", arguments->b, "Folder of the project that is read")
-      ->required()
-      ->check(CLI::ExistingDirectory);
+  addProject(*command, arguments->a, "A", "Folder of the project that is changed");
+  addProject(*command, arguments->b, "B", "Folder of the project that is read");
   command->add_option("--settle", arguments->settled, "What to take of each conflict, as JSON")
       ->check(CLI::ExistingFile);
   command->add_flag("--dry-run", arguments->dry_run, "Only say what would happen");

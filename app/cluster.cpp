@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -8,6 +7,7 @@
 #include "cluster/collect.h"
 #include "cluster/submit.h"
 #include "command.h"
+#include "options.h"
 #include "shown.h"
 #include "upkeep/project.h"
 
@@ -184,13 +184,11 @@ void addCluster(CLI::App& root, Command& chosen) {
   const auto add = [&](const char* name, const char* words,
                        int (*run)(const ClusterOptions&, Session&)) {
     CLI::App* one = command->add_subcommand(name, words);
-    one->add_option("PROJECT", options->project, "Folder of the project")
-        ->required()
-        ->check(CLI::ExistingDirectory);
+    addProject(*one, options->project);
     one->add_option("--host", options->host,
                     "USER@LOGIN:/FOLDER to which rsync copies the batches, remembered for this "
                     "project on this computer; else the cluster must see the project's folder");
-    workOf(*one, chosen, options, run);
+    workOf(*one, chosen, run, options);
     return one;
   };
   CLI::App* submit = add("submit", "Submit the waiting batches", runSubmit);

@@ -1,11 +1,10 @@
 #include "command.h"
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
+#include "options.h"
 #include "pairing/candidates.h"
 #include "shown.h"
 
@@ -26,27 +25,19 @@ void addThreads(CLI::App& command, int& threads) {
 
 void addPairing(CLI::App& command, pairing::Method& pairing, registration::Method& registration,
                 registration::Boundary& boundary) {
-  command.add_option("--pairing", pairing, "Pairing: default, or paper (Wang et al. 2023)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Method>{
-          {"default", pairing::Method::Default}, {"paper", pairing::Method::Paper}}))
-      ->default_str("default");
-  command
-      .add_option("--registration", registration,
-                  "Registration: default, or a method of another paper: bbicp (Bilateral Boundary "
-                  "ICP, Wang et al. 2023), trimmed (ICP, Chetverikov et al. 2002), gicp (Segal et "
-                  "al. 2009), fpfh-ransac (Rusu et al. 2009, Buch et al. 2013), 4pcs (Aiger et al. "
-                  "2008), k4pcs (keypoints, Theiler et al. 2014), super4pcs (Mellado et al. 2014), "
-                  "fgr (Zhou et al. 2016)")
-      ->transform(CLI::CheckedTransformer(registration::methodsByName()))
-      ->default_str("default");
-  command
-      .add_option(
-          "--boundary", boundary,
-          "What bbicp takes for the boundary of a scan: strip (the lower end of the fracture "
-          "strip), or paper (distance to the masks and gaps between neighbours, Wang et al. "
-          "2023; scans without masks: the gaps alone)")
-      ->transform(CLI::CheckedTransformer(registration::boundariesByName()))
-      ->default_str("strip");
+  addChoice(command, "--pairing", pairing,
+            {{"default", pairing::Method::Default}, {"paper", pairing::Method::Paper}}, "default",
+            "Pairing: default, or paper (Wang et al. 2023)");
+  addChoice(command, "--registration", registration, registration::methodsByName(), "default",
+            "Registration: default, or a method of another paper: bbicp (Bilateral Boundary "
+            "ICP, Wang et al. 2023), trimmed (ICP, Chetverikov et al. 2002), gicp (Segal et "
+            "al. 2009), fpfh-ransac (Rusu et al. 2009, Buch et al. 2013), 4pcs (Aiger et al. "
+            "2008), k4pcs (keypoints, Theiler et al. 2014), super4pcs (Mellado et al. 2014), "
+            "fgr (Zhou et al. 2016)");
+  addChoice(command, "--boundary", boundary, registration::boundariesByName(), "strip",
+            "What bbicp takes for the boundary of a scan: strip (the lower end of the fracture "
+            "strip), or paper (distance to the masks and gaps between neighbours, Wang et al. "
+            "2023; scans without masks: the gaps alone)");
 }
 
 void checkBoundary(registration::Method registration, registration::Boundary boundary) {

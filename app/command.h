@@ -58,9 +58,9 @@ void addCompletion(CLI::App& root, Command& chosen);
 void addManPages(CLI::App& root, Command& chosen);
 
 /// When the command is chosen on the command line, its work is to run with what was read.
-void workOf(auto& command, Command& chosen, auto arguments, auto run) {
-  command.callback([&chosen, arguments, run] {
-    chosen = [arguments, run](Session& session) { return run(*arguments, session); };
+void workOf(auto& command, Command& chosen, auto run, auto... arguments) {
+  command.callback([&chosen, run, arguments...] {
+    chosen = [run, arguments...](Session& session) { return run(*arguments..., session); };
   });
 }
 

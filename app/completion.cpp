@@ -20,15 +20,14 @@ struct Choice {
 };
 
 struct Node {
-  std::string path;  // "ostraka process"
-  std::string description;
+  std::string path;                                           // "ostraka process"
   std::vector<Choice> options;                                // by long name
   std::vector<std::string> first_words;                       // of a positional that is a choice
   std::vector<std::pair<std::string, std::string>> commands;  // name, description
 };
 
 void collect(const CLI::App& app, const std::string& path, std::vector<Node>& nodes) {
-  Node node{path, firstLine(app.get_description()), {}, {}, {}};
+  Node node{path, {}, {}, {}};
   for (const CLI::Option* option : app.get_options()) {
     const std::vector<std::string> values = choicesOf(*option);
     for (const std::string& name : option->get_lnames())

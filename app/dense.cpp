@@ -274,7 +274,7 @@ void addDense(CLI::App& root, Command& chosen) {
                    "more memory and time")
       ->check(CLI::Range(0.3, 1000.0))
       ->capture_default_str();
-  workOf(*command, chosen, arguments, runDense);
+  workOf(*command, chosen, runDense, arguments);
 }
 
 }  // namespace ostraka::app

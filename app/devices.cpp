@@ -109,7 +109,7 @@ void addDevices(CLI::App& root, Command& chosen) {
                     "First make the desktop let go of cameras that it holds");
   command->add_flag("--watch", arguments->watch,
                     "List them again whenever one is plugged in or out, until Ctrl-C");
-  workOf(*command, chosen, arguments, runDevices);
+  workOf(*command, chosen, runDevices, arguments);
 }
 
 }  // namespace ostraka::app

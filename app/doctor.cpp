@@ -201,7 +201,7 @@ void addDoctor(CLI::App& root, Command& chosen) {
   command->add_option("FOLDER", *folder, "Where projects are kept: its disk is looked at")
       ->check(CLI::ExistingDirectory)
       ->capture_default_str();
-  workOf(*command, chosen, folder, runDoctor);
+  workOf(*command, chosen, runDoctor, folder);
 }
 
 }  // namespace ostraka::app

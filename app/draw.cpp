@@ -1,7 +1,5 @@
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +7,7 @@
 #include "command.h"
 #include "drawing/drawing.h"
 #include "drawing/drawing_files.h"
+#include "options.h"
 #include "shown.h"
 #include "texture/texture.h"
 
@@ -148,10 +147,9 @@ void addDraw(CLI::App& root, Command& chosen) {
           "FILE.pdf (all sheets), FILE.svg (a file each), FILE.png or FILE.tif (the views alone, a "
           "file for each sherd, with its resolution)")
       ->required();
-  command->add_option("--scale", a->drawing.scale, "Size on paper to that of the sherd")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, double>{
-          {"1:1", 1.0}, {"1:2", 0.5}, {"1:3", 1.0 / 3}, {"2:1", 2.0}}))
-      ->default_str("1:1");
+  addChoice(*command, "--scale", a->drawing.scale,
+            {{"1:1", 1.0}, {"1:2", 0.5}, {"1:3", 1.0 / 3}, {"2:1", 2.0}}, "1:1",
+            "Size on paper to that of the sherd");
   command->add_flag_callback(
       "--rim", [a] { a->drawing.rim = RimChoice::Yes; }, "These are rim sherds, I am sure");
   command->add_flag_callback(
@@ -160,13 +158,11 @@ void addDraw(CLI::App& root, Command& chosen) {
   command->add_flag_callback(
       "--plates", [a] { a->sheets.layout = SheetOptions::Layout::Plates; },
       "Many sherds on a sheet instead of one each");
-  command->add_option("--paper", a->sheets.paper, "a4 or a3; what is larger gets what it needs")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Paper>{{"a4", Paper::A4}, {"a3", Paper::A3}}))
-      ->default_str("a4");
+  addChoice(*command, "--paper", a->sheets.paper, {{"a4", Paper::A4}, {"a3", Paper::A3}}, "a4",
+            "a4 or a3; what is larger gets what it needs");
   command->add_option("--id", a->ids, "Name of each sherd, in the order of the models");
   command->add_option("--title", a->sheets.title, "At the foot of each sheet");
-  workOf(*command, chosen, a, runDraw);
+  workOf(*command, chosen, runDraw, a);
 }
 
 }  // namespace ostraka::app

@@ -1,4 +1,3 @@
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -15,6 +14,7 @@
 #include "evaluate/truth.h"
 #include "evaluate_tables.h"
 #include "files/files.h"
+#include "options.h"
 
 namespace ostraka::app {
 namespace {
@@ -71,9 +71,7 @@ Result<void> evaluateModels(const EvaluateArguments& arguments,
   }
   for (const TrueSherd& sherd : sherds)
     truth.push_back({sherd.id, transformed(sherd.mesh, sherd.plate_front_from_model)});
-  ModelOptions options;
-  options.align = arguments.align;
-  options.threads = arguments.threads;
+  const ModelOptions options{.align = arguments.align, .threads = arguments.threads};
   session.progress.begin("models", 0.6);
   const Result<BatchEvaluation> batch =
       evaluateBatch(models, truth, options, session.progress, session.stop);
@@ -214,9 +212,7 @@ Result<void> evaluateOneModel(const EvaluateArguments& arguments, Session& sessi
   if (!model) return model.error();
   const Result<PlyContents> truth = readPly(arguments.truth);
   if (!truth) return truth.error();
-  ModelOptions options;
-  options.align = arguments.align;
-  options.threads = arguments.threads;
+  const ModelOptions options{.align = arguments.align, .threads = arguments.threads};
   session.progress.begin("model", 1.0);
   const Result<ModelFigures> figures =
       compareModel(model->mesh, truth->mesh, options, session.progress, session.stop);
@@ -272,15 +268,11 @@ void addEvaluate(CLI::App& root, Command& chosen) {
       ->add_option("--scans", arguments->scans,
                    "Folder of the scans named in truth.json, when not beside it")
       ->check(CLI::ExistingDirectory);
-  command
-      ->add_option("--align", arguments->align,
-                   "none: poses as they are; icp: models moved onto the truth first")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Align>{{"none", Align::None}, {"icp", Align::Icp}}))
-      ->default_str("none");
+  addChoice(*command, "--align", arguments->align, {{"none", Align::None}, {"icp", Align::Icp}},
+            "none", "none: poses as they are; icp: models moved onto the truth first");
   addThreads(*command, arguments->threads);
   command->add_flag("--gate", arguments->gate, "Exit status 1 when a goal is missed");
-  workOf(*command, chosen, arguments, runEvaluate);
+  workOf(*command, chosen, runEvaluate, arguments);
 }
 
 }  // namespace ostraka::app

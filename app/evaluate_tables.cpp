@@ -1,7 +1,6 @@
 #include "evaluate_tables.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"

@@ -1,7 +1,6 @@
 // Manual pages from what the command line says of itself, so that the two never differ.
 #include <CLI/CLI.hpp>
 #include <cctype>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>

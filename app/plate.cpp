@@ -1,11 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "command.h"
 #include "files/output_place.h"
+#include "options.h"
 #include "rig/plate_print.h"
 #include "shown.h"
 
@@ -63,31 +62,21 @@ void addPlate(CLI::App& root, Command& chosen) {
       ->required();
   command->add_option("--diameter", options->diameter_mm, "Of the turntable's plate, mm")
       ->capture_default_str();
-  command
-      ->add_option("--paper", *paper,
-                   "a4 or a3: sheets that are glued together; whole: one page for a plotter")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, PaperChoice>{
-          {"a4", PaperChoice::A4}, {"a3", PaperChoice::A3}, {"whole", PaperChoice::Whole}}))
-      ->default_str("a3");
+  addChoice(*command, "--paper", *paper,
+            {{"a4", PaperChoice::A4}, {"a3", PaperChoice::A3}, {"whole", PaperChoice::Whole}}, "a3",
+            "a4 or a3: sheets that are glued together; whole: one page for a plotter");
   command->add_option("--marker", options->marker_mm, "Side of the markers, mm")
       ->capture_default_str();
   command->add_option("--dictionary", options->dictionary, "Of the plate's markers, OpenCV's name")
       ->capture_default_str();
-  command
-      ->add_option("--ground", options->ground,
-                   "Between the markers: white, or black where no cloth is laid")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, rig::Ground>{
-          {"white", rig::Ground::White}, {"black", rig::Ground::Black}}))
-      ->default_str("white");
+  addChoice(*command, "--ground", options->ground,
+            {{"white", rig::Ground::White}, {"black", rig::Ground::Black}}, "white",
+            "Between the markers: white, or black where no cloth is laid");
   command->add_option("--margin", options->printer_margin_mm, "What the printer leaves white, mm")
       ->capture_default_str();
   command->add_option("--ruler-measured", options->ruler_measured_mm,
                       "What the plate's ruler measures on paper, mm: the files follow it");
-  command->callback([options, paper, output, &chosen] {
-    chosen = [options, paper, output](Session& session) {
-      return runPlate(*options, *paper, *output, session);
-    };
-  });
+  workOf(*command, chosen, runPlate, options, paper, output);
 }
 
 }  // namespace ostraka::app

@@ -1,12 +1,11 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
 #include "command.h"
 #include "files/json.h"
+#include "options.h"
 #include "pipeline/process_batch.h"
 #include "registration/within.h"
 #include "shown.h"
@@ -133,12 +132,11 @@ void addProcess(CLI::App& root, Command& chosen) {
           "the photographs")
       ->check(CLI::Range(0.5, 1000.0));
   addThreads(*command, options->threads);
-  command->add_option("--dense", options->dense, "Dense reconstruction: builtin, colmap or openmvs")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, DenseMethod>{{"builtin", DenseMethod::Builtin},
-                                             {"colmap", DenseMethod::Colmap},
-                                             {"openmvs", DenseMethod::OpenMvs}}))
-      ->default_str("builtin");
+  addChoice(*command, "--dense", options->dense,
+            {{"builtin", DenseMethod::Builtin},
+             {"colmap", DenseMethod::Colmap},
+             {"openmvs", DenseMethod::OpenMvs}},
+            "builtin", "Dense reconstruction: builtin, colmap or openmvs");
   command
       ->add_option("--masks", options->masks,
                    "Masks: auto (from the plate), given (beside the photographs), or a "

@@ -1,11 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
 #include "command.h"
+#include "options.h"
 #include "registration/within.h"
 #include "scansets/register_report.h"
 #include "scansets/register_scans.h"
@@ -75,14 +74,10 @@ void addRegister(CLI::App& root, Command& chosen) {
   command->add_option("--back", options->back, "Folder of the back scans (*.ply, mm)")->required();
   command->add_option("--output,-o", options->output, "Folder for the result; made when absent")
       ->required();
-  command
-      ->add_option(
-          "--scale", options->scale,
-          "fixed: both sides are in mm; free: the sides' scales differ; bbicp then finds each "
-          "pair's own on the way (Ying et al. 2009)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, pairing::Scale>{
-          {"fixed", pairing::Scale::Fixed}, {"free", pairing::Scale::Free}}))
-      ->default_str("fixed");
+  addChoice(*command, "--scale", options->scale,
+            {{"fixed", pairing::Scale::Fixed}, {"free", pairing::Scale::Free}}, "fixed",
+            "fixed: both sides are in mm; free: the sides' scales differ; bbicp then finds each "
+            "pair's own on the way (Ying et al. 2009)");
   addPairing(*command, options->pairing, options->registration, options->boundary);
   addThreads(*command, options->threads);
   command->callback([options, &chosen] {

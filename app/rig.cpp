@@ -1,10 +1,10 @@
-#include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "command.h"
+#include "options.h"
 #include "virtualrig/simulate.h"
 
 namespace ostraka::app {
@@ -47,37 +47,31 @@ void addHandHeld(CLI::App& command, SimulateOptions& options, rendering::HandHel
         options.hand_held = hand;
       },
       "No rig: this many hand-held photographs per side over a printed sheet on a table");
-  const auto choice = [&](const char* name, const char* help, auto& value, const auto& names,
-                          const char* standard) {
-    command.add_option(name, value, help)
-        ->transform(CLI::CheckedTransformer(names))
-        ->default_str(standard)
-        ->needs(by_hand);
-  };
-  choice("--sheet", "The printed sheet", hand.sheet,
-         std::map<std::string, rendering::SheetSize>{{"a4", rendering::SheetSize::A4},
-                                                     {"a3", rendering::SheetSize::A3},
-                                                     {"letter", rendering::SheetSize::Letter}},
-         "a4");
-  choice("--table", "The surface under the sheet", hand.table,
-         std::map<std::string, rendering::TableKind>{
-             {"wood", rendering::TableKind::Wood},
-             {"cloth", rendering::TableKind::Cloth},
-             {"granite", rendering::TableKind::Granite},
-             {"cutting-mat", rendering::TableKind::CuttingMat}},
-         "wood");
-  choice("--light", "The light of the room", hand.light,
-         std::map<std::string, rendering::LightKind>{{"window", rendering::LightKind::Window},
-                                                     {"lamp", rendering::LightKind::Lamp},
-                                                     {"flash", rendering::LightKind::Flash},
-                                                     {"overcast", rendering::LightKind::Overcast},
-                                                     {"sun", rendering::LightKind::Sun}},
-         "window");
-  choice("--camera", "What takes the photographs", hand.camera,
-         std::map<std::string, rendering::CameraKind>{{"phone", rendering::CameraKind::Phone},
-                                                      {"dslr", rendering::CameraKind::Dslr},
-                                                      {"compact", rendering::CameraKind::Compact}},
-         "phone");
+  using rendering::CameraKind, rendering::LightKind, rendering::SheetSize, rendering::TableKind;
+  addChoice(command, "--sheet", hand.sheet,
+            {{"a4", SheetSize::A4}, {"a3", SheetSize::A3}, {"letter", SheetSize::Letter}}, "a4",
+            "The printed sheet")
+      ->needs(by_hand);
+  addChoice(command, "--table", hand.table,
+            {{"wood", TableKind::Wood},
+             {"cloth", TableKind::Cloth},
+             {"granite", TableKind::Granite},
+             {"cutting-mat", TableKind::CuttingMat}},
+            "wood", "The surface under the sheet")
+      ->needs(by_hand);
+  addChoice(command, "--light", hand.light,
+            {{"window", LightKind::Window},
+             {"lamp", LightKind::Lamp},
+             {"flash", LightKind::Flash},
+             {"overcast", LightKind::Overcast},
+             {"sun", LightKind::Sun}},
+            "window", "The light of the room")
+      ->needs(by_hand);
+  addChoice(
+      command, "--camera", hand.camera,
+      {{"phone", CameraKind::Phone}, {"dslr", CameraKind::Dslr}, {"compact", CameraKind::Compact}},
+      "phone", "What takes the photographs")
+      ->needs(by_hand);
   command.add_option("--bend", hand.bend_mm, "How far the sheet bends up from the table, mm")
       ->capture_default_str()
       ->needs(by_hand);
@@ -108,14 +102,13 @@ void addSimulate(CLI::App& rig, Command& chosen) {
       ->capture_default_str();
   command->add_option("--stops", options->stops, "Turntable positions in a turn")
       ->capture_default_str();
-  command->add_option("--plate", options->plate, "Colour of the plate: dark, mid, light or white")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, rendering::PlateColor>{{"dark", rendering::PlateColor::Dark},
-                                                       {"mid", rendering::PlateColor::Grey},
-                                                       {"grey", rendering::PlateColor::Grey},
-                                                       {"light", rendering::PlateColor::Light},
-                                                       {"white", rendering::PlateColor::White}}))
-      ->default_str("dark");
+  addChoice(*command, "--plate", options->plate,
+            {{"dark", PlateColor::Dark},
+             {"mid", PlateColor::Grey},
+             {"grey", PlateColor::Grey},
+             {"light", PlateColor::Light},
+             {"white", PlateColor::White}},
+            "dark", "Colour of the plate: dark, mid, light or white");
   command->add_flag("--plain", options->plain, "Plain clay: neither slip nor paint");
   command->add_option("--gloss", options->gloss,
                       "Share of shiny sherds, 0 to 1, among usual, black, grey and white clays");
@@ -128,10 +121,9 @@ void addSimulate(CLI::App& rig, Command& chosen) {
   command->add_option("--touching", options->touching, "Pairs of sherds that touch each other")
       ->capture_default_str();
   command->add_flag("--scans-only", options->scans_only, "Scans of both sides, no photographs");
-  command->add_option("--scan-noise", options->scan_noise, "How the scans err: scanner or stereo")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, ScanNoise>{
-          {"scanner", ScanNoise::Scanner}, {"stereo", ScanNoise::Stereo}}))
-      ->default_str("scanner");
+  addChoice(*command, "--scan-noise", options->scan_noise,
+            {{"scanner", ScanNoise::Scanner}, {"stereo", ScanNoise::Stereo}}, "scanner",
+            "How the scans err: scanner or stereo");
   addThreads(*command, options->threads);
   command->footer(
       "Faults, to see what the program says of them: blur (one camera out of focus at three "

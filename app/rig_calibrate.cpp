@@ -126,11 +126,7 @@ void addRigCalibrate(CLI::App& rig, Command& chosen) {
           "markers A and B")
       ->allow_extra_args(false);
   addThreads(*command, options->threads);
-  command->callback([options, folder, output, &chosen] {
-    chosen = [options, folder, output](Session& session) {
-      return runCalibrate(*folder, *output, *options, session);
-    };
-  });
+  workOf(*command, chosen, runCalibrate, folder, output, options);
 }
 
 }  // namespace ostraka::app

@@ -151,9 +151,7 @@ void addRigPredict(CLI::App& rig, Command& chosen) {
   command->add_option("--work", options->work,
                       "New folder that keeps the simulated batch and its models");
   addThreads(*command, options->threads);
-  command->callback([options, file, &chosen] {
-    chosen = [options, file](Session& session) { return runPredict(*file, *options, session); };
-  });
+  workOf(*command, chosen, runPredict, file, options);
 }
 
 }  // namespace ostraka::app

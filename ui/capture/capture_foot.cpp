@@ -8,6 +8,7 @@
 #include "ui/import/place_edit.h"
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/tool_row.h"
 #include "ui/wizard/batch_description.h"
 #include "ui/wizard/capture_wizard.h"
@@ -36,9 +37,7 @@ QWidget* CaptureFoot::buildFields() {
   connect(place_, &PlaceEdit::entered, this, &CaptureFoot::entered);
   connect(count_, &CountEdit::entered, this, &CaptureFoot::entered);
   connect(count_, &CountEdit::counted, wizard_->description(), &BatchDescription::setCounted);
-  auto* row = bareLayout<QHBoxLayout>(fields);
-  row->addWidget(place_, 1);
-  row->addWidget(count_);
+  filled(bareLayout<QHBoxLayout>(fields), {{place_, 1}, count_});
   return fields;
 }
 

@@ -27,6 +27,7 @@
 #include "ui/widgets/message_panel.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/wizard/batch_description.h"
 #include "ui/wizard/capture_wizard.h"
@@ -60,10 +61,7 @@ CaptureScreen::CaptureScreen(CaptureWizard* wizard, QWidget* parent)
   setAccessibleName(tr("Capture"));
   buildActions();
   work_page_ = buildWorkPage();
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
-  all->addWidget(rig_page_);
-  all->addWidget(work_page_);
+  QVBoxLayout* all = filled(pageColumn(this), {rig_page_, work_page_});
   failure_ = new MessagePanel(QStringLiteral("captureFailure"), this);
   connect(failure_, &MessagePanel::acted, this, [this] {
     failure_->hide();
@@ -73,8 +71,7 @@ CaptureScreen::CaptureScreen(CaptureWizard* wizard, QWidget* parent)
   buildTwice();
   twice_->setBesidePrimary();
   buildImport(all);
-  all->addWidget(twice_);
-  all->addWidget(failure_);
+  filled(all, {twice_, failure_});
 
   connect(wizard_, &CaptureWizard::changed, this, &CaptureScreen::follow);
   connect(wizard_->pictures(), &PlatePictures::changed, this, &CaptureScreen::followLive);
@@ -126,44 +123,43 @@ void CaptureScreen::buildImport(QVBoxLayout* all) {
   connect(import_ask_, &ImportAsk::asked, this, &CaptureScreen::follow);
   connect(import_ask_, &ImportAsk::confirmed, this, &CaptureScreen::follow);
   connect(import_ask_, &ImportAsk::left, this, &CaptureScreen::follow);
-  all->addWidget(import_ask_);
-  all->addWidget(new ImportLine(importer_, this));
+  filled(all, {import_ask_, new ImportLine(importer_, this)});
 }
 
 void CaptureScreen::buildActions() {
-  next_ = addPageAct(this, "captureNext", "next", tr("Next step"), Qt::Key_Space);
+  next_ = addPageAct(this, "captureNext", "next", tr("Next step"), Qt::Key_Space, this,
+                     &CaptureScreen::goOn);
   next_->setAutoRepeat(false);  // a key that is held does one thing
-  stop_ = addPageAct(this, "captureStop", "stop", tr("Stop turntable"), Qt::Key_Escape);
+  stop_ = addPageAct(this, "captureStop", "stop", tr("Stop turntable"), Qt::Key_Escape, wizard_,
+                     &CaptureWizard::stop);
   stop_->setIconText(tr("Stop"));  // in sight in every language
-  again_ = addPageAct(this, "captureAgain", "again", tr("Photograph again"), Qt::Key_R);
+  again_ =
+      addPageAct(this, "captureAgain", "again", tr("Photograph again"), Qt::Key_R, this, [this] {
+        if (namesABag()) wizard_->again();
+      });
   again_->setAutoRepeat(false);
-  keep_ = addPageAct(this, "keepPhotographs", {}, tr("Keep the photographs"), Qt::Key_Escape);
-  number_ = addPageAct(this, "numberSherds", "label", tr("Type the sherds' numbers"), Qt::Key_N);
-  count_sherds_ =
-      addPageAct(this, "countSherds", "sherd", tr("Type how many sherds lie there"), Qt::Key_S);
+  keep_ = addPageAct(this, "keepPhotographs", {}, tr("Keep the photographs"), Qt::Key_Escape,
+                     wizard_, &CaptureWizard::keepPhotographs);
+  number_ = addPageAct(this, "numberSherds", "label", tr("Type the sherds' numbers"), Qt::Key_N,
+                       this, [this] { number_edit_->choose(number_edit_->sherd()); });
+  count_sherds_ = addPageAct(this, "countSherds", "sherd", tr("Type how many sherds lie there"),
+                             Qt::Key_S, this, [this] { foot_->count()->takeKeys(); });
   import_photographs_ =
       addPageAct(this, "importPhotographs", "import", tr("Import photographs…"), {});
   import_scans_ = addPageAct(this, "importScans", "import", tr("Import scans…"), {});
-  change_rig_ = addPageAct(this, "changeRig", "turntable", tr("Change rig…"), {});
-  set_aside_ = addPageAct(this, "setBatchAside", "aside", tr("Set this batch aside"), {});
+  change_rig_ = addPageAct(this, "changeRig", "turntable", tr("Change rig…"), {}, wizard_->rig(),
+                           &RigConnection::clear);
+  set_aside_ = addPageAct(this, "setBatchAside", "aside", tr("Set this batch aside"), {}, wizard_,
+                          &CaptureWizard::setAside);
   for (int camera = 0; camera < kMostCameras; ++camera) {
     const QString letter = QString::fromStdString(batch::cameraLetter(camera));
     QAction* action = addPageAct(this, "camera" + letter, "camera", tr("Camera %1").arg(letter),
-                                 QKeySequence(static_cast<Qt::Key>(Qt::Key_A + camera)));
+                                 QKeySequence(static_cast<Qt::Key>(Qt::Key_A + camera)), this,
+                                 [this, camera] { wizard_->pictures()->setCamera(camera); });
     action->setIconText(letter);
     action->setCheckable(true);
-    connect(action, &QAction::triggered, this,
-            [this, camera] { wizard_->pictures()->setCamera(camera); });
     cameras_.push_back(action);
   }
-  connect(next_, &QAction::triggered, this, &CaptureScreen::goOn);
-  connect(stop_, &QAction::triggered, wizard_, &CaptureWizard::stop);
-  connect(again_, &QAction::triggered, this, [this] {
-    if (namesABag()) wizard_->again();
-  });
-  connect(keep_, &QAction::triggered, wizard_, &CaptureWizard::keepPhotographs);
-  connect(change_rig_, &QAction::triggered, wizard_->rig(), &RigConnection::clear);
-  connect(set_aside_, &QAction::triggered, wizard_, &CaptureWizard::setAside);
 }
 
 void CaptureScreen::goOn() {
@@ -199,8 +195,6 @@ QWidget* CaptureScreen::buildWorkPage() {
   connect(plate_, &PlateView::sherdClicked, this, [this](int sherd) {
     if (number_edit_->isVisible()) number_edit_->choose(sherd);
   });
-  connect(number_, &QAction::triggered, this,
-          [this] { number_edit_->choose(number_edit_->sherd()); });
   connect(number_edit_, &NumberEdit::chosen, this, &CaptureScreen::followNumbers);
   connect(numbers_, &SherdNumbers::changed, this, &CaptureScreen::followNumbers);
   connect(number_edit_, &NumberEdit::finished, this, [this] {
@@ -220,27 +214,20 @@ QWidget* CaptureScreen::buildWorkPage() {
   for (MessagePanel* panel : {doubts_, other_numbers_}) panel->setBesidePrimary();
   connect(numbers_, &SherdNumbers::changed, this, &CaptureScreen::followBag);
   QWidget* foot = buildFoot();
-  auto* column = bareLayout<QVBoxLayout>(page);
-  column->addWidget(headline_);
-  column->addWidget(instruction_);
-  column->addWidget(new PageArea(buildMiddle(page), page), 1);
-  column->addWidget(fault_);
-  column->addWidget(place_->note());
-  column->addWidget(foot);
+  filled(bareLayout<QVBoxLayout>(page), {headline_,
+                                         instruction_,
+                                         {new PageArea(buildMiddle(page), page), 1},
+                                         fault_,
+                                         place_->note(),
+                                         foot});
   return page;
 }
 
 // What is looked at; where it finds no room it is scrolled, and what decides is not.
 QWidget* CaptureScreen::buildMiddle(QWidget* page) {
   auto* middle = new QWidget(page);
-  auto* row = new QHBoxLayout;
-  row->addWidget(middle_, 1);
-  row->addWidget(facts_);
-  auto* column = bareLayout<QVBoxLayout>(middle);
-  column->addLayout(row, 1);
-  column->addWidget(number_edit_);
-  column->addWidget(doubts_);
-  column->addWidget(other_numbers_);
+  auto* row = filled(new QHBoxLayout, {{middle_, 1}, facts_});
+  filled(bareLayout<QVBoxLayout>(middle), {{row, 1}, number_edit_, doubts_, other_numbers_});
   return middle;
 }
 
@@ -257,7 +244,6 @@ QWidget* CaptureScreen::buildFoot() {
     place_->setText(wizard_->description()->place().typed());
     placeTyped();
   });
-  connect(count_sherds_, &QAction::triggered, foot_->count(), &CountEdit::takeKeys);
   return foot_;
 }
 
@@ -436,16 +422,14 @@ void CaptureScreen::followNumbers() {
 
 // Their labels would carry one context, and the catalogue another.
 void CaptureScreen::followBag() {
-  QStringList numbers = wizard_->batch().numbersOfAnotherBag();
+  const QStringList numbers = wizard_->batch().numbersOfAnotherBag();
   other_numbers_->setVisible(!numbers.isEmpty());
   if (numbers.isEmpty()) return;
-  if (numbers.size() > kNumbersNamed)
-    numbers = numbers.mid(0, kNumbersNamed) << QStringLiteral("…");
   other_numbers_->showWords(tr("The bag is another now, the numbers are not"),
                             tr("Not as this bag's sherds are numbered: %1. Type them anew (N, or "
                                "later in the catalogue), "
                                "or say that they are right.")
-                                .arg(numbers.join(QStringLiteral(", "))),
+                                .arg(firstOf(numbers, kNumbersNamed)),
                             tr("Keep these numbers"));
 }
 

@@ -7,6 +7,7 @@
 #include <QSpinBox>
 
 #include "ui/look/look.h"
+#include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
 namespace {
@@ -31,19 +32,15 @@ class Number final : public QSpinBox {
 
 }  // namespace
 
-CountEdit::CountEdit(QWidget* parent) : QWidget(parent), number_(new Number(this)) {
-  auto* label = new QLabel(tr("&Sherds"), this);
-  label->setBuddy(number_);
-  number_->setObjectName(QStringLiteral("captureCounted"));
+CountEdit::CountEdit(QWidget* parent)
+    : QWidget(parent), number_(named<Number>("captureCounted", this)) {
   number_->setRange(0, kMostSherds);
   number_->setSpecialValueText(tr("not counted"));
   number_->setAccessibleDescription(tr("How many sherds you counted onto the plate"));
   number_->setToolTip(
       tr("Count them if you like: you are asked when the photographs show another number (S)"));
   number_->setMinimumHeight(targetSize(*this));
-  auto* row = bareLayout<QHBoxLayout>(this);
-  row->addWidget(label);
-  row->addWidget(number_);
+  filled(bareLayout<QHBoxLayout>(this), {labelFor(number_, tr("&Sherds")), number_});
   connect(number_, &QSpinBox::valueChanged, this, &CountEdit::counted);
   connect(number_->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &CountEdit::entered);
 }

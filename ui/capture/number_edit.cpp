@@ -7,6 +7,7 @@
 #include <QLineEdit>
 
 #include "ui/look/look.h"
+#include "ui/widgets/parts.h"
 #include "ui/wizard/sherd_numbers.h"
 
 namespace ostraka::ui {
@@ -16,17 +17,13 @@ NumberEdit::NumberEdit(SherdNumbers* numbers, QWidget* parent)
       numbers_(numbers),
       label_(new QLabel(this)),
       note_(wrappedLabel(this, QStringLiteral("sherdNumberNote"))),
-      edit_(new QLineEdit(this)) {
-  edit_->setObjectName(QStringLiteral("sherdNumber"));
+      edit_(named<QLineEdit>("sherdNumber", this)) {
   edit_->setPlaceholderText(tr("7, the whole number, or scan its label"));
   edit_->setMinimumHeight(targetSize(*this));
   edit_->setMinimumWidth(fontMetrics().averageCharWidth() * 34);
   edit_->installEventFilter(this);
   label_->setBuddy(edit_);
-  auto* row = bareLayout<QHBoxLayout>(this);
-  row->addWidget(label_);
-  row->addWidget(edit_);
-  row->addWidget(note_, 1);
+  filled(bareLayout<QHBoxLayout>(this), {label_, edit_, {note_, 1}});
   connect(edit_, &QLineEdit::returnPressed, this, &NumberEdit::keep);
   connect(numbers_, &SherdNumbers::changed, this, [this] {
     if (sherd_ >= numbers_->count()) sherd_ = 0;

@@ -13,25 +13,24 @@
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/message_panel.h"
 #include "ui/widgets/page_acts.h"
+#include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
 
 RigPage::RigPage(QWidget* parent)
     : QWidget(parent),
       ask_(new MessagePanel(QStringLiteral("virtualAsk"), this)),
-      sherds_(new QSpinBox(this)),
-      width_(new QComboBox(this)),
-      near_duplicates_(new QCheckBox(tr("Two of them look alike"), this)) {
+      sherds_(named<QSpinBox>("virtualSherds", this)),
+      width_(named<QComboBox>("virtualWidth", this)),
+      near_duplicates_(named<QCheckBox>("virtualLookalikes", tr("Two of them look alike"), this)) {
   auto* empty = new EmptyState(
       QStringLiteral("turntable"), tr("What do you photograph with?"),
       tr("Import photographs taken by hand, or choose a rig file (RIG.json), which names your "
          "cameras and your turntable. The virtual rig is for practice: its sherds are invented."),
       this);
-  QPushButton* import =
-      empty->addAct(tr("Import photographs…"), QStringLiteral("importPhotographsButton"));
-  import_ = import;
-  if (auto* big = qobject_cast<BigButton*>(import)) big->setKeyHint(tr("Space"));
-  connect(import, &QPushButton::clicked, this, &RigPage::importPhotographs);
+  import_ = empty->addAct(tr("Import photographs…"), QStringLiteral("importPhotographsButton"));
+  if (auto* big = qobject_cast<BigButton*>(import_)) big->setKeyHint(tr("Space"));
+  connect(import_, &QAbstractButton::clicked, this, &RigPage::importPhotographs);
   connect(empty->addAct(tr("Choose a rig file…"), QStringLiteral("chooseRigFile")),
           &QPushButton::clicked, this, &RigPage::chooseFile);
   connect(empty->addAct(tr("Import scans…"), QStringLiteral("importScansButton")),
@@ -39,8 +38,7 @@ RigPage::RigPage(QWidget* parent)
   connect(empty->addAct(tr("Use the virtual rig"), QStringLiteral("useVirtualRig")),
           &QPushButton::clicked, this, &RigPage::askForVirtual);
   keep_ = empty->addAct(tr("Keep current rig"), QStringLiteral("keepRig"));
-  QPushButton* leave = empty->addAct(tr("No rig"), QStringLiteral("noRig"));
-  leave_ = leave;
+  leave_ = empty->addAct(tr("No rig"), QStringLiteral("noRig"));
   for (QAbstractButton* hidden : {keep_, leave_}) hidden->hide();
   connect(keep_, &QAbstractButton::clicked, this, &RigPage::kept);
   connect(leave_, &QAbstractButton::clicked, this, &RigPage::left);
@@ -51,25 +49,18 @@ RigPage::RigPage(QWidget* parent)
 
   auto* box = new QGroupBox(tr("The virtual rig"), this);
   sherds_->setRange(1, 20);
-  sherds_->setObjectName(QStringLiteral("virtualSherds"));
   width_->addItem(tr("small: a batch in a minute or two"), 800);
   width_->addItem(tr("normal"), 1600);
   width_->addItem(tr("fine: as a real camera"), 2400);
-  width_->setObjectName(QStringLiteral("virtualWidth"));
-  near_duplicates_->setObjectName(QStringLiteral("virtualLookalikes"));
   near_duplicates_->setMinimumHeight(controlHeight(*this));
   auto* form = new QFormLayout(box);
   form->addRow(tr("&Sherds on the plate"), sherds_);
   form->addRow(tr("&Photographs"), width_);
   form->addRow(near_duplicates_);
   alignForm(*form);
-  auto* column = new QVBoxLayout(this);
-  column->addWidget(empty, 3);
-  column->addWidget(ask_);
-  column->addWidget(box, 0, Qt::AlignHCenter);
-  column->addStretch(1);
+  filled(new QVBoxLayout(this), {{empty, 3}, ask_, {box, 0, Qt::AlignHCenter}, Part::room(1)});
   // As the eye goes: the acts first, then what the virtual rig is to break.
-  setTabOrder(leave, sherds_);
+  setTabOrder(leave_, sherds_);
   setTabOrder(sherds_, width_);
   setTabOrder(width_, near_duplicates_);
   setChoice({});

@@ -7,7 +7,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScopedValueRollback>
-#include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -40,7 +39,7 @@
 #include "ui/widgets/message_panel.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
-#include "ui/words/sentence.h"
+#include "ui/widgets/parts.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
@@ -87,34 +86,27 @@ QWidget* CatalogueScreen::buildFilterLine() {
     complain(why_not);
     filter_->showConditions(why_not.isEmpty() ? model_->filter() : sherds::Filter());
   });
-  auto* to_import = new QPushButton(icon("import"), tr("Import…"), this);
-  to_import->setObjectName("import");
+  QPushButton* to_import =
+      iconButton(this, "import", "import", tr("Import…"), this, &CatalogueScreen::openImport);
   to_import->setToolTip(tr("Numbers, contexts and descriptions from a table, or an export (%1)")
                             .arg(QKeySequence(Qt::CTRL | Qt::Key_I).toString()));
-  connect(to_import, &QPushButton::clicked, this, &CatalogueScreen::openImport);
-  auto* to_export = new BigButton("exportThese", tr("Export these"), this);
-  export_ = to_export;
-  connect(to_export, &QPushButton::clicked, this, [this] {
+  export_ = new BigButton("exportThese", tr("Export these"), this);
+  connect(export_, &QPushButton::clicked, this, [this] {
     const QString rows = chosen();
     emit wantsScreen("export", rows.startsWith("rows:") ? rows : "filter:" + filter_->text());
   });
   filter_->addButton(to_import);
-  filter_->addButton(to_export);
+  filter_->addButton(export_);
   return filter_;
 }
 
 QWidget* CatalogueScreen::buildWho() {
   who_ = new QWidget(this);
-  auto* initials = new QLineEdit(who_);
-  initials->setObjectName("initials");
-  initials->setAccessibleName(tr("Your initials"));
+  auto* initials = named<QLineEdit>({"initials", tr("Your initials")}, who_);
   initials->setMaximumWidth(initials->fontMetrics().averageCharWidth() * 12);
-  auto* words = new QLabel(tr("Who is working? Your initials go into the history:"), who_);
-  words->setBuddy(initials);
-  auto* row = bareLayout<QHBoxLayout>(who_);
-  row->addWidget(words);
-  row->addWidget(initials);
-  row->addStretch();
+  filled(bareLayout<QHBoxLayout>(who_),
+         {labelFor(initials, tr("Who is working? Your initials go into the history:")), initials,
+          Part::room()});
   connect(initials, &QLineEdit::editingFinished, this, [this, initials] {
     if (session_ && !initials->text().trimmed().isEmpty())
       session_->setInitials(initials->text().trimmed());
@@ -124,9 +116,7 @@ QWidget* CatalogueScreen::buildWho() {
 
 // The table, or why there is none.
 QWidget* CatalogueScreen::buildLeft() {
-  table_ = new QTableView(this);
-  table_->setObjectName("sherds");
-  table_->setAccessibleName(tr("Sherds"));
+  table_ = named<QTableView>({"sherds", tr("Sherds")}, this);
   table_->setModel(model_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -168,48 +158,35 @@ QWidget* CatalogueScreen::buildLeft() {
 }
 
 void CatalogueScreen::buildLayout() {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
-  column->addWidget(buildFilterLine());
+  QWidget* filter_line = buildFilterLine();
   problem_ = wrappedLabel(this, "problem");
   connect(problem_, &QLabel::linkActivated, this, &CatalogueScreen::forgetImports);
   problem_->hide();
-  column->addWidget(problem_);
-  column->addWidget(buildWho());
-  auto* split = new QSplitter(Qt::Horizontal, this);
-  split->addWidget(buildLeft());
-  split->addWidget(buildRight());
-  split->setStretchFactor(0, 3);
-  split->setStretchFactor(1, 1);
-  split->setSizes({760, 420});
+  QWidget* who = buildWho();
+  QSplitter* split =
+      filled(new QSplitter(Qt::Horizontal, this), {{buildLeft(), 3}, {buildRight(), 1}});
   split->setChildrenCollapsible(false);
-  column->addWidget(split, 1);
+  split->setSizes({760, 420});
+  filled(pageColumn(this), {filter_line, problem_, who, {split, 1}});
 }
 
 QWidget* CatalogueScreen::buildRight() {
-  details_ = new SherdDetails(this);
-  details_->setObjectName("details");
+  details_ = named<SherdDetails>("details", this);
   bulk_ = new BulkEdit(this);
   model_pane_ = new ModelPane(this);
   drawing_ = new DrawingPage(this);
-  auto* one = new QSplitter(Qt::Vertical, this);
-  one->addWidget(model_pane_);
-  one->addWidget(details_);
-  one->setStretchFactor(1, 1);
+  QSplitter* one = filled(new QSplitter(Qt::Vertical, this), {model_pane_, {details_, 1}});
   one->setChildrenCollapsible(false);
   one_ = one;
   edit_ = new QStackedWidget(this);
   edit_->addWidget(one_);
   many_ = new PageArea(bulk_, edit_);
   edit_->addWidget(many_);
-  right_ = new QTabWidget(this);
-  right_->setObjectName("right");
-  right_->setAccessibleName(tr("About what is chosen"));
+  right_ = named<QTabWidget>({"right", tr("About what is chosen")}, this);
   right_->addTab(edit_, icon("edit"), tr("Details"));
   drawing_tab_ = right_->addTab(new PageArea(drawing_, right_), icon("drawing"), tr("Drawing"));
   right_->tabBar()->setAccessibleName(tr("Details or drawing"));
-  show_model_ = new QToolButton(right_);
-  show_model_->setObjectName("showModel");
+  show_model_ = named<QToolButton>("showModel", right_);
   show_model_->setIcon(icon("model"));
   show_model_->setText(tr("Model"));
   show_model_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -231,9 +208,7 @@ QWidget* CatalogueScreen::buildRight() {
 void CatalogueScreen::addActions() {
   const auto add = [this](const QString& text, const QString& picture, const QKeySequence& keys,
                           const char* name, auto act) {
-    QAction* action = addPageAct(this, name, picture, text, keys);
-    action->setAutoRepeat(false);
-    connect(action, &QAction::triggered, this, act);
+    addPageAct(this, name, picture, text, keys, this, act)->setAutoRepeat(false);
   };
   add(tr("Search"), "search", QKeySequence::Find, "search", [this] { filter_->takeKeys(); });
   add(tr("Edit"), "edit", Qt::Key_F2, "edit", [this] { openDetails(); });
@@ -354,7 +329,7 @@ void CatalogueScreen::reload() {
     return sherds;
   };
   if (chosen.size() < 2 || sorted(selected()) != sorted(chosen)) return showSelection();
-  bulk_->lookAgain();
+  bulk_->preview();
   drawing_->setSherds(session_, chosen);
 }
 

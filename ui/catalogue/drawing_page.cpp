@@ -29,6 +29,7 @@
 #include "ui/look/look.h"
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/page_acts.h"
+#include "ui/widgets/parts.h"
 #include "ui/words/print_wording.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -63,9 +64,7 @@ DrawingPage::DrawingPage(QWidget* parent) : QWidget(parent) {
 
 QLayout* DrawingPage::buildChoices() {
   const auto choice = [this](const char* name, const QString& text) {
-    auto* box = new QComboBox(this);
-    box->setObjectName(name);
-    box->setAccessibleName(text);
+    auto* box = named<QComboBox>({name, text}, this);
     // Long words of some languages do not widen the window.
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
@@ -88,9 +87,7 @@ QLayout* DrawingPage::buildChoices() {
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   for (const auto& [text, box] : {std::pair(tr("Scale"), scale_),
                                   std::pair(tr("Surface"), surface_), std::pair(tr("Rim"), rim_)}) {
-    auto* label = new QLabel(text, this);
-    label->setBuddy(box);
-    form->addRow(label, box);
+    form->addRow(text, box);
     connect(box, &QComboBox::activated, this, &DrawingPage::choicesChanged);
   }
   alignForm(*form);
@@ -100,37 +97,22 @@ QLayout* DrawingPage::buildChoices() {
 }
 
 QLayout* DrawingPage::buildActs() {
-  enter_ = iconButton(this, "enterRim", "check", tr("Enter the diameter"));
-  save_ = iconButton(this, "saveDrawing", "export", tr("Save…"));
-  print_ = iconButton(this, "printDrawing", "print", tr("Print…"));
-  connect(enter_, &QPushButton::clicked, this, &DrawingPage::enterRim);
-  connect(save_, &QPushButton::clicked, this, &DrawingPage::save);
-  connect(print_, &QPushButton::clicked, this, &DrawingPage::print);
-  QAction* action = addPageAct(this, {}, {}, tr("Print the drawing"), QKeySequence::Print);
-  action->setAutoRepeat(false);
-  connect(action, &QAction::triggered, this, &DrawingPage::print);
-  auto* row = new QHBoxLayout;
-  row->addWidget(save_, 1);
-  row->addWidget(print_, 1);
-  auto* column = new QVBoxLayout;
-  column->addWidget(enter_);
-  column->addLayout(row);
-  return column;
+  enter_ =
+      iconButton(this, "enterRim", "check", tr("Enter the diameter"), this, &DrawingPage::enterRim);
+  save_ = iconButton(this, "saveDrawing", "export", tr("Save…"), this, &DrawingPage::save);
+  print_ = iconButton(this, "printDrawing", "print", tr("Print…"), this, &DrawingPage::print);
+  addPageAct(this, {}, {}, tr("Print the drawing"), QKeySequence::Print, this, &DrawingPage::print)
+      ->setAutoRepeat(false);
+  auto* row = filled(new QHBoxLayout, {{save_, 1}, {print_, 1}});
+  return filled(new QVBoxLayout, {enter_, row});
 }
 
 void DrawingPage::buildLayout() {
-  draw_ = iconButton(this, "drawMany", "edit", {});
-  connect(draw_, &QPushButton::clicked, this, &DrawingPage::draw);
-  bar_ = new QProgressBar(this);
-  bar_->setObjectName("drawingProgress");
+  draw_ = iconButton(this, "drawMany", "edit", {}, this, &DrawingPage::draw);
+  bar_ = named<QProgressBar>({"drawingProgress", tr("Progress of the drawing")}, this);
   bar_->setRange(0, 1000);
-  bar_->setAccessibleName(tr("Progress of the drawing"));
-  stop_ = new QPushButton(icon("cancel"), tr("Stop"), this);
-  stop_->setObjectName("stopDrawing");
-  connect(stop_, &QPushButton::clicked, this, &DrawingPage::stop);
-  auto* working = new QHBoxLayout;
-  working->addWidget(bar_, 1);
-  working->addWidget(stop_);
+  stop_ = iconButton(this, "stopDrawing", "cancel", tr("Stop"), this, &DrawingPage::stop);
+  auto* working = filled(new QHBoxLayout, {{bar_, 1}, stop_});
   view_ = new SheetView(this);
   view_->setMinimumHeight(fontMetrics().height() * 8);
   const auto turn = [this](const char* picture, const QString& text, int by) {
@@ -144,24 +126,13 @@ void DrawingPage::buildLayout() {
   previous_ = turn("previous", tr("Previous sheet"), -1);
   next_ = turn("next", tr("Next sheet"), 1);
   next_->setObjectName("nextSheet");
-  where_ = new QLabel(this);
-  where_->setObjectName("whichSheet");
-  auto* pages = new QHBoxLayout;
-  pages->addWidget(previous_);
-  pages->addWidget(where_);
-  pages->addWidget(next_);
-  pages->addStretch();
+  where_ = named<QLabel>("whichSheet", this);
+  auto* pages = filled(new QHBoxLayout, {previous_, where_, next_, Part::room()});
   words_ = wrappedLabel(this, "drawingWords");
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   words_->setAccessibleName(tr("What the drawing says"));
-  auto* column = new QVBoxLayout(this);
-  column->addLayout(buildChoices());
-  column->addWidget(draw_);
-  column->addLayout(working);
-  column->addWidget(view_, 1);
-  column->addLayout(pages);
-  column->addWidget(words_);
-  column->addLayout(buildActs());
+  filled(new QVBoxLayout(this),
+         {buildChoices(), draw_, working, {view_, 1}, pages, words_, buildActs()});
 }
 
 exchange::DrawSherdsOptions DrawingPage::options() const {
@@ -307,8 +278,7 @@ void DrawingPage::refresh() {
   draw_->setText(tr("Draw plates of %n sherd(s)", nullptr, count));
   bar_->setVisible(drawing_ != nullptr);
   stop_->setVisible(drawing_ != nullptr);
-  for (QWidget* widget : {static_cast<QWidget*>(previous_), static_cast<QWidget*>(next_),
-                          static_cast<QWidget*>(where_)})
+  for (QWidget* widget : std::initializer_list<QWidget*>{previous_, next_, where_})
     widget->setVisible(sheets > 1);
   previous_->setEnabled(page_ > 0);
   next_->setEnabled(page_ + 1 < sheets);

@@ -1,5 +1,4 @@
 #pragma once
-#include <QImage>
 #include <QPointer>
 #include <QWidget>
 #include <memory>
@@ -12,7 +11,6 @@
 
 class QComboBox;
 class QLabel;
-class QPrinter;
 class QProgressBar;
 class QPushButton;
 class QToolButton;

@@ -15,6 +15,7 @@
 #include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/viewport/sherd_view.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/thumbnails.h"
 
 namespace ostraka::ui {
@@ -81,14 +82,10 @@ ModelPane::ModelPane(QWidget* parent) : QWidget(parent) {
   QToolButton* reset = button("modelReset", "again", tr("From above"));
   connect(section_, &QToolButton::toggled, this, [this](bool on) { view()->setSection(on); });
   connect(reset, &QToolButton::clicked, this, [this] { view()->resetView(); });
-  auto* row = bareLayout<QHBoxLayout>(acts_);
-  row->addWidget(section_);
-  row->addWidget(reset);
-  row->addStretch();
+  filled(bareLayout<QHBoxLayout>(acts_), {section_, reset, Part::room()});
   auto* column = bareLayout<QVBoxLayout>(this);
   column->setSpacing(0);
-  column->addWidget(pages_, 1);
-  column->addWidget(acts_);
+  filled(column, {{pages_, 1}, acts_});
   setMinimumHeight(kHeight / 2);
   clear();
 }
@@ -99,8 +96,7 @@ QSize ModelPane::sizeHint() const {
 
 SherdView* ModelPane::view() {
   if (view_ == nullptr) {
-    view_ = new SherdView(this);
-    view_->setObjectName("modelView");
+    view_ = named<SherdView>("modelView", this);
     connect(view_, &SherdView::sectionChanged, section_, &QToolButton::setChecked);
     pages_->addWidget(view_);
   }

@@ -5,7 +5,6 @@
 #include <QKeyEvent>
 #include <QPagedPaintDevice>
 #include <QPainter>
-#include <QScrollBar>
 #include <QSvgRenderer>
 #include <QWheelEvent>
 #include <QtMath>

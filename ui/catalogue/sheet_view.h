@@ -2,7 +2,6 @@
 #include <QByteArray>
 #include <QGraphicsView>
 #include <QImage>
-#include <memory>
 #include <vector>
 
 #include "base/result.h"

@@ -1,42 +1,70 @@
 #include "ui/export/export_model.h"
 
+#include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLocale>
+#include <QRegularExpression>
 #include <algorithm>
-#include <span>
 
-#include "ui/export/export_choices.h"
+#include "sherds/filter.h"
+#include "sherds/sherds.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
+#include "ui/sherds/field_words.h"
+#include "ui/words/print_wording.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {
 
+using What = ExportSelection::What;
+
+constexpr const char* kChoicesKey = "export.choices";
+
+// The same, or with the first number behind it that no folder has.
+QString freeName(const QString& folder) {
+  static const QRegularExpression counted(QStringLiteral("-\\d+$"));
+  const QString first = QString(folder).remove(counted);
+  QString name = folder;
+  for (int i = 2; QFileInfo::exists(name); ++i) name = QStringLiteral("%1-%2").arg(first).arg(i);
+  return name;
+}
+
+QString proposedTarget(const ProjectSession& session, const QString& parent) {
+  return freeName(QDir(parent).filePath(
+      QString::fromStdString(session.folder().filename().string()) + QStringLiteral("-export")));
+}
+
+Result<std::vector<store::SherdRow>> rowsOf(const catalogue::Catalogue& catalogue,
+                                            const ExportSelection& selection) {
+  if (selection.what == What::Chosen) return selection.chosen;
+  const Result<sherds::Filter> filter = sherds::parseFilter(
+      selection.what == What::Filtered ? withFieldNames(selection.filter).toStdString()
+                                       : std::string());
+  if (!filter) return filter.error();
+  return sherds::Sherds(catalogue).rows(*filter, {});
+}
+
 // Measured on a laptop's disk with hashing: writing, syncing and reading back.
 constexpr double kBytesPerSecond = 60e6;
 constexpr double kSecondsPerDrawing = 2;  // of a sherd of 60 mm
 constexpr double kSecondsPerLighter = 3;  // likewise
-constexpr std::size_t kMostNames = 8;     // of sherds, in a line
+constexpr qsizetype kMostNames = 8;       // of sherds, in a line
 
 QString modellessWords(const std::vector<std::string>& names) {
   QStringList shown;
-  for (const std::string& name : std::span(names).first(std::min(names.size(), kMostNames)))
-    shown << QString::fromStdString(name);
-  if (names.size() > kMostNames) shown << QStringLiteral("…");
+  for (const std::string& name : names) shown << QString::fromStdString(name);
   return ExportModel::tr("%n of them without a model: %1", nullptr, static_cast<int>(names.size()))
-      .arg(shown.join(QStringLiteral(", ")));
+      .arg(firstOf(shown, kMostNames));
 }
 
 }  // namespace
-
-ExportModel::ExportModel(QObject* parent) : QObject(parent), choices_(new ExportChoices(this)) {
-  connect(choices_, &ExportChoices::contentChanged, this, &ExportModel::chooseAnew);
-  connect(choices_, &ExportChoices::targetChanged, this, &ExportModel::followTarget);
-  connect(choices_, &ExportChoices::offerChanged, this, &ExportModel::changed);
-}
 
 void ExportModel::openProject(ProjectSession* session) {
   cancel();
@@ -45,7 +73,9 @@ void ExportModel::openProject(ProjectSession* session) {
   if (session_) session_->disconnect(this);
   session_ = session;
   if (session_) connect(session_, &ProjectSession::sherdsChanged, this, &ExportModel::measureSize);
-  choices_->setSession(session);
+  selection_ = {};
+  options_ = {};  // the target is another project's
+  if (session_) readChoices();
   state_ = State::Choosing;
   done_.reset();
   problem_.clear();
@@ -58,15 +88,78 @@ void ExportModel::setWatched(bool watched) {
   if (watched_ && session_ && !sizing_ && !size_ && problem_.isEmpty()) measureSize();
 }
 
-void ExportModel::chooseAnew() {
-  if (state_ == State::Done) choices_->takeFreeTarget();  // never over what was written
-  forgetDone();
-  measureSize();
+void ExportModel::readChoices() {
+  parent_ = QDir::homePath();
+  const QJsonObject choices =
+      QJsonDocument::fromJson(session_->setting(kChoicesKey).toUtf8()).object();
+  if (!choices.isEmpty()) {
+    options_.forms.clear();
+    for (const QJsonValue& form : choices[QStringLiteral("forms")].toArray())
+      if (form.toInt(-1) >= 0 && form.toInt() <= static_cast<int>(exchange::Form::Views))
+        options_.forms.insert(static_cast<exchange::Form>(form.toInt()));
+    const double scale = choices[QStringLiteral("drawing_scale")].toDouble();
+    options_.drawing_scale = scale > 0 ? std::optional(scale) : std::nullopt;
+    options_.most_model_bytes = static_cast<std::size_t>(
+        std::max<qint64>(0, choices[QStringLiteral("most_model_bytes")].toInteger()));
+    const QString parent = choices[QStringLiteral("folder")].toString();
+    if (!parent.isEmpty() && QFileInfo(parent).isDir()) parent_ = parent;
+  }
+  options_.target = proposedTarget(*session_, parent_).toStdString();
 }
 
-void ExportModel::followTarget() {
+void ExportModel::keepChoices() const {
+  if (!session_) return;
+  QJsonArray forms;
+  for (const exchange::Form form : options_.forms) forms.append(static_cast<int>(form));
+  const QJsonObject choices{
+      {QStringLiteral("forms"), forms},
+      {QStringLiteral("drawing_scale"), options_.drawing_scale.value_or(0)},
+      {QStringLiteral("most_model_bytes"), static_cast<qint64>(options_.most_model_bytes)},
+      {QStringLiteral("folder"), parent_}};
+  session_->keepSetting(kChoicesKey, QJsonDocument(choices).toJson(QJsonDocument::Compact));
+}
+
+exchange::ExportOptions ExportModel::worded() const {
+  exchange::ExportOptions options = options_;
+  options.wording = printWording();
+  options.words = [](const std::string& column) { return fieldLabel(column).toStdString(); };
+  options.program = ("ostraka " + QCoreApplication::applicationVersion()).trimmed().toStdString();
+  return options;
+}
+
+void ExportModel::choose(ExportSelection selection) {
+  const bool same = selection.what == What::Chosen && selection_.what == What::Chosen &&
+                    selection.chosen == selection_.chosen;
+  selection_ = std::move(selection);
+  if (!same) chooseAnew();
+}
+
+void ExportModel::offerChosen(std::vector<store::SherdRow> sherds) {
+  if (sherds == selection_.chosen) return;
+  selection_.chosen = std::move(sherds);
+  if (selection_.what == What::Chosen)
+    chooseAnew();
+  else
+    emit changed();
+}
+
+void ExportModel::setOptions(exchange::ExportOptions options) {
+  options_ = std::move(options);
+  keepChoices();
+  chooseAnew();
+}
+
+void ExportModel::setTarget(const QString& folder) {
+  options_.target = folder.trimmed().toStdString();
   forgetDone();
   emit changed();
+}
+
+void ExportModel::chooseAnew() {
+  // Never over what was written.
+  if (state_ == State::Done) options_.target = freeName(target()).toStdString();
+  forgetDone();
+  measureSize();
 }
 
 // What was exported before is told until somebody wants something else.
@@ -82,8 +175,7 @@ void ExportModel::measureSize() {
   problem_.clear();
   if (state_ == State::Failed) state_ = State::Choosing;
   if (session_ && watched_) {
-    const auto work = [folder = session_->folder(), selection = choices_->selection(),
-                       options = choices_->options()](
+    const auto work = [folder = session_->folder(), selection = selection_, options = worded()](
                           Progress&, std::stop_token stop) -> Result<exchange::ExportSize> {
       const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
       if (!catalogue) return catalogue.error();
@@ -105,8 +197,7 @@ void ExportModel::measureSize() {
 
 bool ExportModel::canStart() const {
   return session_ && state_ != State::Running && size_ && size_->sherds > 0 &&
-         !choices_->forms().empty() && !choices_->target().isEmpty() &&
-         !QFileInfo::exists(choices_->target());
+         !options_.forms.empty() && !target().isEmpty() && !QFileInfo::exists(target());
 }
 
 QString ExportModel::sizeText() const {
@@ -125,15 +216,15 @@ QString ExportModel::sizeText() const {
           .arg(locale.toString(size_->files), locale.formattedDataSize(size_->bytes), time);
   if (!size_->without_model.empty()) text += "\n" + modellessWords(size_->without_model);
   const bool before = state_ == State::Choosing || state_ == State::Failed;
-  if (before && QFileInfo::exists(choices_->target()))
+  if (before && QFileInfo::exists(target()))
     text += "\n" + tr("A folder with this name already exists; choose another name.");
   return text;
 }
 
 QString ExportModel::progressText() const {
   if (state_ != State::Running) return {};
-  const QString percent = tr("%1 %").arg(qRound(100 * fraction_));
-  const QString left = timeLeftWords(seconds_left_);
+  const QString percent = tr("%1 %").arg(qRound(100 * fraction()));
+  const QString left = timeLeftWords(running_ ? running_->progress().seconds_left : -1);
   return left.isEmpty() ? percent : percent + QStringLiteral(", ") + left;
 }
 
@@ -152,14 +243,12 @@ QStringList ExportModel::warnings() const {
 
 void ExportModel::start() {
   if (!canStart()) return;
-  choices_->keepTarget();
+  parent_ = QFileInfo(target()).absolutePath();
+  keepChoices();
   state_ = State::Running;
-  fraction_ = 0;
-  seconds_left_ = -1;
   problem_.clear();
   done_.reset();
-  const auto work = [folder = session_->folder(), selection = choices_->selection(),
-                     options = choices_->options()](
+  const auto work = [folder = session_->folder(), selection = selection_, options = worded()](
                         Progress& progress, std::stop_token stop) -> Result<exchange::Exported> {
     const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
     if (!catalogue) return catalogue.error();
@@ -168,11 +257,7 @@ void ExportModel::start() {
     return exchange::exportFolder(*catalogue, folder, *rows, options, progress, stop);
   };
   running_ = session_->jobs().start(makeJob(work, JobPriority::Background), this);
-  connect(running_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
-    fraction_ = progress.fraction;
-    seconds_left_ = progress.seconds_left;
-    emit changed();
-  });
+  connect(running_, &JobHandle::progressed, this, &ExportModel::changed);
   whenDone<exchange::Exported>(running_, this, [this](const auto& done) { ended(done); });
   emit changed();
 }

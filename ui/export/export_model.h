@@ -3,38 +3,53 @@
 #include <QPointer>
 #include <QString>
 #include <optional>
+#include <vector>
 
 #include "exchange/export_folder.h"
+#include "store/row.h"
 #include "ui/jobs/job.h"
 
 namespace ostraka::ui {
 
-class ExportChoices;
 class ProjectSession;
 
-/// An export: how large what is chosen will be, how far it is, and how it ended. Runs without a
-/// display.
+/// Which sherds are exported.
+struct ExportSelection {
+  enum class What { All, Filtered, Chosen };
+  What what = What::All;
+  QString filter;                       ///< as it was typed
+  std::vector<store::SherdRow> chosen;  ///< what could be chosen, also of the others
+};
+
+/// An export: what is chosen, how large it will be, how far it is, and how it ended. Each project
+/// remembers its forms and the folder that its exports lie in. Runs without a display.
 class ExportModel final : public QObject {
   Q_OBJECT
 
  public:
   enum class State { Choosing, Running, Done, Failed };
 
-  explicit ExportModel(QObject* parent = nullptr);
+  explicit ExportModel(QObject* parent = nullptr) : QObject(parent) {}
   void openProject(ProjectSession* session);  ///< nullptr closes it
 
   /// Whether anybody looks. The size is asked of each sherd and file, so only then.
   void setWatched(bool watched);
 
-  /// What is exported, in which forms and where to.
-  ExportChoices* choices() const { return choices_; }
+  const ExportSelection& selection() const { return selection_; }
+  const exchange::ExportOptions& options() const { return options_; }
+  QString target() const { return QString::fromStdString(options_.target.string()); }
+  void choose(ExportSelection selection);
+  /// What could be chosen; what is exported stays.
+  void offerChosen(std::vector<store::SherdRow> sherds);
+  void setOptions(exchange::ExportOptions options);  ///< its forms and their sizes
+  void setTarget(const QString& folder);
 
   State state() const { return state_; }
   bool canStart() const;
   QString sizeText() const;  ///< "212 sherds, 640 files, 3.1 GB, about 2 minutes"
   QString problem() const { return problem_; }
   QString progressText() const;
-  double fraction() const { return fraction_; }
+  double fraction() const { return running_ ? running_->progress().fraction : 0; }
   QString closingLine() const;  ///< "212 sherds, 3.1 GB, manifest checked"
   QStringList warnings() const;
 
@@ -46,20 +61,23 @@ class ExportModel final : public QObject {
   void finished();
 
  private:
+  void readChoices();
+  void keepChoices() const;
+  exchange::ExportOptions worded() const;  ///< the options in the window's language
   void chooseAnew();
-  void followTarget();
   void forgetDone();
   void measureSize();
   void ended(const Result<exchange::Exported>& done);
 
   ProjectSession* session_ = nullptr;
-  ExportChoices* choices_;
+  ExportSelection selection_;
+  exchange::ExportOptions options_;
+  QString parent_;  ///< the folder that exports lie in
   QString problem_;
   State state_ = State::Choosing;
   bool watched_ = false;
   std::optional<exchange::ExportSize> size_;
   std::optional<exchange::Exported> done_;
-  double fraction_ = 0, seconds_left_ = -1;
   QPointer<JobHandle> sizing_, running_;
 };
 

@@ -15,12 +15,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/export/export_choices.h"
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/open_outside.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/side_by_side.h"
 
 namespace ostraka::ui {
@@ -38,30 +38,22 @@ ExportScreen::ExportScreen(QWidget* parent)
 
 QWidget* ExportScreen::buildWhat() {
   auto* box = new QGroupBox(tr("What"), this);
-  all_ = new QRadioButton(tr("All sherds"), box);
-  all_->setObjectName("all");
-  filtered_ = new QRadioButton(tr("Matching the filter"), box);
-  filtered_->setObjectName("filtered");
-  chosen_ = new QRadioButton(box);
-  chosen_->setObjectName("chosen");
-  filter_ = new QLineEdit(box);
-  filter_->setObjectName("exportFilter");
-  filter_->setAccessibleName(tr("Filter of what is exported"));
+  all_ = named<QRadioButton>("all", tr("All sherds"), box);
+  filtered_ = named<QRadioButton>("filtered", tr("Matching the filter"), box);
+  chosen_ = named<QRadioButton>("chosen", box);
+  filter_ = named<QLineEdit>({"exportFilter", tr("Filter of what is exported")}, box);
   filter_->setPlaceholderText(tr("context:0012"));
   auto* column = new QVBoxLayout(box);
-  for (QWidget* widget : {static_cast<QWidget*>(all_), static_cast<QWidget*>(filtered_),
-                          static_cast<QWidget*>(filter_), static_cast<QWidget*>(chosen_)})
+  for (QWidget* widget : std::initializer_list<QWidget*>{all_, filtered_, filter_, chosen_}) {
     widget->setMinimumHeight(controlHeight(*this));
-  for (QWidget* widget : {static_cast<QWidget*>(all_), static_cast<QWidget*>(filtered_),
-                          static_cast<QWidget*>(filter_), static_cast<QWidget*>(chosen_)})
     column->addWidget(widget);
-  connect(all_, &QRadioButton::clicked, choices_, &ExportChoices::setAll);
+  }
+  connect(all_, &QRadioButton::clicked, this, [this] { choose(What::All); });
   connect(filtered_, &QRadioButton::clicked, this,
-          [this] { choices_->setFilter(filter_->text()); });
-  connect(chosen_, &QRadioButton::clicked, this,
-          [this] { choices_->setChosen(choices_->selection().chosen); });
+          [this] { choose(What::Filtered, filter_->text()); });
+  connect(chosen_, &QRadioButton::clicked, this, [this] { choose(What::Chosen); });
   connect(filter_, &QLineEdit::editingFinished, this, [this] {
-    if (filter_->text() != choices_->selection().filter) choices_->setFilter(filter_->text());
+    if (filter_->text() != model_.selection().filter) choose(What::Filtered, filter_->text());
   });
   column->addStretch();
   return box;
@@ -83,43 +75,45 @@ QWidget* ExportScreen::buildForms() {
       {exchange::Form::Photographs, tr("The photographs, unchanged")},
       {exchange::Form::Views, tr("Pictures, masks, poses for COLMAP and OpenMVS")}};
   for (const auto& [form, text] : all) {
-    auto* check = new QCheckBox(text, box);
+    auto* check = named<QCheckBox>("form" + QString::number(static_cast<int>(form)), text, box);
     check->setMinimumHeight(controlHeight(*this));  // the row between them counts, too
-    check->setObjectName("form" + QString::number(static_cast<int>(form)));
-    connect(check, &QCheckBox::clicked, this,
-            [this, kind = form](bool wanted) { choices_->setForm(kind, wanted); });
+    connect(check, &QCheckBox::clicked, this, [this, kind = form](bool wanted) {
+      exchange::ExportOptions options = model_.options();
+      if (wanted)
+        options.forms.insert(kind);
+      else
+        options.forms.erase(kind);
+      model_.setOptions(std::move(options));
+    });
     forms_.emplace_back(check, form);
     if (form != exchange::Form::Drawings && form != exchange::Form::Ply) {
       column->addWidget(check);
       continue;
     }
-    auto* row = new QHBoxLayout;
-    row->addWidget(check);
-    row->addWidget(form == exchange::Form::Ply ? buildDetail(box) : buildScale(box));
-    row->addStretch();
+    auto* row = filled(
+        new QHBoxLayout,
+        {check, form == exchange::Form::Ply ? buildDetail(box) : buildScale(box), Part::room()});
     column->addLayout(row);
   }
   return box;
 }
 
 QWidget* ExportScreen::buildScale(QWidget* box) {
-  auto* scale = new QComboBox(box);
-  scale->setObjectName("exportScale");
-  scale->setAccessibleName(tr("Scale of the drawings"));
+  auto* scale = named<QComboBox>({"exportScale", tr("Scale of the drawings")}, box);
   scale->addItem(tr("1 : 1"), 1.0);
   scale->addItem(tr("1 : 2"), 0.5);
   scale->addItem(tr("fit to A4"), QVariant());
-  connect(scale, &QComboBox::activated, choices_, [this, scale](int at) {
+  connect(scale, &QComboBox::activated, this, [this, scale](int at) {
     const QVariant chosen = scale->itemData(at);
-    choices_->setDrawingScale(chosen.isValid() ? std::optional(chosen.toDouble()) : std::nullopt);
+    exchange::ExportOptions options = model_.options();
+    options.drawing_scale = chosen.isValid() ? std::optional(chosen.toDouble()) : std::nullopt;
+    model_.setOptions(std::move(options));
   });
   return scale_ = scale;
 }
 
 QWidget* ExportScreen::buildDetail(QWidget* box) {
-  auto* detail = new QComboBox(box);
-  detail->setObjectName("exportDetail");
-  detail->setAccessibleName(tr("Detail of the models"));
+  auto* detail = named<QComboBox>({"exportDetail", tr("Detail of the models")}, box);
   detail->setToolTip(
       tr("How large a GLB may be. PLY and OBJ get the same surface. Larger models get fewer "
          "triangles and smaller photographs; how far they are off is measured and stated in each "
@@ -130,23 +124,21 @@ QWidget* ExportScreen::buildDetail(QWidget* box) {
   add(tr("Full detail"), 0);
   add(tr("for the web, up to 5 MB"), exchange::kWebBytes);
   add(tr("for a phone, up to 1 MB"), exchange::kPhoneBytes);
-  connect(detail, &QComboBox::activated, choices_, [this, detail](int at) {
-    choices_->setMostModelBytes(detail->itemData(at).toULongLong());
+  connect(detail, &QComboBox::activated, this, [this, detail](int at) {
+    exchange::ExportOptions options = model_.options();
+    options.most_model_bytes = detail->itemData(at).toULongLong();
+    model_.setOptions(std::move(options));
   });
   return detail_ = detail;
 }
 
 QWidget* ExportScreen::buildWhere() {
   auto* box = new QGroupBox(tr("Where"), this);
-  target_ = new QLineEdit(box);
-  target_->setObjectName("target");
-  target_->setAccessibleName(tr("New folder for the export"));
-  QPushButton* choose = iconButton(box, "browse", "folder", tr("Choose…"));
-  auto* row = new QHBoxLayout(box);
-  row->addWidget(target_, 1);
-  row->addWidget(choose);
-  connect(target_, &QLineEdit::textEdited, choices_, &ExportChoices::setTarget);
-  connect(choose, &QPushButton::clicked, this, &ExportScreen::browse);
+  target_ = named<QLineEdit>({"target", tr("New folder for the export")}, box);
+  QPushButton* choose =
+      iconButton(box, "browse", "folder", tr("Choose…"), this, &ExportScreen::browse);
+  filled(new QHBoxLayout(box), {{target_, 1}, choose});
+  connect(target_, &QLineEdit::textEdited, &model_, &ExportModel::setTarget);
   return box;
 }
 
@@ -160,37 +152,23 @@ void ExportScreen::buildLayout() {
   bar_->setRange(0, 1000);
   bar_->setAccessibleName(tr("Progress of the export"));
   start_ = new BigButton("start", tr("Export"), this);
-  cancel_ = new QPushButton(icon("cancel"), tr("Cancel"), this);
-  cancel_->setObjectName("cancel");
+  cancel_ = iconButton(this, "cancel", "cancel", tr("Cancel"), &model_, &ExportModel::cancel);
   open_ = new BigButton("open", tr("Open folder"), this);
   connect(start_, &QPushButton::clicked, &model_, &ExportModel::start);
-  connect(cancel_, &QPushButton::clicked, &model_, &ExportModel::cancel);
-  stop_ = addPageAct(this, "exportStop", "cancel", tr("Stop the export"), Qt::Key_Escape);
-  connect(stop_, &QAction::triggered, &model_, &ExportModel::cancel);
+  stop_ = addPageAct(this, "exportStop", "cancel", tr("Stop the export"), Qt::Key_Escape, &model_,
+                     &ExportModel::cancel);
   connect(open_, &QPushButton::clicked, this, [this] {
-    if (const QString why_not = openOutside(choices_->target()); !why_not.isEmpty())
+    if (const QString why_not = openOutside(model_.target()); !why_not.isEmpty())
       emit said(why_not);
   });
   auto* choices = new QWidget(this);
   auto* upper = new SideBySide(choices);
   upper->add(buildWhat(), 1);
   upper->add(buildForms(), 1);
-  auto* middle = bareLayout<QVBoxLayout>(choices);
-  middle->addWidget(upper);
-  middle->addWidget(buildWhere());
-  middle->addWidget(problem_);
-  middle->addStretch();
-  auto* foot = new QHBoxLayout;
-  foot->addWidget(size_, 1);
-  foot->addWidget(closing_, 1);
-  foot->addWidget(bar_, 1);
-  foot->addWidget(open_);
-  foot->addWidget(cancel_);
-  foot->addWidget(start_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
-  column->addWidget(new PageArea(choices, this), 1);
-  column->addLayout(foot);
+  filled(bareLayout<QVBoxLayout>(choices), {upper, buildWhere(), problem_, Part::room()});
+  auto* foot =
+      filled(new QHBoxLayout, {{size_, 1}, {closing_, 1}, {bar_, 1}, open_, cancel_, start_});
+  filled(pageColumn(this), {{new PageArea(choices, this), 1}, foot});
 }
 
 QAbstractButton* ExportScreen::primary() const {
@@ -225,16 +203,23 @@ void ExportScreen::hideEvent(QHideEvent* event) {
   model_.setWatched(false);
 }
 
+void ExportScreen::choose(What what, const QString& filter) {
+  ExportSelection selection = model_.selection();
+  selection.what = what;
+  if (what == What::Filtered) selection.filter = filter;
+  model_.choose(std::move(selection));
+}
+
 void ExportScreen::showItem(const QString& what) {
   if (what.startsWith("rows:")) {
-    std::vector<store::SherdRow> rows;
+    ExportSelection selection{What::Chosen, model_.selection().filter, {}};
     for (const QString& row : what.mid(5).split(',', Qt::SkipEmptyParts))
-      rows.push_back({row.toLongLong()});
-    choices_->setChosen(std::move(rows));
+      selection.chosen.push_back({row.toLongLong()});
+    model_.choose(std::move(selection));
   } else if (what.startsWith("filter:") && what.size() > 7) {
-    choices_->setFilter(what.mid(7));
+    choose(What::Filtered, what.mid(7));
   } else {
-    choices_->setAll();
+    choose(What::All);
   }
 }
 
@@ -242,7 +227,7 @@ void ExportScreen::takeChosen(const QString& what) {
   if (what.isEmpty() || model_.state() == ExportModel::State::Running) return;
   if (what.startsWith(kPlate)) return;  // what one looks at is not what one gives away
   if (what.startsWith("row:"))
-    choices_->offerChosen({{what.mid(4).toLongLong()}});
+    model_.offerChosen({{what.mid(4).toLongLong()}});
   else
     showItem(what);
 }
@@ -250,28 +235,29 @@ void ExportScreen::takeChosen(const QString& what) {
 void ExportScreen::browse() {
   const QString parent = QFileDialog::getExistingDirectory(this, tr("Folder for the export"));
   if (parent.isEmpty()) return;
-  const QString name = choices_->target().section('/', -1);
-  choices_->setTarget(parent + "/" + (name.isEmpty() ? "export" : name));
+  const QString name = model_.target().section('/', -1);
+  model_.setTarget(parent + "/" + (name.isEmpty() ? "export" : name));
 }
 
 void ExportScreen::refresh() {
   const bool running = model_.state() == ExportModel::State::Running;
   const QSignalBlocker quiet(filter_);
-  all_->setChecked(choices_->selection().what == ExportSelection::What::All);
-  filtered_->setChecked(choices_->selection().what == ExportSelection::What::Filtered);
-  chosen_->setChecked(choices_->selection().what == ExportSelection::What::Chosen);
-  chosen_->setText(choices_->selection().chosen.empty()
-                       ? tr("Selected sherds")
-                       : tr("The %n chosen in the catalogue", nullptr,
-                            static_cast<int>(choices_->selection().chosen.size())));
-  chosen_->setEnabled(!choices_->selection().chosen.empty());
-  if (!filter_->hasFocus()) filter_->setText(choices_->selection().filter);
-  for (const auto& [check, form] : forms_) check->setChecked(choices_->forms().contains(form));
-  const auto drawing_scale = choices_->drawingScale();
-  scale_->setCurrentIndex(drawing_scale ? scale_->findData(*drawing_scale) : scale_->count() - 1);
+  const ExportSelection& selection = model_.selection();
+  const exchange::ExportOptions& options = model_.options();
+  all_->setChecked(selection.what == What::All);
+  filtered_->setChecked(selection.what == What::Filtered);
+  chosen_->setChecked(selection.what == What::Chosen);
+  chosen_->setText(selection.chosen.empty() ? tr("Selected sherds")
+                                            : tr("The %n chosen in the catalogue", nullptr,
+                                                 static_cast<int>(selection.chosen.size())));
+  chosen_->setEnabled(!selection.chosen.empty());
+  if (!filter_->hasFocus()) filter_->setText(selection.filter);
+  for (const auto& [check, form] : forms_) check->setChecked(options.forms.contains(form));
+  scale_->setCurrentIndex(options.drawing_scale ? scale_->findData(*options.drawing_scale)
+                                                : scale_->count() - 1);
   detail_->setCurrentIndex(
-      std::max(0, detail_->findData(static_cast<qulonglong>(choices_->mostModelBytes()))));
-  if (!target_->hasFocus()) target_->setText(choices_->target());
+      std::max(0, detail_->findData(static_cast<qulonglong>(options.most_model_bytes))));
+  if (!target_->hasFocus()) target_->setText(model_.target());
   size_->setText(model_.sizeText());
   const bool done = model_.state() == ExportModel::State::Done;
   size_->setVisible(!running && !done);

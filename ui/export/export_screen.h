@@ -41,11 +41,12 @@ class ExportScreen final : public Screen {
   QWidget* buildWhere();
   QWidget* buildScale(QWidget* box);
   QWidget* buildDetail(QWidget* box);
+  using What = ExportSelection::What;
+  void choose(What what, const QString& filter = {});
   void refresh();
   void browse();
 
   ExportModel model_;
-  ExportChoices* choices_ = model_.choices();
   QRadioButton* all_ = nullptr;
   QRadioButton* filtered_ = nullptr;
   QRadioButton* chosen_ = nullptr;

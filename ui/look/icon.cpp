@@ -4,7 +4,6 @@
 #include <QPainter>
 #include <QPalette>
 #include <QSvgRenderer>
-#include <memory>
 
 #include "ui/look/look.h"
 
@@ -57,10 +56,6 @@ class PaletteIcon final : public QIconEngine {
 };
 
 }  // namespace
-
-QIcon icon(const QString& name) {
-  return icon(name, {});
-}
 
 QIcon icon(const QString& name, const QColor& ink) {
   initialiseIcons();

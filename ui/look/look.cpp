@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QLabel>
 #include <QPalette>
-#include <QScreen>
 #include <QWidget>
 #include <algorithm>
 

@@ -2,7 +2,6 @@
 #include <QColor>
 #include <QIcon>
 #include <QString>
-#include <array>
 
 class QApplication;
 class QFont;
@@ -78,9 +77,8 @@ bool isSunlight();
 
 /// A picture of resources/icons by name, drawn in the palette's text colour at any size and anew
 /// when the palette changes.
-QIcon icon(const QString& name);
-/// The same in a colour of its own.
-QIcon icon(const QString& name, const QColor& ink);
+/// ink: a colour of its own.
+QIcon icon(const QString& name, const QColor& ink = {});
 
 /// The heights of the two kinds of controls; they grow with the text.
 int controlHeight(const QWidget& widget);

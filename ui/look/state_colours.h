@@ -1,7 +1,6 @@
 #pragma once
 #include <QColor>
 #include <QPalette>
-#include <QString>
 
 #include "ui/look/look.h"
 

@@ -26,6 +26,7 @@
 #include "ui/map/map_view.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/page_acts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -69,32 +70,20 @@ MapScreen::MapScreen(QWidget* parent) : PlateScreen(tr("Map"), QStringLiteral("m
   connect(
       addPageAct(this, "printBags", {}, tr("Print bag labels"), Qt::CTRL | Qt::SHIFT | Qt::Key_P),
       &QAction::triggered, this, &MapScreen::printBags);
-  bags_ = iconButton(this, {}, "print", tr("Print bag labels"));
+  bags_ = iconButton(this, {}, "print", tr("Print bag labels"), this, &MapScreen::printBags);
   bags_->setToolTip(
       tr("Print a label for each bag; its code gives a batch its context "
          "(Ctrl+Shift+P)"));
   bags_->setFocusPolicy(Qt::TabFocus);
   bags_->setEnabled(false);
-  connect(bags_, &QPushButton::clicked, this, &MapScreen::printBags);
-  view_ = new MapView(this);
-  view_->setObjectName("plate");
-  auto* head = new QHBoxLayout;
-  head->addWidget(batches_);
-  head->addWidget(message_, 1);
-  auto* foot = new QHBoxLayout;
-  foot->addStretch();
-  foot->addWidget(bags_);
-  foot->addWidget(print_);
+  view_ = named<MapView>("plate", this);
+  auto* head = filled(new QHBoxLayout, {batches_, {message_, 1}});
+  auto* foot = filled(new QHBoxLayout, {Part::room(), bags_, print_});
   empty_ = new NoBatchYet(QStringLiteral("map"), tr("No map yet"),
                           tr("The map of a batch appears here once it is processed, and shows "
                              "which sherd lay where."),
                           this);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
-  all->addLayout(head);
-  all->addWidget(view_, 1);
-  all->addWidget(empty_, 1);
-  all->addLayout(foot);
+  filled(pageColumn(this), {head, {view_, 1}, {empty_, 1}, foot});
   setFocusProxy(view_);
   connect(view_, &MapView::highlightedChanged, this, [this](const QString& number) {
     const MapNumbers& numbers = view_->picture().numbers;
@@ -147,8 +136,7 @@ void MapScreen::listBatches() {
   batches_->setCurrentText(batch_);
   if (names.isEmpty()) empty_->follow(session_);
   empty_->setVisible(names.isEmpty());
-  for (QWidget* part : {static_cast<QWidget*>(batches_), static_cast<QWidget*>(view_),
-                        static_cast<QWidget*>(print_)})
+  for (QWidget* part : std::initializer_list<QWidget*>{batches_, view_, print_})
     part->setVisible(!names.isEmpty());
 }
 

@@ -126,9 +126,6 @@ class StrokeCommand final : public QUndoCommand {
   bool stands_ = true;  ///< in the file; it was saved before the command was made
 };
 
-MaskModel::MaskModel(QObject* parent) : QObject(parent) {}
-MaskModel::~MaskModel() = default;
-
 void MaskModel::close() {
   dropJob(job_);
   session_.clear();

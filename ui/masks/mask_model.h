@@ -19,8 +19,7 @@ class MaskModel final : public QObject {
   Q_OBJECT
 
  public:
-  explicit MaskModel(QObject* parent = nullptr);
-  ~MaskModel() override;
+  explicit MaskModel(QObject* parent = nullptr) : QObject(parent) {}
 
   /// Reads which photographs there are, and shows the first; `changed` or `failed` follows.
   void openBatch(ProjectSession& session, const QString& batch);

@@ -15,6 +15,7 @@
 #include "ui/masks/mask_view.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/page_acts.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/tool_row.h"
 
 namespace ostraka::ui {
@@ -24,10 +25,8 @@ constexpr int kLeastWidth_px = 2, kMostWidth_px = 200, kUsualWidth_px = 24;
 
 // Beside the list of photographs, where it is never without room.
 QToolButton* arrow(QAction* step, QWidget* parent) {
-  auto* button = new QToolButton(parent);
+  auto* button = named<QToolButton>({step->objectName() + "Button", step->text()}, parent);
   button->setDefaultAction(step);
-  button->setObjectName(step->objectName() + QStringLiteral("Button"));
-  button->setAccessibleName(step->text());
   button->setToolButtonStyle(Qt::ToolButtonIconOnly);
   button->setAutoRaise(true);
   button->setMinimumHeight(controlHeight(*parent));
@@ -39,18 +38,22 @@ QToolButton* arrow(QAction* step, QWidget* parent) {
 MaskPage::MaskPage(QWidget* parent)
     : QWidget(parent),
       model_(new MaskModel(this)),
-      view_(new MaskView(this)),
-      title_(new QLabel(this)),
+      view_(named<MaskView>("maskView", this)),
+      title_(named<QLabel>("masksTitle", this)),
       told_(wrappedLabel(this, QStringLiteral("masksTold"))),
-      which_(new QComboBox(this)),
-      width_(new QSlider(Qt::Horizontal, this)) {
+      which_(named<QComboBox>({"masksWhich", tr("Photograph")}, this)),
+      width_(named<QSlider>("masksWidth", Qt::Horizontal, this)) {
   setObjectName(QStringLiteral("masks"));
-  back_ = addPageAct(this, "masksBack", "previous", tr("Back"), Qt::Key_Escape);
+  back_ = addPageAct(this, "masksBack", "previous", tr("Back"), Qt::Key_Escape, this,
+                     &MaskPage::closed);
   sherd_ = addPageAct(this, "masksSherd", "sherd", tr("Sherd"), Qt::Key_S);
   plate_ = addPageAct(this, "masksPlate", "turntable", tr("Plate"), Qt::Key_P);
-  previous_ = addPageAct(this, "masksPrevious", "up", tr("Previous photograph"), Qt::Key_PageUp);
-  next_ = addPageAct(this, "masksNext", "down", tr("Next photograph"), Qt::Key_PageDown);
-  compute_ = addPageAct(this, "masksCompute", "retry", tr("Reprocess"), Qt::Key_C);
+  previous_ = addPageAct(this, "masksPrevious", "up", tr("Previous photograph"), Qt::Key_PageUp,
+                         this, [this] { step(-1); });
+  next_ = addPageAct(this, "masksNext", "down", tr("Next photograph"), Qt::Key_PageDown, this,
+                     [this] { step(1); });
+  compute_ = addPageAct(this, "masksCompute", "retry", tr("Reprocess"), Qt::Key_C, this,
+                        [this] { emit computeWanted(model_->batch()); });
   for (QAction* once : {back_, compute_}) once->setAutoRepeat(false);
   auto* brush = new QActionGroup(this);
   for (QAction* action : {sherd_, plate_}) {
@@ -59,12 +62,8 @@ MaskPage::MaskPage(QWidget* parent)
   }
   sherd_->setChecked(true);
   buildLayout();
-  connect(back_, &QAction::triggered, this, &MaskPage::closed);
   connect(brush, &QActionGroup::triggered, this, &MaskPage::useBrush);
   connect(width_, &QSlider::valueChanged, this, &MaskPage::useBrush);
-  connect(previous_, &QAction::triggered, this, [this] { step(-1); });
-  connect(next_, &QAction::triggered, this, [this] { step(1); });
-  connect(compute_, &QAction::triggered, this, [this] { emit computeWanted(model_->batch()); });
   connect(which_, &QComboBox::activated, model_, &MaskModel::show);
   connect(model_, &MaskModel::changed, this, &MaskPage::showModel);
   connect(model_, &MaskModel::overlayChanged, this, [this] {
@@ -81,29 +80,18 @@ MaskPage::MaskPage(QWidget* parent)
 }
 
 void MaskPage::buildLayout() {
-  view_->setObjectName(QStringLiteral("maskView"));
   title_->setFont(scaledFont(*this, Look::kSection, true));
-  title_->setObjectName(QStringLiteral("masksTitle"));
-  which_->setObjectName(QStringLiteral("masksWhich"));
-  which_->setAccessibleName(tr("Photograph"));
   which_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  width_->setObjectName(QStringLiteral("masksWidth"));
   width_->setRange(kLeastWidth_px, kMostWidth_px);
   width_->setValue(kUsualWidth_px);
   width_->setFixedWidth(fontMetrics().averageCharWidth() * 20);
   auto* brush = new QWidget(this);
-  auto* width_label = new QLabel(tr("Brush's &width"), brush);
-  width_label->setBuddy(width_);
-  auto* brush_row = bareLayout<QHBoxLayout>(brush);
-  brush_row->addWidget(width_label);
-  brush_row->addWidget(width_);
+  filled(bareLayout<QHBoxLayout>(brush), {labelFor(width_, tr("Brush's &width")), width_});
   brush->setMinimumHeight(controlHeight(*this));
   tools_ = new ToolRow(this);
   auto* photograph = new QWidget(this);
-  auto* photograph_row = bareLayout<QHBoxLayout>(photograph);
-  photograph_row->addWidget(arrow(previous_, photograph));
-  photograph_row->addWidget(which_);
-  photograph_row->addWidget(arrow(next_, photograph));
+  filled(bareLayout<QHBoxLayout>(photograph),
+         {arrow(previous_, photograph), which_, arrow(next_, photograph)});
   tools_->addWidget(photograph);
   tools_->addWidget(brush);
   tools_->addGroup(tr("Brush"), {sherd_, plate_});
@@ -112,29 +100,21 @@ void MaskPage::buildLayout() {
   connect(reprocess_, &QPushButton::clicked, compute_, &QAction::trigger);
   connect(compute_, &QAction::changed, this,
           [this] { reprocess_->setEnabled(compute_->isEnabled()); });
-  auto* foot = new QHBoxLayout;
-  foot->addWidget(tools_, 1);
-  foot->addWidget(reprocess_, 0, Qt::AlignBottom);
+  auto* foot = filled(new QHBoxLayout, {{tools_, 1}, {reprocess_, 0, Qt::AlignBottom}});
   auto* all = bareLayout<QVBoxLayout>(this);
-  auto* leave = new QToolButton(this);
+  auto* leave = named<QToolButton>("masksBackButton", this);
   leave->setDefaultAction(back_);
-  leave->setObjectName(QStringLiteral("masksBackButton"));
   leave->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  auto* head = new QHBoxLayout;
-  head->addWidget(title_, 1);
-  head->addWidget(leave);
-  all->addLayout(head);
-  all->addWidget(told_);
-  all->addWidget(view_, 1);
-  all->addLayout(foot);
+  auto* head = filled(new QHBoxLayout, {{title_, 1}, leave});
+  filled(all, {head, told_, {view_, 1}, foot});
   // Plus and minus belong to the picture and need no button.
   for (const auto& [key, factor] :
        {std::pair(Qt::Key_Plus, 1.25), std::pair(Qt::Key_Minus, 1 / 1.25)}) {
     QAction* action = addPageAct(this, key == Qt::Key_Plus ? "masksLarger" : "masksSmaller",
                                  key == Qt::Key_Plus ? "plus" : "minus",
-                                 key == Qt::Key_Plus ? tr("Larger") : tr("Smaller"), key);
+                                 key == Qt::Key_Plus ? tr("Larger") : tr("Smaller"), key, this,
+                                 [this, by = factor] { view_->enlarge(by); });
     action->setAutoRepeat(true);
-    connect(action, &QAction::triggered, this, [this, by = factor] { view_->enlarge(by); });
   }
   setFocusProxy(view_);
 }

@@ -4,7 +4,6 @@
 class QAbstractButton;
 class QAction;
 class QComboBox;
-class QKeySequence;
 class QLabel;
 class QSlider;
 

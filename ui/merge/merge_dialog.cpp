@@ -18,6 +18,7 @@
 #include "ui/merge/merge_words.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/page_acts.h"
+#include "ui/widgets/parts.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
@@ -53,9 +54,7 @@ MergeDialog::MergeDialog(MergeModel& model, QWidget* parent) : QDialog(parent), 
 }
 
 void MergeDialog::buildTable() {
-  table_ = new QTableWidget(0, kColumns, this);
-  table_->setObjectName("mergeConflicts");
-  table_->setAccessibleName(tr("Conflicts"));
+  table_ = named<QTableWidget>({"mergeConflicts", tr("Conflicts")}, 0, kColumns, this);
   table_->setHorizontalHeaderLabels(
       {tr("Record"), tr("Field"), tr("This project"), tr("Other project"), tr("Decision")});
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -75,75 +74,44 @@ void MergeDialog::buildTable() {
 
 QWidget* MergeDialog::buildSettling() {
   settling_ = new QWidget(this);
-  const auto add = [this](const char* name, const char* picture, const QString& words,
-                          const QKeySequence& key, auto act) {
-    QAction* action = addPageAct(this, name, picture, words, key);
-    connect(action, &QAction::triggered, this, act);
-    return action;
-  };
-  this_ =
-      add("mergeThis", "check", tr("This project"), Qt::Key_1, [this] { settle(merge::Take::A); });
-  other_ = add("mergeOther", "import", tr("Other project"), Qt::Key_2,
-               [this] { settle(merge::Take::B); });
-  renumber_ = add("mergeNumber", "label", tr("New number"), Qt::Key_3,
-                  [this] { settle(merge::Take::Number); });
-  undo_ = add("mergeUndo", "undo", tr("Undo"), QKeySequence::Undo, [this] { model_.undo(); });
-  new_number_ = new QLineEdit(settling_);
-  new_number_->setObjectName("mergeNewNumber");
+  this_ = addPageAct(this, "mergeThis", "check", tr("This project"), Qt::Key_1, this,
+                     [this] { settle(merge::Take::A); });
+  other_ = addPageAct(this, "mergeOther", "import", tr("Other project"), Qt::Key_2, this,
+                      [this] { settle(merge::Take::B); });
+  renumber_ = addPageAct(this, "mergeNumber", "label", tr("New number"), Qt::Key_3, this,
+                         [this] { settle(merge::Take::Number); });
+  undo_ = addPageAct(this, "mergeUndo", "undo", tr("Undo"), QKeySequence::Undo, &model_,
+                     &MergeModel::undo);
+  new_number_ = named<QLineEdit>({"mergeNewNumber", tr("New number of the other project's record")},
+                                 settling_);
   new_number_->setMinimumWidth(fontMetrics().averageCharWidth() * 16);
-  new_number_->setAccessibleName(tr("New number of the other project's record"));
   number_ = actButton(settling_, renumber_);
   number_->setDefault(true);  // Return behind a typed number
-  rest_ = iconButton(settling_, "mergeRest", "check", tr("All open ones: this project"));
-  connect(rest_, &QPushButton::clicked, &model_, &MergeModel::settleRestForThis);
-  auto* row = new QHBoxLayout(settling_);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(actButton(settling_, this_));
-  row->addWidget(actButton(settling_, other_));
-  row->addWidget(new_number_);
-  row->addWidget(number_);
-  row->addStretch();
-  row->addWidget(rest_);
-  row->addWidget(actButton(settling_, undo_));
+  rest_ = iconButton(settling_, "mergeRest", "check", tr("All open ones: this project"), &model_,
+                     &MergeModel::settleRestForThis);
+  filled(bareLayout<QHBoxLayout>(settling_),
+         {actButton(settling_, this_), actButton(settling_, other_), new_number_, number_,
+          Part::room(), rest_, actButton(settling_, undo_)});
   return settling_;
 }
 
 void MergeDialog::buildLayout() {
-  choose_ = iconButton(this, "mergeChoose", "folder", tr("Choose project…"));
-  connect(choose_, &QPushButton::clicked, this, &MergeDialog::chooseFolder);
-  source_ = new QLabel(this);
-  source_->setObjectName("mergeSource");
-  source_->setWordWrap(true);
-  summary_ = new QLabel(this);
-  summary_->setObjectName("mergeSummary");
+  choose_ = iconButton(this, "mergeChoose", "folder", tr("Choose project…"), this,
+                       &MergeDialog::chooseFolder);
+  source_ = wrappedLabel(this, "mergeSource");
+  summary_ = wrappedLabel(this, "mergeSummary");
   summary_->setFont(scaledFont(*this, Look::kSection, true));
-  summary_->setWordWrap(true);
-  notes_ = new QLabel(this);
-  notes_->setObjectName("mergeNotes");
-  notes_->setWordWrap(true);
+  notes_ = wrappedLabel(this, "mergeNotes");
   buildTable();
   bar_ = new QProgressBar(this);
   bar_->setAccessibleName(tr("Progress of the merge"));
-  cancel_ = iconButton(this, "mergeCancel", "cancel", {});
-  connect(cancel_, &QPushButton::clicked, this, &MergeDialog::leave);
+  cancel_ = iconButton(this, "mergeCancel", "cancel", {}, this, &MergeDialog::leave);
   enter_ = new BigButton("mergeEnter", {}, this);
   connect(enter_, &QPushButton::clicked, &model_, &MergeModel::enter);
-  auto* first = new QHBoxLayout;
-  first->addWidget(choose_);
-  first->addWidget(source_, 1);
-  auto* last = new QHBoxLayout;
-  last->addStretch();
-  last->addWidget(cancel_);
-  last->addWidget(enter_);
-  auto* column = new QVBoxLayout(this);
-  column->addLayout(first);
-  column->addWidget(summary_);
-  column->addWidget(notes_);
-  column->addWidget(table_, 1);
-  column->addWidget(buildSettling());
-  column->addWidget(bar_);
-  column->addStretch();
-  column->addLayout(last);
+  auto* first = filled(new QHBoxLayout, {choose_, {source_, 1}});
+  auto* last = filled(new QHBoxLayout, {Part::room(), cancel_, enter_});
+  filled(new QVBoxLayout(this),
+         {first, summary_, notes_, {table_, 1}, buildSettling(), bar_, Part::room(), last});
 }
 
 void MergeDialog::leave() {

@@ -17,8 +17,6 @@ constexpr int kMostNamed = 4;
 
 }  // namespace
 
-MergeModel::MergeModel(QObject* parent) : QObject(parent) {}
-
 void MergeModel::openProject(ProjectSession* session) {
   if (state_ == State::Entering && session == session_) return emit changed();
   delete job_.data();
@@ -93,21 +91,17 @@ QString MergeModel::notes() const {
   QStringList lines;
   if (!problem_.isEmpty()) lines << problem_;
   if (!report_) return lines.join('\n');
-  const auto shortened = [](QStringList names) {
-    if (names.size() > kMostNamed) names = names.mid(0, kMostNamed) << QStringLiteral("…");
-    return names.join(QStringLiteral(", "));
-  };
   QStringList renumbered, missing;
   for (const auto& [there, here] : report_->renumbered)
     renumbered << QStringLiteral("%1 → %2").arg(QString::fromStdString(there),
                                                 QString::fromStdString(here));
   for (const std::string& file : report_->missing) missing << QString::fromStdString(file);
   if (!renumbered.isEmpty())
-    lines << tr("Batches that get another number here: %1").arg(shortened(renumbered));
+    lines << tr("Batches that get another number here: %1").arg(firstOf(renumbered, kMostNamed));
   if (!missing.isEmpty())
     lines << tr("Missing in the other project: %n file(s), %1", nullptr,
                 static_cast<int>(missing.size()))
-                 .arg(shortened(missing));
+                 .arg(firstOf(missing, kMostNamed));
   return lines.join('\n');
 }
 
@@ -128,7 +122,6 @@ void MergeModel::cancel() {
 void MergeModel::run(merge::MergeMode mode) {
   state_ = mode == merge::MergeMode::Preview ? State::Comparing : State::Entering;
   problem_.clear();
-  fraction_ = 0;
   records::Provenance provenance;
   if (mode == merge::MergeMode::Enter) provenance = session_->provenance();
   provenance.source = "merge";
@@ -140,8 +133,7 @@ void MergeModel::run(merge::MergeMode mode) {
     return merge::mergeInto(*project, b, mode, settled, provenance, progress, stop);
   };
   job_ = session_->jobs().start(makeJob(work), this);
-  connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
-    fraction_ = progress.fraction;
+  connect(job_, &JobHandle::progressed, this, [this] {
     problem_.clear();  // it waits no longer
     emit changed();
   });

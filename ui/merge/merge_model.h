@@ -20,7 +20,7 @@ class MergeModel final : public QObject {
  public:
   enum class State { Choosing, Comparing, Settling, Entering, Done };
 
-  explicit MergeModel(QObject* parent = nullptr);
+  explicit MergeModel(QObject* parent = nullptr) : QObject(parent) {}
   void openProject(ProjectSession* session);  ///< nullptr closes it
   ProjectSession* session() const { return session_; }
 
@@ -42,7 +42,7 @@ class MergeModel final : public QObject {
   QString summary() const;
   /// Batches that get another number, files that are missing, what went wrong: a line each.
   QString notes() const;
-  double fraction() const { return fraction_; }
+  double fraction() const { return job_ ? job_->progress().fraction : 0; }
 
   bool canEnter() const;
   void enter();
@@ -63,7 +63,6 @@ class MergeModel final : public QObject {
   std::vector<merge::Conflict> conflicts_;  ///< of the report
   merge::Settled settled_;
   std::vector<merge::Settled> earlier_;  ///< before each settling
-  double fraction_ = 0;
   QPointer<JobHandle> job_;
 };
 

@@ -14,37 +14,16 @@ int CardListModel::rowCount(const QModelIndex& parent) const {
 QVariant CardListModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount() || !batch_.isOpen()) return {};
   const ReviewRow& row = at(index.row());
-  const auto picture = [this](batch::Side side, int scan) {
-    const auto found = pictures_.find({side, scan});
-    return found == pictures_.end() ? QImage() : found->second;
-  };
-  switch (role) {
-    case Qt::DisplayRole:
-      return rowName(row, batch_.table());
-    case Qt::ToolTipRole:
-    case CardRole::Words:
-      return batch_.wordsOf(row);
-    case Qt::AccessibleTextRole:
-      return tr("%1, %2. %3").arg(rowName(row, batch_.table()), rowWord(row), batch_.wordsOf(row));
-    case CardRole::SherdNumber:
-      return numbers_.value(row.front);
-    case CardRole::Front:
-      return row.front;
-    case CardRole::Back:
-      return row.back;
-    case CardRole::State:
-      return static_cast<int>(row.state);
-    case CardRole::Waits:
-      return row.change != PieceChange::None;
-    case CardRole::StateWord:
-      return rowWord(row);
-    case CardRole::FrontPicture:
-      return picture(batch::Side::Front, row.front);
-    case CardRole::BackPicture:
-      return picture(batch::Side::Back, row.back);
-    default:
-      return {};
-  }
+  if (role == Qt::DisplayRole) return rowName(row, batch_.table());
+  if (role == Qt::ToolTipRole) return batch_.wordsOf(row);
+  if (role == Qt::AccessibleTextRole)
+    return tr("%1, %2. %3").arg(rowName(row, batch_.table()), rowWord(row), batch_.wordsOf(row));
+  return {};
+}
+
+QImage CardListModel::picture(batch::Side side, int scan) const {
+  const auto found = pictures_.find({side, scan});
+  return found == pictures_.end() ? QImage() : found->second;
 }
 
 int CardListModel::rowOf(int front) const {

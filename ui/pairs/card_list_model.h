@@ -4,13 +4,12 @@
 #include <QString>
 #include <vector>
 
-#include "ui/pairs/card_role.h"
 #include "ui/pairs/review_rows.h"
 #include "ui/pairs/reviewed_batch.h"
 
 namespace ostraka::ui {
 
-/// The cards of the batch under review as rows of a list, by CardRole.
+/// The cards of the batch under review as rows of a list.
 class CardListModel final : public QAbstractListModel {
   Q_OBJECT
 
@@ -21,8 +20,10 @@ class CardListModel final : public QAbstractListModel {
   QVariant data(const QModelIndex& index, int role) const override;
 
   const ReviewRow& at(int row) const { return rows_.at(static_cast<std::size_t>(row)); }
-  int rowOf(int front) const;         ///< -1: none
-  int rowOfLoneBack(int back) const;  ///< -1: a front holds it
+  QImage picture(batch::Side side, int scan) const;                  ///< in small; null: none yet
+  QString number(int front) const { return numbers_.value(front); }  ///< in the catalogue, or empty
+  int rowOf(int front) const;                                        ///< -1: none
+  int rowOfLoneBack(int back) const;                                 ///< -1: a front holds it
   int rowAbout(const Trial& trial) const;
 
   void clear();   ///< before the batch becomes another one

@@ -1,6 +1,5 @@
 #include "ui/pairs/review_work.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cloud/ply.h"

@@ -11,6 +11,7 @@
 #include "ui/frame/batch_place.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
+#include "ui/widgets/parts.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
@@ -39,8 +40,7 @@ bool MarkerSide::isTyped(const QString& batch) const {
 void MarkerSide::ask(const QString& batch) {
   if (!isTyped(batch)) return;
   const Result<batch::Plate> plate = batch::readPlate(folderOf(*session_, batch) / "plate.json");
-  auto* dialog = new QInputDialog(screen_);
-  dialog->setObjectName(QStringLiteral("markerSide"));
+  auto* dialog = named<QInputDialog>("markerSide", screen_);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Marker side of %1").arg(batch));
   dialog->setInputMode(QInputDialog::DoubleInput);

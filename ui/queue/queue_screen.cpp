@@ -24,6 +24,7 @@
 #include "ui/widgets/open_outside.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/thumbnails.h"
 #include "ui/widgets/tool_row.h"
 #include "ui/words/sentence.h"
@@ -40,47 +41,47 @@ constexpr double kAskBeforeLosing_s = 3600;
 QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
     : Screen(tr("Queue"), QStringLiteral("queue"), parent),
       queue_(queue),
-      list_(new QListView(this)),
+      list_(named<QListView>({"queueList", tr("Batches")}, this)),
       delegate_(new BatchDelegate(*queue, this)),
-      log_(new QPlainTextEdit(this)),
+      log_(named<QPlainTextEdit>({"queueLogText", tr("Log of the computation")}, this)),
       message_(new MessagePanel(QStringLiteral("queueMessage"), this)),
       pages_(new QStackedWidget(this)),
       masks_page_(new MaskPage(this)),
       masks_area_(new PageArea(masks_page_, this)) {
   setObjectName(QStringLiteral("queue"));
-  pause_ = addPageAct(this, "queuePause", "pause", tr("Pause"), Qt::Key_Space);
-  again_ = addPageAct(this, "queueAgain", "retry", tr("Reprocess"), Qt::Key_R);
-  cancel_ = addPageAct(this, "queueCancel", "cancel", tr("Cancel"), Qt::Key_Delete);
-  report_ = addPageAct(this, "queueReport", "report", tr("Show report"), Qt::Key_O);
-  review_ = addPageAct(this, "queueReview", "review", tr("Review"), Qt::Key_V);
-  masks_ = addPageAct(this, "queueMasks", "edit", tr("Edit masks"), Qt::Key_M);
+  pause_ = addPageAct(this, "queuePause", "pause", tr("Pause"), Qt::Key_Space, queue_->switches(),
+                      &QueueSwitches::togglePaused);
+  again_ = addPageAct(this, "queueAgain", "retry", tr("Reprocess"), Qt::Key_R, this,
+                      [this] { queue_->retry(selected()); });
+  cancel_ = addPageAct(this, "queueCancel", "cancel", tr("Cancel"), Qt::Key_Delete, this,
+                       &QueueScreen::askOrCancel);
+  report_ = addPageAct(this, "queueReport", "report", tr("Show report"), Qt::Key_O, this,
+                       &QueueScreen::openReport);
+  review_ = addPageAct(this, "queueReview", "review", tr("Review"), Qt::Key_V, this,
+                       [this] { emit wantsScreen(QStringLiteral("review"), selected()); });
+  masks_ = addPageAct(this, "queueMasks", "edit", tr("Edit masks"), Qt::Key_M, this,
+                      &QueueScreen::showMasks);
   log_action_ = addPageAct(this, "queueLog", "log", tr("Log"), Qt::Key_L);
   log_action_->setCheckable(true);
-  open_ = addPageAct(this, "queueOpen", "open", tr("Open"), Qt::Key_Return);
+  open_ = addPageAct(this, "queueOpen", "open", tr("Open"), Qt::Key_Return, this,
+                     &QueueScreen::openSelected);
   open_->setShortcuts({Qt::Key_Return, Qt::Key_Enter});
   drafts_ = addPageAct(this, "queueDrafts", "picture", tr("Drafts first"), Qt::Key_D);
   drafts_->setCheckable(true);
-  calibrate_ = addPageAct(this, "queueCalibrate", "turntable", tr("Recalibrate rig"), Qt::Key_C);
+  calibrate_ = addPageAct(
+      this, "queueCalibrate", "turntable", tr("Recalibrate rig"), Qt::Key_C, this, [this] {
+        emit wantsScreen(QStringLiteral("capture"), QStringLiteral("calibrate:") + selected());
+      });
   calibrate_->setToolTip(
       tr("A camera was bumped: this batch's photographs tell where the cameras stand now (C)"));
-  marker_action_ = addPageAct(this, "queueMarkerSide", "measure", tr("Marker side…"), {});
+  marker_action_ = addPageAct(this, "queueMarkerSide", "measure", tr("Marker side…"), {}, this,
+                              [this] { marker_side_->ask(selected()); });
   marker_side_ = new MarkerSide(this);
   buildLayout();
 
-  connect(marker_action_, &QAction::triggered, this, [this] { marker_side_->ask(selected()); });
   connect(marker_side_, &MarkerSide::changed, queue_, &BatchQueue::retry);
   connect(marker_side_, &MarkerSide::failed, this,
           [this](const Error& error) { emit said(sentenceOf(error)); });
-  connect(calibrate_, &QAction::triggered, this, [this] {
-    emit wantsScreen(QStringLiteral("capture"), QStringLiteral("calibrate:") + selected());
-  });
-  connect(pause_, &QAction::triggered, queue_->switches(), &QueueSwitches::togglePaused);
-  connect(again_, &QAction::triggered, this, [this] { queue_->retry(selected()); });
-  connect(cancel_, &QAction::triggered, this, &QueueScreen::askOrCancel);
-  connect(report_, &QAction::triggered, this, &QueueScreen::openReport);
-  connect(review_, &QAction::triggered, this,
-          [this] { emit wantsScreen(QStringLiteral("review"), selected()); });
-  connect(masks_, &QAction::triggered, this, &QueueScreen::showMasks);
   connect(masks_page_, &MaskPage::closed, this, &QueueScreen::leaveMasks);
   connect(masks_page_, &MaskPage::computeWanted, this, [this](const QString& batch) {
     leaveMasks();
@@ -102,21 +103,16 @@ QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           &Screen::whereChanged);
   connect(list_, &QListView::activated, this, &QueueScreen::openSelected);
-  connect(open_, &QAction::triggered, this, &QueueScreen::openSelected);
   follow();
 }
 
 void QueueScreen::buildLayout() {
   list_->setModel(queue_);
   list_->setItemDelegate(delegate_);
-  list_->setObjectName(QStringLiteral("queueList"));
-  list_->setAccessibleName(tr("Batches"));
   list_->setUniformItemSizes(false);
   list_->setResizeMode(QListView::Adjust);
   list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   log_->setReadOnly(true);
-  log_->setObjectName(QStringLiteral("queueLogText"));
-  log_->setAccessibleName(tr("Log of the computation"));
   log_->setMaximumBlockCount(2000);
   log_->hide();
 
@@ -129,9 +125,7 @@ void QueueScreen::buildLayout() {
   pages_->addWidget(buildList());
   pages_->addWidget(new PageArea(empty, pages_));
   pages_->addWidget(masks_area_);
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(Look::kGroup, Look::kGap, Look::kGroup, Look::kGap);
-  all->addWidget(pages_);
+  pageColumn(this)->addWidget(pages_);
   connect(message_, &MessagePanel::acted, this, [this] {
     message_->hide();
     queue_->switches()->trouble().isEmpty() ? queue_->cancel(asked_about_)
@@ -149,18 +143,9 @@ QWidget* QueueScreen::buildList() {
   next_ = new BigButton(QStringLiteral("queueNext"), {}, page);
   next_->setKeyHint(tr("Enter"));
   connect(next_, &QPushButton::clicked, this, &QueueScreen::openSelected);
-  auto* split = new QSplitter(Qt::Vertical, page);
-  split->addWidget(list_);
-  split->addWidget(log_);
-  split->setStretchFactor(0, 3);
-  split->setStretchFactor(1, 2);
-  auto* foot = new QHBoxLayout;
-  foot->addWidget(tools_, 1);
-  foot->addWidget(next_, 0, Qt::AlignBottom);
-  auto* column = bareLayout<QVBoxLayout>(page);
-  column->addWidget(message_);
-  column->addWidget(split, 1);
-  column->addLayout(foot);
+  QSplitter* split = filled(new QSplitter(Qt::Vertical, page), {{list_, 3}, {log_, 2}});
+  auto* foot = filled(new QHBoxLayout, {{tools_, 1}, {next_, 0, Qt::AlignBottom}});
+  filled(bareLayout<QVBoxLayout>(page), {message_, {split, 1}, foot});
   return page;
 }
 

@@ -12,8 +12,6 @@ constexpr const char* kOn = "yes";
 
 }  // namespace
 
-QueueSwitches::QueueSwitches(QObject* parent) : QObject(parent) {}
-
 void QueueSwitches::setSession(ProjectSession* session) {
   session_ = session;
   trouble_.clear();

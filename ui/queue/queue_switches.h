@@ -13,7 +13,7 @@ class QueueSwitches final : public QObject {
   Q_OBJECT
 
  public:
-  explicit QueueSwitches(QObject* parent);
+  explicit QueueSwitches(QObject* parent) : QObject(parent) {}
 
   /// As the project was left; null: it is closed, and nothing can be switched.
   void setSession(ProjectSession* session);

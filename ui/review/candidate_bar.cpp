@@ -10,6 +10,7 @@
 #include "ui/pairs/pair_review.h"
 #include "ui/pairs/review_words.h"
 #include "ui/widgets/flow_row.h"
+#include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
 namespace {
@@ -24,8 +25,7 @@ CandidateBar::CandidateBar(PairReview& review, QWidget* parent)
   QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
-  others_ = new QToolButton(this);
-  others_->setObjectName("otherBacks");
+  others_ = named<QToolButton>("otherBacks", this);
   others_->setText(tr("Another back…"));
   others_->setPopupMode(QToolButton::InstantPopup);
   others_->setFocusPolicy(Qt::TabFocus);
@@ -51,8 +51,7 @@ void CandidateBar::rebuild() {
   // Nine keys; the rest is in the menu.
   const int shown = std::min(most_, static_cast<int>(candidates.size()));
   for (int i = 0; i < shown; ++i) {
-    auto* button = new QToolButton(this);
-    button->setObjectName(QStringLiteral("candidate%1").arg(i + 1));
+    auto* button = named<QToolButton>(QStringLiteral("candidate%1").arg(i + 1), this);
     button->setCheckable(true);
     button->setMinimumHeight(targetSize(*this));
     button->setFocusPolicy(Qt::TabFocus);

@@ -1,12 +1,11 @@
 #include "ui/review/card_delegate.h"
 
-#include <QApplication>
 #include <QPainter>
 #include <algorithm>
 
 #include "ui/look/look.h"
 #include "ui/look/state_colours.h"
-#include "ui/pairs/card_role.h"
+#include "ui/pairs/card_list_model.h"
 #include "ui/pairs/review_words.h"
 
 namespace ostraka::ui {
@@ -20,18 +19,12 @@ int pictureSize(const QFontMetrics& metrics) {
   return metrics.height() * 3;
 }
 
-void drawPicture(QPainter& painter, const QRect& where, const QImage& picture, bool mirrored) {
+void drawPicture(QPainter& painter, const QRect& where, const QImage& picture) {
   if (picture.isNull()) return;
-  const QImage shown = mirrored ? picture.mirrored(true, false) : picture;
-  QSize size = shown.size().scaled(where.size(), Qt::KeepAspectRatio);
-  QRect target(QPoint(), size);
+  QRect target(QPoint(), picture.size().scaled(where.size(), Qt::KeepAspectRatio));
   target.moveCenter(where.center());
   painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(target, shown);
-}
-
-QString numberOf(const QModelIndex& index) {
-  return index.data(CardRole::SherdNumber).toString();
+  painter.drawImage(target, picture);
 }
 
 // What does not fit ends in dots; the whole sentence stands above the pictures and in the tip.
@@ -47,6 +40,9 @@ void drawReason(QPainter& painter, const QRect& where, const QFontMetrics& metri
 
 }  // namespace
 
+CardDelegate::CardDelegate(const CardListModel& cards, QObject* parent)
+    : QStyledItemDelegate(parent), cards_(cards) {}
+
 QRect CardDelegate::backPicture(const QRect& card, const QFontMetrics& metrics) {
   const int size = pictureSize(metrics), gap = metrics.height() / 3;
   return QRect(card.left() + 2 * gap + size, card.top() + gap, size, size);
@@ -56,7 +52,9 @@ QSize CardDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelInd
   const QFontMetrics metrics(option.font);
   return {metrics.height() * 13,
           pictureSize(metrics) + 2 * (metrics.height() / 3) +
-              (kReasonLines + (numberOf(index).isEmpty() ? 0 : 1)) * metrics.height() + kEdges};
+              (kReasonLines + (cards_.number(cards_.at(index.row()).front).isEmpty() ? 0 : 1)) *
+                  metrics.height() +
+              kEdges};
 }
 
 void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -65,9 +63,9 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->setRenderHint(QPainter::Antialiasing);
   const QFontMetrics metrics(option.font);
   const StateColours colours(option.palette);
-  const auto state = static_cast<review::CardState>(index.data(CardRole::State).toInt());
-  const bool waits = index.data(CardRole::Waits).toBool();
-  const State colour = waits ? State::Waiting : stateColour(state);
+  const ReviewRow& row = cards_.at(index.row());
+  const bool waits = row.change != PieceChange::None;
+  const State colour = waits ? State::Waiting : stateColour(row.state);
   const bool chosen = option.state.testFlag(QStyle::State_Selected);
   const bool target = option.state.testFlag(QStyle::State_MouseOver) && option.widget != nullptr &&
                       option.widget->property("dragging").toBool();
@@ -85,10 +83,8 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 
   const QRect back = backPicture(card, metrics);
   const QRect front = back.translated(-back.width() - metrics.height() / 3, 0);
-  drawPicture(*painter, front.adjusted(4, 0, 4, 0),
-              index.data(CardRole::FrontPicture).value<QImage>(), false);
-  drawPicture(*painter, back.adjusted(4, 0, 4, 0),
-              index.data(CardRole::BackPicture).value<QImage>(), false);
+  drawPicture(*painter, front.adjusted(4, 0, 4, 0), cards_.picture(batch::Side::Front, row.front));
+  drawPicture(*painter, back.adjusted(4, 0, 4, 0), cards_.picture(batch::Side::Back, row.back));
 
   const int left = back.right() + metrics.height() / 2;
   const QRect words(left, card.top() + metrics.height() / 3, card.right() - left,
@@ -101,7 +97,7 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                        : colour == State::Ask ? QStringLiteral("? ")
                        : waits                ? QStringLiteral("… ")
                                               : QString();
-  const QString state_words = mark + index.data(CardRole::StateWord).toString();
+  const QString state_words = mark + rowWord(row);
   const QString name = index.data(Qt::DisplayRole).toString();
   QRect reason(card.left() + 10, back.bottom() + 2, card.width() - 14,
                kReasonLines * metrics.height());
@@ -127,7 +123,7 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   }
   painter->setFont(option.font);
   painter->setPen(option.palette.color(QPalette::Text));
-  if (const QString number = numberOf(index); !number.isEmpty()) {
+  if (const QString number = cards_.number(row.front); !number.isEmpty()) {
     // Its end tells it from the others.
     const QRect line(reason.left(), reason.top(), reason.width(), metrics.height());
     reason.setTop(line.bottom() + 1);
@@ -135,7 +131,7 @@ void CardDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
     painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                       metrics.elidedText(number, Qt::ElideLeft, line.width()));
   }
-  drawReason(*painter, reason, metrics, index.data(CardRole::Words).toString());
+  drawReason(*painter, reason, metrics, index.data(Qt::ToolTipRole).toString());
   painter->restore();
 }
 

@@ -5,13 +5,14 @@
 #include <QMouseEvent>
 #include <QPixmap>
 
+#include "ui/pairs/card_list_model.h"
 #include "ui/review/card_delegate.h"
-#include "ui/pairs/card_role.h"
 
 namespace ostraka::ui {
 
-CardList::CardList(QWidget* parent) : QListView(parent) {
-  setItemDelegate(new CardDelegate(this));
+CardList::CardList(CardListModel& cards, QWidget* parent) : QListView(parent), cards_(cards) {
+  setModel(&cards);
+  setItemDelegate(new CardDelegate(cards, this));
   setVerticalScrollMode(ScrollPerPixel);
   setMouseTracking(true);
   viewport()->setMouseTracking(true);
@@ -31,8 +32,8 @@ void CardList::mousePressEvent(QMouseEvent* event) {
   const QModelIndex card = pressed;  // the cards may have moved
   if (event->button() != Qt::LeftButton || !on_back_ || !card.isValid()) return;
   pressed_ = event->pos();
-  dragged_back_ = card.data(CardRole::Back).toInt();
-  const QImage image = card.data(CardRole::BackPicture).value<QImage>();
+  dragged_back_ = cards_.at(card.row()).back;
+  const QImage image = cards_.picture(batch::Side::Back, dragged_back_);
   if (!image.isNull())
     ghost_->setPixmap(QPixmap::fromImage(
         image.scaled(picture.size(), Qt::KeepAspectRatio, Qt::SmoothTransformation)));
@@ -60,8 +61,9 @@ void CardList::mouseReleaseEvent(QMouseEvent* event) {
   QListView::mouseReleaseEvent(event);
   if (!dropped || back < 0) return;
   const QModelIndex card = indexAt(event->pos());
-  const int front = card.isValid() ? card.data(CardRole::Front).toInt() : -1;
-  if (front >= 0 && card.data(CardRole::Back).toInt() != back) emit backDropped(front, back);
+  if (!card.isValid()) return;
+  const ReviewRow& row = cards_.at(card.row());
+  if (!row.isLoneBack() && row.back != back) emit backDropped(row.front, back);
 }
 
 void CardList::endDrag() {

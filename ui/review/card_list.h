@@ -6,12 +6,14 @@ class QLabel;
 
 namespace ostraka::ui {
 
+class CardListModel;
+
 /// The cards. The picture of a back can be dragged onto another card: that front gets it.
 class CardList final : public QListView {
   Q_OBJECT
 
  public:
-  explicit CardList(QWidget* parent = nullptr);
+  explicit CardList(CardListModel& cards, QWidget* parent = nullptr);
   bool pressedOnBack() const { return on_back_; }  ///< by the mouse, last
 
  signals:
@@ -26,6 +28,7 @@ class CardList final : public QListView {
  private:
   void endDrag();
 
+  CardListModel& cards_;
   QPoint pressed_;
   int dragged_back_ = -1;
   bool on_back_ = false;

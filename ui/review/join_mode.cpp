@@ -5,8 +5,8 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "ui/review/card_list.h"
 #include "ui/pairs/pair_review.h"
+#include "ui/review/card_list.h"
 
 namespace ostraka::ui {
 

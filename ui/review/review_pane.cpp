@@ -23,6 +23,7 @@
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
+#include "ui/widgets/parts.h"
 #include "ui/widgets/tool_row.h"
 
 namespace ostraka::ui {
@@ -32,26 +33,16 @@ namespace {
 constexpr int kBlankAfter_ms = 150;
 constexpr double kFractureScale_mm = 0.5;  // twice a good fracture's RMS has the full colour
 
-ShownScan shownScan(const review::ScanCloud& cloud) {
-  return {cloud.cloud, cloud.fracture};
-}
-
 }  // namespace
 
 ReviewPane::ReviewPane(PairReview& review, QWidget* parent)
     : QWidget(parent), review_(review), hand_(review.hand()) {
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Pairs of the batch"));
-  cards_ = new CardList(this);
-  cards_->setObjectName("cards");
-  cards_->setAccessibleName(tr("Pairs, most doubtful first"));
-  cards_->setModel(&review_.cards());
-  pictures_ = new PicturePair(this);
-  pictures_->setObjectName("pictures");
-  plot_ = new OutlinePlot(this);
-  plot_->setObjectName("outlines");
-  view_ = new SherdView(this);
-  view_->setObjectName("sherd");
+  cards_ = named<CardList>({"cards", tr("Pairs, most doubtful first")}, review_.cards(), this);
+  pictures_ = named<PicturePair>("pictures", this);
+  plot_ = named<OutlinePlot>("outlines", this);
+  view_ = named<SherdView>("sherd", this);
   view_->setPalette(mattePalette());
   candidates_ = new CandidateBar(review_, this);
   buildActions();
@@ -91,15 +82,10 @@ ReviewPane::ReviewPane(PairReview& review, QWidget* parent)
   showCard();
 }
 
-QAction* ReviewPane::act(const char* name, const QString& text, const QList<QKeySequence>& keys,
-                         void (PairReview::*slot)()) {
-  QAction* action = keyed(name, text, keys);
-  connect(action, &QAction::triggered, &review_, slot);
-  return action;
-}
-
-QAction* ReviewPane::keyed(const char* name, const QString& text, const QList<QKeySequence>& keys) {
-  QAction* action = addPageAct(this, name, {}, text, {});
+template <class... To>
+QAction* ReviewPane::keyed(const char* name, const QString& picture, const QString& text,
+                           const QList<QKeySequence>& keys, To... to) {
+  QAction* action = addPageAct(this, name, picture, text, {}, to...);
   action->setShortcuts(keys);
   action->setAutoRepeat(false);  // a key that is held down decides one pair, not all of them
   return action;
@@ -107,33 +93,28 @@ QAction* ReviewPane::keyed(const char* name, const QString& text, const QList<QK
 
 QAction* ReviewPane::step(const char* name, const QString& text, const QKeySequence& key, int by,
                           void (CardInHand::*slot)(int), void (PicturePair::*line)(int)) {
-  QAction* action = keyed(name, text, {key});
-  action->setAutoRepeat(true);
-  connect(action, &QAction::triggered, this, [this, slot, line, by] {
+  QAction* action = keyed(name, {}, text, {key}, this, [this, slot, line, by] {
     pictures_->isCutting() && line ? (pictures_->*line)(by) : (hand_.*slot)(by);
   });
+  action->setAutoRepeat(true);
   return action;
 }
 
 QAction* ReviewPane::toggle(const char* name, const QString& picture, const QString& text,
                             const QKeySequence& key) {
-  QAction* action = keyed(name, text, {key});
-  action->setIcon(icon(picture));
+  QAction* action = keyed(name, picture, text, {key});
   action->setCheckable(true);
   return action;
 }
 
 void ReviewPane::buildActions() {
-  const auto add = [this](const char* name, const QString& text, const QList<QKeySequence>& keys,
-                          void (ReviewPane::*slot)()) {
-    QAction* action = keyed(name, text, keys);
-    connect(action, &QAction::triggered, this, slot);
-    return action;
-  };
-  add("accept", tr("Accept"), {Qt::Key_Return, Qt::Key_Enter}, &ReviewPane::acceptMarked);
-  add("next", tr("Next pair"), {Qt::Key_Down}, &ReviewPane::next)->setAutoRepeat(true);
-  add("previous", tr("Previous pair"), {Qt::Key_Up}, &ReviewPane::previous)->setAutoRepeat(true);
-  add("leaveJoin", tr("Leave merging and splitting"), {Qt::Key_Escape}, &ReviewPane::leave);
+  keyed("accept", {}, tr("Accept"), {Qt::Key_Return, Qt::Key_Enter}, this,
+        &ReviewPane::acceptMarked);
+  keyed("next", {}, tr("Next pair"), {Qt::Key_Down}, this, &ReviewPane::next)->setAutoRepeat(true);
+  keyed("previous", {}, tr("Previous pair"), {Qt::Key_Up}, this, &ReviewPane::previous)
+      ->setAutoRepeat(true);
+  keyed("leaveJoin", {}, tr("Leave merging and splitting"), {Qt::Key_Escape}, this,
+        &ReviewPane::leave);
   for (int i = 0; i < 9; ++i)
     step("choose", tr("Candidate %1").arg(i + 1), QKeySequence(Qt::Key_1 + i), i,
          &CardInHand::choose, nullptr);
@@ -146,17 +127,15 @@ void ReviewPane::buildActions() {
   step("sampleAfter", tr("One sample on"), Qt::SHIFT | Qt::Key_Right, 1, &CardInHand::stepSample,
        &PicturePair::turnLine);
   buildViewActions();
-  QAction* settle = keyed("settle", tr("Refine fit"), {Qt::Key_B});
-  connect(settle, &QAction::triggered, &hand_, &CardInHand::settle);
-  settle->setIcon(icon(QStringLiteral("settle")));
+  QAction* settle =
+      keyed("settle", "settle", tr("Refine fit"), {Qt::Key_B}, &hand_, &CardInHand::settle);
   settle->setToolTip(tr("Refine the position by the fracture surfaces (B)"));
-  QAction* aside = act("aside", tr("Set aside"), {Qt::Key_S}, &PairReview::setAside);
-  aside->setIcon(icon(QStringLiteral("aside")));
-  QAction* reshoot = act("reshoot", tr("Reshoot"), {Qt::Key_N}, &PairReview::reshoot);
-  reshoot->setIcon(icon(QStringLiteral("camera")));
+  QAction* aside =
+      keyed("aside", "aside", tr("Set aside"), {Qt::Key_S}, &review_, &PairReview::setAside);
+  QAction* reshoot =
+      keyed("reshoot", "camera", tr("Reshoot"), {Qt::Key_N}, &review_, &PairReview::reshoot);
   buildPieceActions();
-  tools_ = new ToolRow(this);
-  tools_->setObjectName("reviewTools");
+  tools_ = named<ToolRow>("reviewTools", this);
   tools_->addGroup(tr("View"), {mirror_, apart_, section_, measure_, along_fracture_, closed_});
   tools_->addGroup(tr("Fit"), {settle});
   tools_->addGroup(tr("Decide"), {aside, reshoot, join_, cut_});
@@ -256,41 +235,20 @@ void ReviewPane::buildLayout() {
   accept_->setFocusPolicy(Qt::TabFocus);
   connect(accept_, &BigButton::clicked, this, &ReviewPane::acceptMarked);
 
-  compared_ = new QSplitter(Qt::Vertical, this);
-  compared_->addWidget(pictures_);
-  compared_->addWidget(plot_);
-  compared_->setStretchFactor(0, 3);
-  compared_->setStretchFactor(1, 1);
-  auto* sides = new QSplitter(Qt::Horizontal, this);
-  sides->addWidget(compared_);
-  sides->addWidget(view_);
-  sides->setStretchFactor(0, 1);
-  sides->setStretchFactor(1, 1);
+  compared_ = filled(new QSplitter(Qt::Vertical, this), {{pictures_, 3}, {plot_, 1}});
+  QSplitter* sides = filled(new QSplitter(Qt::Horizontal, this), {{compared_, 1}, {view_, 1}});
   sides->setSizes({500, 500});
 
-  auto* last = new QHBoxLayout;
-  last->addWidget(candidates_, 1);
-  auto* decide = new QVBoxLayout;
-  decide->addStretch();
-  decide->addWidget(candidates_->others());
-  decide->addWidget(accept_);
-  last->addLayout(decide);
+  auto* decide = filled(new QVBoxLayout, {Part::room(), candidates_->others(), accept_});
+  auto* last = filled(new QHBoxLayout, {{candidates_, 1}, decide});
   // What decides stays in sight; where letters are large, what is compared and measured is
   // scrolled.
   auto* compared = new QWidget(this);
-  auto* measured = bareLayout<QVBoxLayout>(compared);
-  measured->addWidget(sides, 1);
-  measured->addWidget(figures_);
+  filled(bareLayout<QVBoxLayout>(compared), {{sides, 1}, figures_});
   auto* area = new PageArea(compared, this);
-  auto* right = new QVBoxLayout;
-  right->addWidget(reason_);
-  right->addWidget(area, 1);
-  right->addWidget(tools_);
-  right->addLayout(last);
-  auto* all = bareLayout<QHBoxLayout>(this);
+  auto* right = filled(new QVBoxLayout, {reason_, {area, 1}, tools_, last});
   fitCards();
-  all->addWidget(cards_);
-  all->addLayout(right, 1);
+  filled(bareLayout<QHBoxLayout>(this), {cards_, {right, 1}});
 }
 
 // A press that decided something ends by marking the card that was pressed; keys act on the other.
@@ -404,7 +362,8 @@ void ReviewPane::showScene(const PairScene& scene) {
   if (scene.front_cloud && scene.back_cloud) {
     closed_->setChecked(false);
     measure_->setChecked(false);
-    view_->showScans(shownScan(*scene.front_cloud), shownScan(*scene.back_cloud),
+    view_->showScans({scene.front_cloud->cloud, scene.front_cloud->fracture},
+                     {scene.back_cloud->cloud, scene.back_cloud->fracture},
                      scene.fit.front_from_back);
   }
   colourFracture();

@@ -44,9 +44,9 @@ class ReviewPane final : public QWidget {
   void buildActions();
   void buildViewActions();
   void buildPieceActions();
-  QAction* keyed(const char* name, const QString& text, const QList<QKeySequence>& keys);
-  QAction* act(const char* name, const QString& text, const QList<QKeySequence>& keys,
-               void (PairReview::*slot)());
+  template <class... To>
+  QAction* keyed(const char* name, const QString& picture, const QString& text,
+                 const QList<QKeySequence>& keys, To... to);
   QAction* step(const char* name, const QString& text, const QKeySequence& key, int by,
                 void (CardInHand::*slot)(int), void (PicturePair::*line)(int));
   QAction* toggle(const char* name, const QString& picture, const QString& text,

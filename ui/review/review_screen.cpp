@@ -29,6 +29,7 @@
 #include "ui/review/review_pane.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
+#include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -42,40 +43,28 @@ namespace fs = std::filesystem;
 ReviewScreen::ReviewScreen(QWidget* parent)
     : PlateScreen(tr("Review"), QStringLiteral("review"), parent) {
   batches_->view()->installEventFilter(this);
-  auto* person_label = new QLabel(tr("Your &initials"), this);
-  person_ = new QLineEdit(this);
-  person_->setObjectName("initials");
-  person_->setAccessibleName(tr("Your initials"));
+  person_ = named<QLineEdit>({"initials", tr("Your initials")}, this);
   person_->setMaxLength(8);
   person_->setMaximumWidth(fontMetrics().averageCharWidth() * 14);
-  person_label->setBuddy(person_);
-  compute_ = new QPushButton(tr("Update changed models"), this);
-  compute_->setObjectName("compute");
+  compute_ = named<QPushButton>("compute", tr("Update changed models"), this);
   compute_->setFocusPolicy(Qt::TabFocus);
   compute_->hide();
-  auto* head = new QHBoxLayout;
-  head->addWidget(batches_);
-  head->addWidget(message_, 1);
-  head->addWidget(compute_);
-  head->addWidget(person_label);
-  head->addWidget(person_);
+  auto* head =
+      filled(new QHBoxLayout,
+             {batches_, {message_, 1}, compute_, labelFor(person_, tr("Your &initials")), person_});
   empty_ = new NoBatchYet(QStringLiteral("review"), tr("No pairs to review yet"),
                           tr("Photograph or import a batch. Its pairs appear here when it is "
                              "processed."),
                           this);
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(Look::kGap, Look::kGap, Look::kGap, Look::kGap);
-  all->addLayout(head);
-  all->addWidget(buildScale());
-  all->addWidget(empty_, 1);
+  filled(all, {head, buildScale(), {empty_, 1}});
   connect(person_, &QLineEdit::editingFinished, this, [this] {
     if (session_) session_->setInitials(person_->text().trimmed());
     if (pane_) pane_->setFocus();
   });
   connect(compute_, &QPushButton::clicked, this, &ReviewScreen::compute);
 }
-
-ReviewScreen::~ReviewScreen() = default;
 
 QAbstractButton* ReviewScreen::primary() const {
   if (!empty_->isHidden() || !pane_) return empty_->act();
@@ -95,8 +84,7 @@ bool ReviewScreen::eventFilter(QObject* watched, QEvent* event) {
 }
 
 QWidget* ReviewScreen::buildScale() {
-  scale_ = new QFrame(this);
-  scale_->setObjectName("scaleInDoubt");
+  scale_ = named<QFrame>("scaleInDoubt", this);
   scale_->setFrameShape(QFrame::StyledPanel);
   scale_->setAutoFillBackground(true);
   scale_words_ = wrappedLabel(scale_, "scaleWords");
@@ -104,9 +92,7 @@ QWidget* ReviewScreen::buildScale() {
   report->setFocusPolicy(Qt::TabFocus);
   connect(report, &QPushButton::clicked, this,
           [this] { emit wantsScreen(QStringLiteral("queue"), batch_); });
-  auto* row = new QHBoxLayout(scale_);
-  row->addWidget(scale_words_, 1);
-  row->addWidget(report);
+  filled(new QHBoxLayout(scale_), {{scale_words_, 1}, report});
   scale_->hide();
   return scale_;
 }

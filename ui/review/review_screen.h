@@ -1,8 +1,6 @@
 #pragma once
-#include <QHash>
 #include <QPointer>
 #include <filesystem>
-#include <memory>
 
 #include "intake/apply_decision.h"
 #include "ui/frame/plate_screen.h"
@@ -26,7 +24,6 @@ class ReviewScreen final : public PlateScreen {
 
  public:
   explicit ReviewScreen(QWidget* parent = nullptr);
-  ~ReviewScreen() override;
 
   void openProject(ProjectSession& session) override;
   void closeProject() override;

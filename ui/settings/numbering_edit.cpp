@@ -11,6 +11,7 @@
 #include "ui/look/look.h"
 #include "ui/settings/numbering_model.h"
 #include "ui/widgets/form_rows.h"
+#include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
 namespace {
@@ -22,29 +23,20 @@ constexpr qsizetype kGapLines = 8;
 NumberingEdit::NumberingEdit(QWidget* parent)
     : QWidget(parent),
       model_(new NumberingModel(this)),
-      scheme_(new QLineEdit(this)),
-      first_(new QSpinBox(this)),
-      last_(new QSpinBox(this)),
-      example_(new QLabel(this)),
-      told_(new QLabel(this)),
-      gaps_(new QLabel(this)),
-      apply_(new QPushButton(tr("Use this &numbering"), this)) {
+      scheme_(named<QLineEdit>("numberingScheme", this)),
+      first_(named<QSpinBox>({"numberingFirst", tr("First number of this computer")}, this)),
+      last_(named<QSpinBox>({"numberingLast", tr("Last number of this computer")}, this)),
+      example_(named<QLabel>("numberingExample", this)),
+      told_(named<QLabel>("numberingTold", this)),
+      gaps_(named<QLabel>("numberingGaps", this)),
+      apply_(named<QPushButton>("numberingApply", tr("Use this &numbering"), this)) {
   setObjectName(QStringLiteral("numbering"));
-  scheme_->setObjectName(QStringLiteral("numberingScheme"));
   scheme_->setToolTip(
       tr("{site} {trench} {context} {bag} {batch} {yyyy} {yy}, and {n} once; "
          "{n:04} has four digits at least"));
-  first_->setObjectName(QStringLiteral("numberingFirst"));
-  first_->setAccessibleName(tr("First number of this computer"));
-  last_->setObjectName(QStringLiteral("numberingLast"));
-  last_->setAccessibleName(tr("Last number of this computer"));
   for (QSpinBox* box : {first_, last_}) box->setRange(1, NumberingModel::kLastNumber);
-  example_->setObjectName(QStringLiteral("numberingExample"));
   example_->setFont(scaledFont(*this, Look::kSection));
-  told_->setObjectName(QStringLiteral("numberingTold"));
-  gaps_->setObjectName(QStringLiteral("numberingGaps"));
   for (QLabel* label : {told_, gaps_}) label->setWordWrap(true);
-  apply_->setObjectName(QStringLiteral("numberingApply"));
   buildLayout();
   connect(model_, &NumberingModel::changed, this, &NumberingEdit::showModel);
   connect(model_, &NumberingModel::gapsChanged, this, &NumberingEdit::showGaps);
@@ -65,8 +57,7 @@ void NumberingEdit::buildLayout() {
   block->addWidget(first_, 1);
   auto* to = new QLabel(tr("to"), this);
   to->setMargin(fontMetrics().averageCharWidth());
-  block->addWidget(to);
-  block->addWidget(last_, 1);
+  filled(block, {to, {last_, 1}});
   form->addRow(tr("Num&bers of this computer"), block);
   if (auto* label = qobject_cast<QLabel*>(form->labelForField(block))) label->setBuddy(first_);
   form->addRow(QString(), told_);

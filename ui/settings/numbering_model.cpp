@@ -88,9 +88,6 @@ QString numberRanges(const std::vector<int>& numbers, int most) {
   return ranges.join(QStringLiteral(", "));
 }
 
-NumberingModel::NumberingModel(QObject* parent) : QObject(parent) {}
-NumberingModel::~NumberingModel() = default;
-
 void NumberingModel::setSession(ProjectSession* session) {
   dropJob(looking_);
   session_ = session;

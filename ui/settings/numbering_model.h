@@ -30,8 +30,7 @@ class NumberingModel final : public QObject {
   };
   static constexpr int kLastNumber = 999'999'999;
 
-  explicit NumberingModel(QObject* parent = nullptr);
-  ~NumberingModel() override;
+  explicit NumberingModel(QObject* parent = nullptr) : QObject(parent) {}
 
   /// The session must stay until another one or none is set.
   void setSession(ProjectSession* session);

@@ -10,6 +10,7 @@
 #include "ui/frame/saved_value.h"
 #include "ui/look/look.h"
 #include "ui/widgets/form_rows.h"
+#include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -17,13 +18,11 @@ namespace ostraka::ui {
 
 RightsEdit::RightsEdit(QWidget* parent)
     : QWidget(parent),
-      licence_(new QLineEdit(this)),
-      holder_(new QLineEdit(this)),
+      licence_(named<QLineEdit>("licence", this)),
+      holder_(named<QLineEdit>("rightsHolder", this)),
       told_(wrappedLabel(this, QStringLiteral("rightsTold"))) {
   setObjectName(QStringLiteral("rights"));
-  licence_->setObjectName(QStringLiteral("licence"));
   licence_->setPlaceholderText(tr("for instance CC-BY-4.0; empty: none is named"));
-  holder_->setObjectName(QStringLiteral("rightsHolder"));
   QFormLayout* form = titledForm(this, tr("Rights to the open project"));
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form->addRow(tr("&Licence of what is exported"), licence_);

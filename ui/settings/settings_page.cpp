@@ -17,42 +17,38 @@
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
+#include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
 
 SettingsPage::SettingsPage(QWidget* parent)
     : QWidget(parent),
-      theme_(new QComboBox(this)),
-      language_(new QComboBox(this)),
-      text_(new QSlider(Qt::Horizontal, this)),
+      theme_(named<QComboBox>("settingsTheme", this)),
+      language_(named<QComboBox>("settingsLanguage", this)),
+      text_(named<QSlider>("settingsText", Qt::Horizontal, this)),
       text_words_(new QLabel(this)),
       said_(wrappedLabel(this, QStringLiteral("settingsSaid"))),
-      initials_(new QLineEdit(this)),
-      threads_(new QSpinBox(this)),
+      initials_(named<QLineEdit>("settingsInitials", this)),
+      threads_(named<QSpinBox>("settingsThreads", this)),
       numbering_(new NumberingEdit(this)),
       vocabulary_(new VocabularyEdit(this)),
       rights_(new RightsEdit(this)) {
   setObjectName(QStringLiteral("settings"));
-  theme_->setObjectName(QStringLiteral("settingsTheme"));
   for (const auto& [theme, words] :
        {std::pair(Theme::System, tr("Follow system")), std::pair(Theme::Light, tr("Light")),
         std::pair(Theme::Dark, tr("Dark, for the tent")),
         std::pair(Theme::Sunlight, tr("Sunlight: black on white, thick lines"))})
     theme_->addItem(words, static_cast<int>(theme));
-  language_->setObjectName(QStringLiteral("settingsLanguage"));
   language_->addItem(tr("Follow system"), QString());
   for (const char* code : {"en", "de", "fr", "es", "el", "tr", "hy"}) {
     const QLocale locale(QString::fromLatin1(code));
     language_->addItem(locale.nativeLanguageName(), QString::fromLatin1(code));
   }
-  text_->setObjectName(QStringLiteral("settingsText"));
   text_->setRange(9, 20);  // tens of per cent
   text_->setPageStep(1);
-  initials_->setObjectName(QStringLiteral("settingsInitials"));
   initials_->setMaxLength(5);
   initials_->setValidator(new QRegularExpressionValidator(
       QRegularExpression(QStringLiteral("\\p{L}{0,5}")), initials_));
-  threads_->setObjectName(QStringLiteral("settingsThreads"));
   threads_->setRange(0, QThread::idealThreadCount());
   threads_->setSpecialValueText(tr("all"));
   buildLayout();
@@ -75,9 +71,7 @@ void SettingsPage::buildLayout() {
   };
   hint(tr("Recorded with each decision."));
   form->addRow(tr("&Theme"), theme_);
-  auto* size = new QHBoxLayout;
-  size->addWidget(text_, 1);
-  size->addWidget(text_words_);
+  auto* size = filled(new QHBoxLayout, {{text_, 1}, text_words_});
   form->addRow(tr("Te&xt size"), size);
   auto* size_label = qobject_cast<QLabel*>(form->labelForField(size));
   if (size_label != nullptr) size_label->setBuddy(text_);
@@ -98,19 +92,15 @@ void SettingsPage::buildLayout() {
   parts->addWidget(rights_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(Look::kMargin, Look::kGroup, Look::kMargin, 0);
-  auto* close = iconButton(this, "settingsClose", "previous", tr("Back to project (Esc)"));
+  auto* close = iconButton(this, "settingsClose", "previous", tr("Back to project (Esc)"), this,
+                           &SettingsPage::closed);
   close->setShortcut(QKeySequence(Qt::Key_Escape));
-  connect(close, &QPushButton::clicked, this, &SettingsPage::closed);
-  auto* head = new QHBoxLayout;
-  head->addWidget(title, 1);
-  head->addWidget(close);
-  column->addLayout(head);
-  column->addWidget(said_);
+  auto* head = filled(new QHBoxLayout, {{title, 1}, close});
+  filled(column, {head, said_});
   say({});
   auto* page = new QWidget(this);
   auto* across = bareLayout<QHBoxLayout>(page);  // lines of a readable length, in each text size
-  across->addWidget(middle, 3);
-  across->addStretch(2);
+  filled(across, {{middle, 3}, Part::room(2)});
   parts->addStretch(1);
   column->addWidget(new PageArea(page, this), 1);
 }

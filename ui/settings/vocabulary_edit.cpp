@@ -14,6 +14,7 @@
 #include "ui/frame/term_words.h"
 #include "ui/look/look.h"
 #include "ui/widgets/form_rows.h"
+#include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -32,21 +33,17 @@ QString linesOf(const std::vector<records::Term>& terms) {
 
 VocabularyEdit::VocabularyEdit(QWidget* parent)
     : QWidget(parent),
-      which_(new QComboBox(this)),
-      terms_(new QPlainTextEdit(this)),
+      which_(named<QComboBox>("vocabularyWhich", this)),
+      terms_(named<QPlainTextEdit>({"vocabularyTerms", tr("Terms, one per line")}, this)),
       told_(wrappedLabel(this, QStringLiteral("vocabularyTold"))),
-      save_(new QPushButton(tr("&Save vocabulary"), this)) {
+      save_(named<QPushButton>("vocabularySave", tr("&Save vocabulary"), this)) {
   setObjectName(QStringLiteral("vocabulary"));
   for (const auto& [words, name] :
        {std::pair(tr("part"), "part"), std::pair(tr("surface"), "surface"),
         std::pair(tr("decoration"), "decoration"), std::pair(tr("manufacture"), "manufacture"),
         std::pair(tr("firing"), "firing"), std::pair(tr("condition"), "condition")})
     which_->addItem(words, QString::fromLatin1(name));
-  which_->setObjectName(QStringLiteral("vocabularyWhich"));
-  terms_->setObjectName(QStringLiteral("vocabularyTerms"));
-  terms_->setAccessibleName(tr("Terms, one per line"));
   terms_->setTabChangesFocus(true);
-  save_->setObjectName(QStringLiteral("vocabularySave"));
   buildLayout();
   connect(which_, &QComboBox::currentIndexChanged, this, [this] {
     keepDraft();

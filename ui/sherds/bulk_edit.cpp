@@ -23,6 +23,7 @@
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 #include "ui/widgets/page_acts.h"
+#include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -68,23 +69,17 @@ BulkEdit::BulkEdit(QWidget* parent) : QWidget(parent) {
 }
 
 void BulkEdit::buildLayout() {
-  auto* column = new QVBoxLayout(this);
   heading_ = new QLabel(this);
   heading_->setFont(scaledFont(*this, Look::kSection, true));
-  field_ = new QComboBox(this);
-  field_->setObjectName("bulkField");
-  field_->setAccessibleName(tr("Field to change"));
+  field_ = named<QComboBox>({"bulkField", tr("Field to change")}, this);
   for (const records::SherdField& field : sherds::sherdFields())
     if (field.editable && std::string_view(field.name) != "number")
       field_->addItem(fieldLabel(field.name), QString::fromLatin1(field.name));
   field_->setCurrentIndex(field_->findData("part"));
-  value_ = new QLineEdit(this);
-  value_->setObjectName("bulkValue");
-  value_->setAccessibleName(tr("New value for all"));
+  value_ = named<QLineEdit>({"bulkValue", tr("New value for all")}, this);
   value_->setPlaceholderText(tr("new value; empty deletes"));
   summary_ = wrappedLabel(this, "bulkSummary");
-  replace_ = new QCheckBox(tr("Replace with measured value"), this);
-  replace_->setObjectName("bulkReplace");
+  replace_ = named<QCheckBox>("bulkReplace", tr("Replace with measured value"), this);
   replace_->hide();
   connect(replace_, &QCheckBox::clicked, this, [this] { preview(); });
   table_ = new QTableWidget(0, 3, this);
@@ -94,29 +89,27 @@ void BulkEdit::buildLayout() {
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
   table_->setWordWrap(true);
-  apply_ = iconButton(this, "bulkApply", "check", tr("Change"));
-  numbers_ = iconButton(this, "bulkNumbers", "label", tr("Assign numbers"));
-  auto* field_label = new QLabel(tr("Field"), this);
-  field_label->setBuddy(field_);
-  auto* value_label = new QLabel(tr("Value"), this);
-  value_label->setBuddy(value_);
-  for (QWidget* widget : {static_cast<QWidget*>(heading_), static_cast<QWidget*>(field_label),
-                          static_cast<QWidget*>(field_), static_cast<QWidget*>(value_label),
-                          static_cast<QWidget*>(value_), static_cast<QWidget*>(summary_),
-                          static_cast<QWidget*>(replace_)})
-    column->addWidget(widget);
-  column->addWidget(table_, 1);
-  column->addWidget(apply_);
-  column->addWidget(numbers_);
-  bar_ = new QProgressBar(this);
-  bar_->setObjectName("bulkProgress");
+  apply_ =
+      iconButton(this, "bulkApply", "check", tr("Change"), this, [this] { emit wanted(good_); });
+  numbers_ = iconButton(this, "bulkNumbers", "label", tr("Assign numbers"), this,
+                        &BulkEdit::numbersWanted);
+  bar_ = named<QProgressBar>({"bulkProgress", tr("Progress of the changes")}, this);
   bar_->setRange(0, 1000);
-  bar_->setAccessibleName(tr("Progress of the changes"));
-  stop_ = iconButton(this, "bulkStop", "cancel", tr("Cancel and undo"));
-  column->addWidget(bar_);
-  column->addWidget(stop_);
+  stop_ =
+      iconButton(this, "bulkStop", "cancel", tr("Cancel and undo"), this, &BulkEdit::stopWanted);
+  filled(new QVBoxLayout(this), {heading_,
+                                 labelFor(field_, tr("Field")),
+                                 field_,
+                                 labelFor(value_, tr("Value")),
+                                 value_,
+                                 summary_,
+                                 replace_,
+                                 {table_, 1},
+                                 apply_,
+                                 numbers_,
+                                 bar_,
+                                 stop_});
   showProgress(-1);
-  connect(stop_, &QPushButton::clicked, this, &BulkEdit::stopWanted);
   connect(field_, &QComboBox::currentIndexChanged, this, [this] {
     offerTerms();
     replace_->setChecked(false);
@@ -126,12 +119,6 @@ void BulkEdit::buildLayout() {
     replace_->setChecked(false);  // it was said of another value
     preview();
   });
-  connect(apply_, &QPushButton::clicked, this, [this] { emit wanted(good_); });
-  connect(numbers_, &QPushButton::clicked, this, &BulkEdit::numbersWanted);
-}
-
-void BulkEdit::lookAgain() {
-  preview();
 }
 
 void BulkEdit::setSherds(ProjectSession* session, std::vector<store::SherdRow> sherds) {

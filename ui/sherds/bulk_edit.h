@@ -28,7 +28,7 @@ class BulkEdit final : public QWidget {
   explicit BulkEdit(QWidget* parent = nullptr);
   /// session: nullptr when no project is open. The preview comes from a worker.
   void setSherds(ProjectSession* session, std::vector<store::SherdRow> sherds);
-  void lookAgain();  ///< the same sherds, what is typed stays: rows of the catalogue changed
+  void preview();  ///< the same sherds, what is typed stays: rows of the catalogue changed
   const std::vector<store::SherdRow>& sherds() const { return sherds_; }
   /// What comes with the changes that the preview showed.
   QString note() const { return note_; }
@@ -43,7 +43,6 @@ class BulkEdit final : public QWidget {
 
  private:
   void buildLayout();
-  void preview();
   struct Preview;
   void showPreview(const Preview& preview);
   void offerTerms();

@@ -262,18 +262,16 @@ QString leftBehindWords(const intake::Move& move) {
   QStringList said, bags, numbers;
   for (const std::string& bag : move.bags) bags << QString::fromStdString(bag);
   for (const std::string& number : move.numbers) numbers << QString::fromStdString(number);
-  for (QStringList* list : {&bags, &numbers})
-    if (list->size() > kMostNamed) *list = list->mid(0, kMostNamed) << QStringLiteral("…");
   if (move.without_bag > 0)
     said << QCoreApplication::translate(
                 "ostraka::ui", "%n sherd(s) leave their bag, which stays in the old context: %1.",
                 nullptr, move.without_bag)
-                .arg(bags.join(QStringLiteral(", ")));
+                .arg(firstOf(bags, kMostNamed));
   if (!move.numbers.empty())
     said << QCoreApplication::translate("ostraka::ui",
                                         "%n sherd(s) keep a number of the old context: %1.",
                                         nullptr, static_cast<int>(move.numbers.size()))
-                .arg(numbers.join(QStringLiteral(", ")));
+                .arg(firstOf(numbers, kMostNamed));
   return said.join(QLatin1Char(' '));
 }
 

@@ -1,16 +1,15 @@
 #include "ui/sherds/filter_line.h"
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSignalBlocker>
 #include <QTimer>
 #include <QToolButton>
 
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
+#include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
 namespace {
@@ -21,33 +20,25 @@ constexpr int kTypingPause_ms = 150;
 
 FilterLine::FilterLine(QWidget* parent)
     : QWidget(parent),
-      line_(new QLineEdit(this)),
+      line_(named<QLineEdit>({"filter", tr("Filter of the catalogue")}, this)),
       typing_(new QTimer(this)),
       row_(new QHBoxLayout),
       chips_(new QHBoxLayout),
-      count_(new QLabel(this)) {
-  line_->setObjectName("filter");
-  line_->setAccessibleName(tr("Filter of the catalogue"));
+      count_(named<QLabel>("count", this)) {
   line_->setPlaceholderText(tr("rim T3 thickness>6"));
   line_->setToolTip(
       tr("Words are looked for everywhere; ware:grey, thickness>6, entered>=2026-07-01, -burnt, "
          "note:* also work."));
   line_->setClearButtonEnabled(true);
   line_->addAction(icon("search"), QLineEdit::LeadingPosition);
-  count_->setObjectName("count");
   typing_->setSingleShot(true);
   typing_->setInterval(kTypingPause_ms);
   connect(line_, &QLineEdit::textChanged, typing_, qOverload<>(&QTimer::start));
   connect(line_, &QLineEdit::returnPressed, this, &FilterLine::ask);
   connect(typing_, &QTimer::timeout, this, &FilterLine::ask);
   row_->addWidget(line_, 1);
-  auto* below = new QHBoxLayout;
-  below->addLayout(chips_);
-  below->addStretch();
-  below->addWidget(count_);
-  auto* column = bareLayout<QVBoxLayout>(this);
-  column->addLayout(row_);
-  column->addLayout(below);
+  auto* below = filled(new QHBoxLayout, {chips_, Part::room(), count_});
+  filled(bareLayout<QVBoxLayout>(this), {row_, below});
 }
 
 void FilterLine::addButton(QPushButton* button) {
@@ -87,13 +78,11 @@ void FilterLine::showConditions(const sherds::Filter& filter) {
   for (std::size_t i = 0; i < filter.conditions.size(); ++i) {
     sherds::Filter fewer = filter;
     fewer.conditions.erase(fewer.conditions.begin() + static_cast<std::ptrdiff_t>(i));
-    auto* chip = new QToolButton(this);
     const QString text = conditionText(filter.conditions[i]);
+    auto* chip = named<QToolButton>({"chip", tr("Remove the condition %1").arg(text)}, this);
     chip->setText(text);
     chip->setIcon(icon("cancel"));
     chip->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    chip->setObjectName("chip");
-    chip->setAccessibleName(tr("Remove the condition %1").arg(text));
     connect(chip, &QToolButton::clicked, this,
             [this, line = QString::fromStdString(fewer.text())] { setText(line); });
     chips_->addWidget(chip);

@@ -19,6 +19,7 @@
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 #include "ui/widgets/elided_button.h"
+#include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -56,8 +57,8 @@ void SherdDetails::buildLayout() {
   number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   number_->setWordWrap(true);
   number_->setAccessibleName(tr("Number of the sherd"));
-  give_number_ = new ElidedButton(icon("label"), tr("Assign number %1").arg(QString()), page);
-  give_number_->setObjectName("giveNumber");
+  give_number_ =
+      named<ElidedButton>("giveNumber", icon("label"), tr("Assign number %1").arg(QString()), page);
   connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
   why_no_number_ = wrappedLabel(page, "whyNoNumber");
   buildRefusal(page);
@@ -65,7 +66,7 @@ void SherdDetails::buildLayout() {
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   const auto addField = [&](const records::SherdField& field) {
-    addRow(form_->rowCount(), editorFor(field.name, field.kind));
+    form_->addRow(fieldLabel(field.name), editorFor(field.name, field.kind));
   };
   // A context is chosen with its trench and site; what voids a sherd comes last, for Tab too.
   const std::set<std::string> elsewhere = {"site", "trench", "context", "void_reason"};
@@ -75,32 +76,24 @@ void SherdDetails::buildLayout() {
   }
   for (const records::SherdField& field : sherds::sherdFields())
     if (field.name == std::string("void_reason")) addField(field);
-  column->addWidget(number_);
-  column->addWidget(give_number_);
-  column->addWidget(why_no_number_);
-  column->addWidget(refusal_);
-  column->addLayout(form_);
+  filled(column, {number_, give_number_, why_no_number_, refusal_, form_});
   addTables(*column);
   column->addStretch();
   setWidget(page);
 }
 
 void SherdDetails::buildRefusal(QWidget* page) {
-  refusal_ = new QWidget(page);
-  refusal_->setObjectName("refusal");
+  refusal_ = named<QWidget>("refusal", page);
   auto* column = bareLayout<QVBoxLayout>(refusal_);
   auto* row = new QHBoxLayout;
   refusal_picture_ = new QLabel(refusal_);
   refusal_picture_->setAccessibleName(tr("Picture of the sherd in the way"));
   refusal_text_ = wrappedLabel(refusal_, "refusalText");
-  row->addWidget(refusal_picture_);
-  row->addWidget(refusal_text_, 1);
-  confirm_ = new ElidedButton(icon("check"), tr("Confirm"), refusal_);
-  confirm_->setObjectName("confirmChange");
+  filled(row, {refusal_picture_, {refusal_text_, 1}});
+  confirm_ = named<ElidedButton>("confirmChange", icon("check"), tr("Confirm"), refusal_);
   confirm_->setFocusPolicy(Qt::TabFocus);  // a press that took the focus would move it away
   confirm_->setMinimumHeight(targetSize(*this));
-  column->addLayout(row);
-  column->addWidget(confirm_);
+  filled(column, {row, confirm_});
   connect(confirm_, &QPushButton::clicked, this, [this] {
     editors_.value(asked_field_)->setFocus();
     if (sherd_) emit confirmed(asked_field_, unsaved_.of(sherd_).value(asked_field_));
@@ -108,23 +101,13 @@ void SherdDetails::buildRefusal(QWidget* page) {
 }
 
 void SherdDetails::addPlace() {
-  place_ = new QComboBox(this);
-  place_->setObjectName("field_place");
-  place_->setAccessibleName(tr("Context"));
+  place_ = named<QComboBox>({"field_place", tr("Context")}, this);
   place_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   connect(place_, &QComboBox::activated, this, [this](int index) {
     const QString place = place_->itemData(index).toString();
     if (sherd_ && index >= 0 && place != shown_.value("place")) emit edited("place", place);
   });
-  auto* label = new QLabel(tr("context"), this);
-  label->setBuddy(place_);
-  form_->addRow(label, place_);
-}
-
-void SherdDetails::addRow(int at, QWidget* editor) {
-  auto* label = new QLabel(editor->accessibleName(), this);
-  label->setBuddy(editor);
-  form_->insertRow(at, label, editor);
+  form_->addRow(tr("context"), place_);
 }
 
 // Custom fields stand above what voids a sherd, for Tab too.
@@ -143,7 +126,7 @@ void SherdDetails::setCustomFields(const std::vector<std::string>& fields) {
     int row = 0;
     QFormLayout::ItemRole role = QFormLayout::FieldRole;
     form_->getWidgetPosition(last, &row, &role);
-    addRow(row, editorFor(field, records::FieldKind::Text));
+    form_->insertRow(row, fieldLabel(field), editorFor(field, records::FieldKind::Text));
     QWidget::setTabOrder(before, editors_.value(QString::fromStdString(field)));
     custom_fields_.push_back(field);
   }

@@ -59,7 +59,6 @@ class SherdDetails final : public QScrollArea {
   void buildLayout();
   void buildRefusal(QWidget* page);
   void addPlace();
-  void addRow(int at, QWidget* editor);
   void setCustomFields(const std::vector<std::string>& fields);
   QWidget* editorFor(const std::string& field, records::FieldKind kind);
   void setText(const std::string& field, const QString& text);

@@ -59,10 +59,6 @@ Result<Numbers> numbersFor(const catalogue::Catalogue& catalogue,
 SherdEdits::SherdEdits(ProjectSession& session, QObject* parent)
     : QObject(parent), session_(session) {}
 
-records::Provenance SherdEdits::provenance() const {
-  return session_.provenance();
-}
-
 QString SherdEdits::busyWords() const {
   return tr("Other changes are still being saved; wait for them, or stop them.");
 }
@@ -77,7 +73,7 @@ Result<void> SherdEdits::save(const Changes& changes) {
         [this, index = session_.undo().index()](const Error& why) { takeStepBack(index, why); });
   } else {
     const auto done =
-        sherds::SherdChanges(session_.project().catalogue()).apply(changes, provenance());
+        sherds::SherdChanges(session_.project().catalogue()).apply(changes, session_.provenance());
     if (!done) return done.error();
     tell(changes);
   }
@@ -121,7 +117,7 @@ QString SherdEdits::change(const QString& title, const Changes& changes, const Q
     return {};
   }
   const auto undo =
-      sherds::SherdChanges(session_.project().catalogue()).apply(changes, provenance());
+      sherds::SherdChanges(session_.project().catalogue()).apply(changes, session_.provenance());
   if (!undo) return sentenceOf(undo.error());
   if (undo->empty()) return {};
   push(title, changes, *undo);
@@ -172,9 +168,10 @@ QString SherdEdits::assignNumbers(const std::vector<store::SherdRow>& sherds) {
 void SherdEdits::changeMany(const Making& making, std::function<void(const Made&)> then,
                             Failing failing) {
   stop_ = std::stop_source();
-  const auto work =
-      [folder = session_.folder(), making, provenance = provenance(), stop = stop_.get_token()](
-          Progress& progress, std::stop_token) -> Result<std::shared_ptr<const Made>> {
+  const auto work = [folder = session_.folder(), making, provenance = session_.provenance(),
+                     stop = stop_.get_token()](
+                        Progress& progress,
+                        std::stop_token) -> Result<std::shared_ptr<const Made>> {
     Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
     if (!catalogue) return catalogue.error();
     Result<Changes> changes = making(*catalogue);

@@ -35,8 +35,6 @@ class SherdEdits final : public QObject {
             const std::vector<records::FieldChange>& undo);
   /// Gives those of them that are drafts their numbers. The sentence, or empty.
   QString assignNumbers(const std::vector<store::SherdRow>& sherds);
-  /// Who works now, as the history names it.
-  records::Provenance provenance() const;
 
   bool isBusy() const { return job_ != nullptr; }  ///< many are being changed
   double fraction() const { return job_ ? job_->progress().fraction : 0; }

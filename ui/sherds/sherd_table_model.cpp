@@ -5,7 +5,6 @@
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
-#include "ui/jobs/when_done.h"
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 #include "ui/widgets/thumbnails.h"
@@ -14,15 +13,7 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr int kPictureSize = 240;
-
-// Scaled while it is read, in another thread.
-Result<QImage> readPicture(const QString& path) {
-  QImage image = readScaled(path, {kPictureSize, kPictureSize});
-  if (image.isNull())
-    return Error{ErrorCode::Missing, "The picture cannot be read.", path.toStdString()};
-  return image;
-}
+constexpr QSize kPicture(240, 240);
 
 }  // namespace
 
@@ -33,14 +24,16 @@ SherdTableModel::SherdTableModel(QObject* parent)
 
 void SherdTableModel::setCatalogue(const catalogue::Catalogue* catalogue,
                                    const std::filesystem::path& project, JobRunner* jobs) {
-  delete requests_.data();
-  requests_ = new QObject(this);
+  delete pictures_;
+  pictures_ = jobs == nullptr ? nullptr : new Thumbnails(*jobs, this);
+  if (pictures_ != nullptr)
+    connect(pictures_, &Thumbnails::ready, this, [this] {
+      if (rowCount() > 0)
+        emit dataChanged(index(0, 0), index(rowCount() - 1, 0), {Qt::DecorationRole});
+    });
   catalogue_ = catalogue;
   project_ = project;
-  jobs_ = jobs;
   filter_ = {};
-  pictures_.clear();
-  asked_.clear();
   readVocabularies();
   reload();
 }
@@ -127,34 +120,15 @@ const records::SherdRecord* SherdTableModel::record(int row) const {
   return &(*pages_.object(page))[static_cast<std::size_t>(row % kPage)];
 }
 
-QVariant SherdTableModel::picture(int row, const records::SherdRecord& sherd) const {
-  if (sherd.preview_path.empty()) return icon("sherd");
-  const QString path = QString::fromStdString((project_ / sherd.preview_path).string());
-  if (const QIcon* known = pictures_.object(path)) return *known;
-  std::vector<int>& waiting = asked_[path];
-  const bool asked = !waiting.empty();
-  waiting.push_back(row);
-  if (!asked && jobs_) {
-    auto* self = const_cast<SherdTableModel*>(this);
-    JobHandle* job = jobs_->start(
-        makeJob([path](Progress&, std::stop_token) { return readPicture(path); }), requests_);
-    whenDone<QImage>(job, self, [self, path](const auto& image) {
-      self->pictureArrived(path, image ? *image : QImage());
-    });
-  }
-  return icon("sherd");
-}
-
-void SherdTableModel::pictureArrived(const QString& path, const QImage& image) {
-  auto* shown = new QIcon(icon("sherd"));
-  if (!image.isNull()) {
-    const QPixmap picture = QPixmap::fromImage(image);
-    *shown = QIcon(picture);
-    shown->addPixmap(picture, QIcon::Selected);  // clay keeps its colour in a chosen row
-  }
-  pictures_.insert(path, shown);
-  for (const int row : asked_.take(path))
-    if (row < rowCount()) emit dataChanged(index(row, 0), index(row, 0), {Qt::DecorationRole});
+QIcon SherdTableModel::picture(const records::SherdRecord& sherd) const {
+  QPixmap picture;
+  if (pictures_ != nullptr && !sherd.preview_path.empty())
+    picture =
+        pictures_->get(QString::fromStdString((project_ / sherd.preview_path).string()), kPicture);
+  if (picture.isNull()) return icon("sherd");
+  QIcon shown(picture);
+  shown.addPixmap(picture, QIcon::Selected);  // clay keeps its colour in a chosen row
+  return shown;
 }
 
 QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
@@ -181,7 +155,7 @@ QVariant SherdTableModel::data(const QModelIndex& index, int role) const {
     font.setStrikeOut(sherd->state == records::SherdState::Void);
     return font;
   }
-  if (role == Qt::DecorationRole) return picture(index.row(), *sherd);
+  if (role == Qt::DecorationRole) return picture(*sherd);
   const QString text = fieldText(*sherd, field, words_);
   const bool doubtful = isDoubtful(*sherd, field);
   if (computed != nullptr && role == Qt::ToolTipRole)

@@ -3,10 +3,7 @@
 #include <QCache>
 #include <QHash>
 #include <QIcon>
-#include <QImage>
-#include <QPointer>
 #include <filesystem>
-#include <optional>
 #include <vector>
 
 #include "catalogue/catalogue.h"
@@ -17,6 +14,7 @@
 namespace ostraka::ui {
 
 class JobRunner;
+class Thumbnails;
 
 /// The table of the catalogue: rows are ids, records come a page at a time when they are shown,
 /// pictures from a worker. 100,000 rows open in far less than a second.
@@ -56,13 +54,11 @@ class SherdTableModel final : public QAbstractTableModel {
 
  private:
   const records::SherdRecord* record(int row) const;
-  QVariant picture(int row, const records::SherdRecord& sherd) const;
-  void pictureArrived(const QString& path, const QImage& image);
+  QIcon picture(const records::SherdRecord& sherd) const;
 
   const catalogue::Catalogue* catalogue_ = nullptr;
   std::filesystem::path project_;
-  JobRunner* jobs_ = nullptr;
-  QPointer<QObject> requests_;  ///< parent of the jobs for pictures; goes with the project
+  Thumbnails* pictures_ = nullptr;  ///< goes with the project
   TermWords words_;
   sherds::Filter filter_;
   records::SherdOrder order_;
@@ -70,8 +66,6 @@ class SherdTableModel final : public QAbstractTableModel {
   std::vector<store::SherdRow> rows_;
   mutable QHash<qint64, int> row_of_;
   mutable QCache<int, std::vector<records::SherdRecord>> pages_{40};
-  mutable QCache<QString, QIcon> pictures_{1000};
-  mutable QHash<QString, std::vector<int>> asked_;  ///< path -> rows that wait for it
   mutable int pages_read_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include "tables/column_names.h"
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
+#include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
 namespace {
@@ -79,9 +80,10 @@ void ColumnTable::fill() {
 }
 
 QWidget* ColumnTable::fieldBox(int row, const tables::ColumnChoice& choice, bool of_contexts) {
-  auto* box = new QComboBox(this);
-  box->setObjectName(QStringLiteral("columnField%1").arg(row));
-  box->setAccessibleName(tr("Field of the column %1").arg(QString::fromStdString(choice.column)));
+  auto* box =
+      named<QComboBox>({QStringLiteral("columnField%1").arg(row),
+                        tr("Field of the column %1").arg(QString::fromStdString(choice.column))},
+                       this);
   box->addItem(tr("skip"), QString());
   box->addItem(tr("custom field: %1").arg(customField(choice).mid(6)), customField(choice));
   std::vector<std::string> fields = tables::fieldsOfTables(of_contexts);
@@ -97,9 +99,10 @@ QWidget* ColumnTable::fieldBox(int row, const tables::ColumnChoice& choice, bool
 }
 
 QWidget* ColumnTable::unitBox(int row, const tables::ColumnChoice& choice) {
-  auto* box = new QComboBox(this);
-  box->setObjectName(QStringLiteral("columnUnit%1").arg(row));
-  box->setAccessibleName(tr("Unit of the column %1").arg(QString::fromStdString(choice.column)));
+  auto* box =
+      named<QComboBox>({QStringLiteral("columnUnit%1").arg(row),
+                        tr("Unit of the column %1").arg(QString::fromStdString(choice.column))},
+                       this);
   for (const std::string& unit : tables::unitsOf(choice.field))
     box->addItem(unit == "share" ? tr("share of 1") : QString::fromStdString(unit),
                  QString::fromStdString(unit));

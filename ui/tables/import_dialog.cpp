@@ -16,41 +16,29 @@
 #include "ui/tables/column_table.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/page_acts.h"
+#include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
 
-QString wordOf(tables::RowFate fate) {
+void showFate(QTableWidgetItem& cell, tables::RowFate fate) {
+  const auto show = [&cell](const char* picture, const QString& words) {
+    cell.setIcon(icon(picture));
+    cell.setText(words);
+  };
   switch (fate) {
     case tables::RowFate::Fresh:
-      return ImportDialog::tr("new");
+      return show("plus", ImportDialog::tr("new"));
     case tables::RowFate::Changed:
-      return ImportDialog::tr("updated");
+      return show("edit", ImportDialog::tr("updated"));
     case tables::RowFate::Refused:
-      return ImportDialog::tr("rejected");
+      return show("error", ImportDialog::tr("rejected"));
     case tables::RowFate::Asked:
-      return ImportDialog::tr("to confirm");
+      return show("question", ImportDialog::tr("to confirm"));
     case tables::RowFate::Same:
-      break;
+      return show("check", ImportDialog::tr("unchanged"));
   }
-  return ImportDialog::tr("unchanged");
-}
-
-QIcon iconOf(tables::RowFate fate) {
-  switch (fate) {
-    case tables::RowFate::Fresh:
-      return icon("plus");
-    case tables::RowFate::Changed:
-      return icon("edit");
-    case tables::RowFate::Refused:
-      return icon("error");
-    case tables::RowFate::Asked:
-      return icon("question");
-    case tables::RowFate::Same:
-      break;
-  }
-  return icon("check");
 }
 
 // A line on which kind of table it is taken for; none of an export folder.
@@ -72,67 +60,43 @@ ImportDialog::ImportDialog(ImportModel& model, QWidget* parent) : QDialog(parent
 }
 
 void ImportDialog::buildLayout() {
-  choose_table_ = iconButton(this, "importTable", "table", tr("Table (CSV)…"));
-  choose_export_ = iconButton(this, "importExport", "folder", tr("Export folder…"));
-  connect(choose_table_, &QPushButton::clicked, this, &ImportDialog::chooseTable);
-  connect(choose_export_, &QPushButton::clicked, this, &ImportDialog::chooseExport);
-  merge_ = iconButton(this, "importMerge", "catalogue", tr("Another project…"));
-  connect(merge_, &QPushButton::clicked, this, &ImportDialog::mergeWanted);
+  choose_table_ = iconButton(this, "importTable", "table", tr("Table (CSV)…"), this,
+                             &ImportDialog::chooseTable);
+  choose_export_ = iconButton(this, "importExport", "folder", tr("Export folder…"), this,
+                              &ImportDialog::chooseExport);
+  merge_ = iconButton(this, "importMerge", "catalogue", tr("Another project…"), this,
+                      &ImportDialog::mergeWanted);
   source_ = wrappedLabel(this, "importSource");
-  places_ =
-      new QCheckBox(tr("Make sites, trenches, contexts and bags that are not there yet"), this);
-  places_->setObjectName("importPlaces");
+  places_ = named<QCheckBox>(
+      "importPlaces", tr("Make sites, trenches, contexts and bags that are not there yet"), this);
   places_->setMinimumHeight(controlHeight(*this));
   connect(places_, &QCheckBox::toggled, &model_, &ImportModel::setMakesPlaces);
-  summary_ = new QLabel(this);
-  summary_->setObjectName("importSummary");
+  summary_ = named<QLabel>("importSummary", this);
   summary_->setFont(scaledFont(*this, Look::kSection, true));
   problem_ = wrappedLabel(this, "importProblem");
-  table_ = new QTableWidget(this);
-  table_->setObjectName("importRows");
-  table_->setAccessibleName(tr("Effect of each row"));
+  table_ = named<QTableWidget>({"importRows", tr("Effect of each row")}, this);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
   table_->verticalHeader()->hide();
   connect(table_, &QTableWidget::itemChanged, this, &ImportDialog::confirmed);
   columns_ = new ColumnTable(model_, this);
-  tabs_ = new QTabWidget(this);
-  tabs_->setObjectName("importTabs");
+  tabs_ = named<QTabWidget>("importTabs", this);
   tabs_->addTab(table_, tr("Rows"));
   tabs_->addTab(columns_, tr("Columns"));
   bar_ = new QProgressBar(this);
   bar_->setRange(0, 1000);
   bar_->setAccessibleName(tr("Progress of the import"));
-  refusals_ = iconButton(this, "importRefusals", "export", tr("Save rejected rows…"));
-  connect(refusals_, &QPushButton::clicked, this, &ImportDialog::saveRefusals);
-  confirm_ = iconButton(this, "importConfirm", "check", {});
-  connect(confirm_, &QPushButton::clicked, &model_, &ImportModel::confirmAll);
-  cancel_ = iconButton(this, "importCancel", "cancel", {});
-  connect(cancel_, &QPushButton::clicked, this, &ImportDialog::leave);
-  auto* enter = new BigButton("importEnter", {}, this);
-  enter->setDefault(true);
-  enter_ = enter;
+  refusals_ = iconButton(this, "importRefusals", "export", tr("Save rejected rows…"), this,
+                         &ImportDialog::saveRefusals);
+  confirm_ = iconButton(this, "importConfirm", "check", {}, &model_, &ImportModel::confirmAll);
+  cancel_ = iconButton(this, "importCancel", "cancel", {}, this, &ImportDialog::leave);
+  enter_ = new BigButton("importEnter", {}, this);
+  enter_->setDefault(true);
   connect(enter_, &QPushButton::clicked, &model_, &ImportModel::enter);
-  auto* first = new QHBoxLayout;
-  first->addWidget(choose_table_);
-  first->addWidget(choose_export_);
-  first->addWidget(merge_);
-  first->addWidget(source_, 1);
-  auto* last = new QHBoxLayout;
-  last->addWidget(refusals_);
-  last->addWidget(confirm_);
-  last->addStretch();
-  last->addWidget(cancel_);
-  last->addWidget(enter_);
-  auto* column = new QVBoxLayout(this);
-  column->addLayout(first);
-  column->addWidget(places_);
-  column->addWidget(summary_);
-  column->addWidget(problem_);
-  column->addWidget(tabs_, 1);
-  column->addWidget(bar_);
-  column->addLayout(last);
+  auto* first = filled(new QHBoxLayout, {choose_table_, choose_export_, merge_, {source_, 1}});
+  auto* last = filled(new QHBoxLayout, {refusals_, confirm_, Part::room(), cancel_, enter_});
+  filled(new QVBoxLayout(this), {first, places_, summary_, problem_, {tabs_, 1}, bar_, last});
 }
 
 // What was stopped says here how far it came.
@@ -180,7 +144,8 @@ void ImportDialog::fill() {
     auto* line = new QTableWidgetItem(QString::number(row.line));
     line->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     table_->setItem(r, 0, line);
-    auto* fate = new QTableWidgetItem(iconOf(row.fate), wordOf(row.fate));
+    auto* fate = new QTableWidgetItem;
+    showFate(*fate, row.fate);
     const bool asks = row.fate == tables::RowFate::Asked;
     fate->setFlags(fate->flags().setFlag(Qt::ItemIsUserCheckable, asks));
     if (asks) fate->setCheckState(Qt::Unchecked);
@@ -254,8 +219,7 @@ void ImportDialog::refresh() {
       const bool taken = model_.isConfirmed(table_->item(r, 0)->text().toInt());
       fate->setCheckState(taken ? Qt::Checked : Qt::Unchecked);
       if (state != State::Done) continue;
-      fate->setText(wordOf(taken ? tables::RowFate::Changed : tables::RowFate::Refused));
-      fate->setIcon(iconOf(taken ? tables::RowFate::Changed : tables::RowFate::Refused));
+      showFate(*fate, taken ? tables::RowFate::Changed : tables::RowFate::Refused);
     }
   }
   bar_->setVisible(works);

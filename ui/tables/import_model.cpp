@@ -2,7 +2,6 @@
 
 #include <QFileInfo>
 #include <QTemporaryDir>
-#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -85,8 +84,6 @@ struct ImportModel::Look {
   QStringList columns;
   std::vector<Row> rows;
 };
-
-ImportModel::ImportModel(QObject* parent) : QObject(parent) {}
 
 void ImportModel::openProject(ProjectSession* session) {
   // What is being entered goes on: its report and its undo would be lost.
@@ -218,7 +215,6 @@ void ImportModel::look() {
   rows_.clear();
   columns_.clear();
   report_.reset();
-  fraction_ = 0;
   if (!session_ || source_.isEmpty()) return;
   state_ = State::Looking;
   Task task{source_.toStdString(), bytes_, options(), session_->provenance()};
@@ -247,10 +243,7 @@ void ImportModel::look() {
     return std::shared_ptr<const Look>(std::move(look));
   };
   job_ = session_->jobs().start(makeJob(work), this);
-  connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
-    fraction_ = progress.fraction;
-    emit changed();
-  });
+  connect(job_, &JobHandle::progressed, this, &ImportModel::changed);
   whenDone<std::shared_ptr<const Look>>(job_, this, [this](const auto& look) {
     if (look) return took(**look);
     state_ = State::Choosing;
@@ -310,7 +303,6 @@ bool ImportModel::canEnter() const {
 void ImportModel::enter() {
   if (!canEnter()) return;
   state_ = State::Entering;
-  fraction_ = 0;
   Task task{source_.toStdString(), bytes_, options(), session_->provenance()};
   task.options.mode = tables::ImportMode::Enter;
   task.options.columns = report_->mapping.columns;
@@ -324,8 +316,7 @@ void ImportModel::enter() {
     return run(*project, task, progress, stop);
   };
   job_ = session_->jobs().start(makeJob(work), this);
-  connect(job_, &JobHandle::progressed, this, [this](const JobProgress& progress) {
-    fraction_ = progress.fraction;
+  connect(job_, &JobHandle::progressed, this, [this] {
     problem_.clear();  // it waits no longer
     emit changed();
   });

@@ -30,7 +30,7 @@ class ImportModel final : public QObject {
     QString refusal;
   };
 
-  explicit ImportModel(QObject* parent = nullptr);
+  explicit ImportModel(QObject* parent = nullptr) : QObject(parent) {}
   void openProject(ProjectSession* session);  ///< nullptr closes it
 
   State state() const { return state_; }
@@ -56,7 +56,7 @@ class ImportModel final : public QObject {
   QString summary() const;  ///< "3 new, 2 changed, 10 as they are, 1 refused."
   QString problem() const { return problem_; }
   QStringList warnings() const;
-  double fraction() const { return fraction_; }
+  double fraction() const { return job_ ? job_->progress().fraction : 0; }
 
   bool canEnter() const;
   void enter();
@@ -85,7 +85,6 @@ class ImportModel final : public QObject {
   QStringList columns_;
   std::vector<Row> rows_;
   std::optional<tables::ImportReport> report_;
-  double fraction_ = 0;
   QPointer<JobHandle> job_;
 };
 

@@ -50,8 +50,7 @@ struct SherdScene::Actors {
   vtkNew<vtkActor> line_actor, outline_actor;
   vtkNew<vtkPlane> plane;
   vtkNew<vtkCutter> cutter;
-  PointCloud front_cloud, back_cloud;
-  std::vector<std::uint8_t> front_fracture, back_fracture;
+  ShownScan front_scan, back_scan;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   vtkNew<vtkCamera> uncut;  ///< the view before the section
   bool section = false, apart = false;
@@ -60,8 +59,8 @@ struct SherdScene::Actors {
 
   DrawnShape* shapes[4] = {&front, &back, &distances, &model};
 
-  std::vector<Color> coloursOf(const PointCloud& cloud, const std::vector<std::uint8_t>& fracture,
-                               State side) const {
+  std::vector<Color> coloursOf(const ShownScan& scan, State side) const {
+    const auto& [cloud, fracture] = scan;
     const Color marked =
         rgb(distances_shown ? DistanceScale::notSeen() : StateColours::onMatte().of(side));
     std::vector<Color> colours(cloud.size(), kClay);
@@ -72,8 +71,8 @@ struct SherdScene::Actors {
     return colours;
   }
   void colourSides() {
-    front.setColours(coloursOf(front_cloud, front_fracture, State::Front));
-    back.setColours(coloursOf(back_cloud, back_fracture, State::Back));
+    front.setColours(coloursOf(front_scan, State::Front));
+    back.setColours(coloursOf(back_scan, State::Back));
   }
   void place() {
     vtkNew<vtkMatrix4x4> matrix;
@@ -145,27 +144,20 @@ void SherdScene::setPixelRatio(double ratio) {
 
 void SherdScene::clear() {
   Actors& a = *actors_;
-  a.front_cloud = a.back_cloud = {};
-  a.front_fracture = a.back_fracture = {};
+  a.front_scan = a.back_scan = {};
   a.distances_shown = false;
   for (DrawnShape* shape : a.shapes) shape->clear();
   a.line_actor->SetVisibility(0);
   a.outline();
 }
 
-void SherdScene::setFront(const PointCloud& cloud, const std::vector<std::uint8_t>& fracture) {
+void SherdScene::setSides(const ShownScan& front, const ShownScan& back) {
   Actors& a = *actors_;
-  a.front_cloud = cloud;
-  a.front_fracture = fracture;
-  a.front.setPoints(cloud.points, cloud.normals, a.coloursOf(cloud, fracture, State::Front));
+  a.front_scan = front;
+  a.back_scan = back;
+  a.front.setPoints(front.cloud.points, front.cloud.normals, a.coloursOf(front, State::Front));
+  a.back.setPoints(back.cloud.points, back.cloud.normals, a.coloursOf(back, State::Back));
   a.place();
-}
-
-void SherdScene::setBack(const PointCloud& cloud, const std::vector<std::uint8_t>& fracture) {
-  Actors& a = *actors_;
-  a.back_cloud = cloud;
-  a.back_fracture = fracture;
-  a.back.setPoints(cloud.points, cloud.normals, a.coloursOf(cloud, fracture, State::Back));
 }
 
 void SherdScene::setPose(const Eigen::Isometry3d& front_from_back) {

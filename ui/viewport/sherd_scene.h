@@ -14,6 +14,12 @@ namespace ostraka::ui {
 
 class DistanceScale;
 
+/// A scan to be shown: its points with the fracture marked.
+struct ShownScan {
+  PointCloud cloud;
+  std::vector<std::uint8_t> fracture;
+};
+
 /// The actors: two clouds, the fracture's distances, a mesh, a measured line, a section plane.
 class SherdScene {
  public:
@@ -27,8 +33,7 @@ class SherdScene {
   void setPixelRatio(double ratio);
 
   void clear();
-  void setFront(const PointCloud& cloud, const std::vector<std::uint8_t>& fracture);
-  void setBack(const PointCloud& cloud, const std::vector<std::uint8_t>& fracture);
+  void setSides(const ShownScan& front, const ShownScan& back);
   void setPose(const Eigen::Isometry3d& front_from_back);
   /// Points of the fracture in the colours of their distances; the others of it become 'not seen'.
   /// Empty: the fracture has the colours of the sides.

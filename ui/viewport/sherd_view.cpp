@@ -9,7 +9,6 @@
 
 #include "ui/look/distance_scale.h"
 #include "ui/viewport/gl_canvas.h"
-#include "ui/viewport/sherd_scene.h"
 #include "ui/viewport/view_overlay.h"
 
 namespace ostraka::ui {
@@ -74,8 +73,6 @@ SherdView::SherdView(QWidget* parent) : QWidget(parent) {
   idle->start(kIdle_ms);
 }
 
-SherdView::~SherdView() = default;
-
 void SherdView::clear() {
   if (canvas_ == nullptr) return;
   canvas_->scene().clear();
@@ -90,8 +87,7 @@ void SherdView::showScans(const ShownScan& front, const ShownScan& back,
   setSection(false);
   SherdScene& scene = canvas_->scene();
   scene.clear();
-  scene.setFront(front.cloud, front.fracture);
-  scene.setBack(back.cloud, back.fracture);
+  scene.setSides(front, back);
   scene.setPose(front_from_back);
   scene.setApart(apart_);
   scene.resetView();

@@ -2,23 +2,14 @@
 #include <Eigen/Geometry>
 #include <QString>
 #include <QWidget>
-#include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "cloud/point_cloud.h"
-#include "ui/viewport/shown_texture.h"
+#include "ui/viewport/sherd_scene.h"
 
 namespace ostraka::ui {
 
 class GlCanvas;
 class ViewOverlay;
-
-/// A scan to be shown: its points with the fracture marked.
-struct ShownScan {
-  PointCloud cloud;
-  std::vector<std::uint8_t> fracture;
-};
 
 /// How far the two sides lie apart along the fracture: core's figures, one for each point.
 struct ShownDistances {
@@ -37,7 +28,6 @@ class SherdView final : public QWidget {
 
  public:
   explicit SherdView(QWidget* parent = nullptr);
-  ~SherdView() override;
 
   bool hasOpenGl() const { return canvas_ != nullptr; }
 

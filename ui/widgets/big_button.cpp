@@ -1,7 +1,6 @@
 #include "ui/widgets/big_button.h"
 
 #include <QPainter>
-#include <QStyleOptionButton>
 
 #include "ui/look/look.h"
 

@@ -10,6 +10,7 @@
 #include "ui/look/state_colours.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/flow_row.h"
+#include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"
 
 namespace ostraka::ui {
@@ -20,7 +21,7 @@ MessagePanel::MessagePanel(const QString& name, QWidget* parent)
       headline_(new QLabel(this)),
       words_(new QLabel(this)),
       act_(new BigButton(QStringLiteral("messageAct"), tr("OK"), this)),
-      second_(new QPushButton(tr("Dismiss"), this)) {
+      second_(named<QPushButton>("messageSecondAct", tr("Dismiss"), this)) {
   setFrameShape(QFrame::StyledPanel);
   setAutoFillBackground(true);
   setObjectName(name);
@@ -30,16 +31,12 @@ MessagePanel::MessagePanel(const QString& name, QWidget* parent)
   words_->setTextFormat(Qt::PlainText);
   words_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
   words_->setAccessibleName(tr("What happened"));
-  second_->setObjectName(QStringLiteral("messageSecondAct"));
   second_->hide();
-  auto* text = new QVBoxLayout;
-  text->addWidget(headline_);
-  text->addWidget(words_);
-  auto* row = new QHBoxLayout;
-  row->addWidget(picture_, 0, Qt::AlignTop);
-  row->addLayout(text, 1);
-  row->addWidget(second_, 0, Qt::AlignVCenter);
-  row->addWidget(act_, 0, Qt::AlignVCenter);
+  auto* text = filled(new QVBoxLayout, {headline_, words_});
+  auto* row = filled(new QHBoxLayout, {{picture_, 0, Qt::AlignTop},
+                                       {text, 1},
+                                       {second_, 0, Qt::AlignVCenter},
+                                       {act_, 0, Qt::AlignVCenter}});
   setLayout(row);
   connect(act_, &QPushButton::clicked, this, &MessagePanel::acted);
   connect(second_, &QPushButton::clicked, this, &MessagePanel::actedSecond);
@@ -137,14 +134,10 @@ EmptyState::EmptyState(const QString& icon_name, const QString& headline, const 
   auto* acts = new FlowRow;
   acts->setCentred(true);
   acts_ = acts;
-  auto* column = new QVBoxLayout(this);
-  column->addStretch(2);
-  column->addWidget(picture_);
-  column->addWidget(title);
-  column->addWidget(words_, 0, Qt::AlignHCenter);
+  auto* column = filled(new QVBoxLayout(this),
+                        {Part::room(2), picture_, title, {words_, 0, Qt::AlignHCenter}});
   column->addSpacing(Look::kGap);
-  column->addLayout(acts);
-  column->addStretch(3);
+  filled(column, {acts, Part::room(3)});
   lay();
 }
 

@@ -1,11 +1,12 @@
 #pragma once
+#include <QAction>
 #include <QKeySequence>
+#include <QPushButton>
 #include <QString>
 
-class QAction;
+#include <utility>
+
 class QFileDialog;
-class QPushButton;
-class QWidget;
 
 namespace ostraka::ui {
 
@@ -14,6 +15,15 @@ namespace ostraka::ui {
 QAction* addPageAct(QWidget* page, const QString& name, const QString& icon_name,
                     const QString& text, const QKeySequence& key);
 
+/// With what follows it: a receiver and its slot, as for QObject::connect.
+template <class Receiver, class Slot>
+QAction* addPageAct(QWidget* page, const QString& name, const QString& icon_name,
+                    const QString& text, const QKeySequence& key, Receiver* receiver, Slot slot) {
+  QAction* action = addPageAct(page, name, icon_name, text, key);
+  QObject::connect(action, &QAction::triggered, receiver, std::move(slot));
+  return action;
+}
+
 /// Asks for a file of these kinds, or without any for a folder; where: opened first.
 /// Its fileSelected follows.
 QFileDialog* askForFile(QWidget* parent, const QString& title, const QString& where,
@@ -21,5 +31,14 @@ QFileDialog* askForFile(QWidget* parent, const QString& title, const QString& wh
 /// A button with a picture.
 QPushButton* iconButton(QWidget* parent, const QString& name, const QString& icon_name,
                         const QString& text);
+
+/// With what a click does.
+template <class Receiver, class Slot>
+QPushButton* iconButton(QWidget* parent, const QString& name, const QString& icon_name,
+                        const QString& text, Receiver* receiver, Slot slot) {
+  QPushButton* button = iconButton(parent, name, icon_name, text);
+  QObject::connect(button, &QPushButton::clicked, receiver, std::move(slot));
+  return button;
+}
 
 }  // namespace ostraka::ui

@@ -3,7 +3,6 @@
 
 class QPainter;
 class QRect;
-class QWidget;
 
 namespace ostraka::ui {
 

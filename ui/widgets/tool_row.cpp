@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/look/look.h"
+#include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
 namespace {
@@ -23,11 +24,11 @@ int widthOf(const QToolButton& button) {
 }  // namespace
 
 ToolRow::ToolRow(QWidget* parent)
-    : QWidget(parent), more_(new QToolButton(this)), menu_(new QMenu(more_)) {
-  more_->setObjectName(QStringLiteral("moreTools"));
+    : QWidget(parent),
+      more_(named<QToolButton>({"moreTools", tr("More tools")}, this)),
+      menu_(new QMenu(more_)) {
   more_->setText(tr("More"));
   more_->setIcon(icon(QStringLiteral("more")));
-  more_->setAccessibleName(tr("More tools"));
   more_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   more_->setPopupMode(QToolButton::InstantPopup);
   more_->setAutoRaise(true);

@@ -57,6 +57,11 @@ QString wordsOf(const std::vector<Message>& messages) {
   return listOf(messages).join(QLatin1Char('\n'));
 }
 
+QString firstOf(const QStringList& names, qsizetype most) {
+  const QString shown = names.mid(0, most).join(QStringLiteral(", "));
+  return names.size() > most ? shown + QStringLiteral(", …") : shown;
+}
+
 QString sentenceOf(const Error& error) {
   return wordsOf(error.sentence());
 }

@@ -13,6 +13,8 @@ QString wordsOf(const Message& message);
 QStringList listOf(const std::vector<Message>& messages);
 /// A line each.
 QString wordsOf(const std::vector<Message>& messages);
+/// By commas, the first `most` of them and an ellipsis for the others.
+QString firstOf(const QStringList& names, qsizetype most);
 /// What a person reads of an error: where, what, and what to do.
 QString sentenceOf(const Error& error);
 

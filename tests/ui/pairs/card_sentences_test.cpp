@@ -70,7 +70,7 @@ void CardSentencesTest::aPoseThatWasGivenByHandSaysSo() {
   QCOMPARE(said.count(), 1);
   QVERIFY2(said[0][0].toString().contains("barely touch: 0 %"), qPrintable(said[0][0].toString()));
   const QString card =
-      review_->cards().index(review_->cards().rowOf(2)).data(CardRole::Words).toString();
+      review_->cards().index(review_->cards().rowOf(2)).data(Qt::ToolTipRole).toString();
   QVERIFY2(card.startsWith("Decided by AP on") && card.contains("turned by hand"),
            qPrintable(card));
   review_->select(2);
@@ -81,7 +81,7 @@ void CardSentencesTest::aPoseThatWasGivenByHandSaysSo() {
   review_->select(3);
   shown().accept();
   const QString other =
-      review_->cards().index(review_->cards().rowOf(3)).data(CardRole::Words).toString();
+      review_->cards().index(review_->cards().rowOf(3)).data(Qt::ToolTipRole).toString();
   QVERIFY2(!other.contains("by hand"), qPrintable(other));
 }
 
@@ -131,18 +131,21 @@ void CardSentencesTest::undoingAnAcceptShowsThePoseThatWasInHand() {
 void CardSentencesTest::joinedAndCutPiecesWaitForTheComputation() {
   const auto words = [this](int front) {
     const QModelIndex card = review_->cards().index(review_->cards().rowOf(front));
-    return card.data(CardRole::StateWord).toString() + ": " + card.data(CardRole::Words).toString();
+    return rowWord(review_->cards().at(card.row())) + ": " + card.data(Qt::ToolTipRole).toString();
+  };
+  const auto waits = [this](int front) {
+    return review_->cards().at(review_->cards().rowOf(front)).change != PieceChange::None;
   };
   review_->select(2);
   shown().joinWith(batch::Side::Front, review_->cards().rowOf(3));
-  QVERIFY(review_->cards().index(review_->cards().rowOf(2)).data(CardRole::Waits).toBool());
-  QVERIFY(!review_->cards().index(review_->cards().rowOf(0)).data(CardRole::Waits).toBool());
+  QVERIFY(waits(2));
+  QVERIFY(!waits(0));
   QVERIFY2(words(2).startsWith("Merged: Merged with front 4 by AP"), qPrintable(words(2)));
   QVERIFY2(words(3).startsWith("Merged: Merged with front 3 by AP"), qPrintable(words(3)));
   review_->select(2);
   QCOMPARE(review_->hand().reason(), words(2).mid(8));
   undo_->undo();
-  QVERIFY(!review_->cards().index(review_->cards().rowOf(2)).data(CardRole::Waits).toBool());
+  QVERIFY(!waits(2));
   review_->select(1);
   shown().split(batch::Side::Front, {0, 0}, {10, 0});
   QVERIFY2(words(1).startsWith("Split: Split by AP"), qPrintable(words(1)));
@@ -151,7 +154,7 @@ void CardSentencesTest::joinedAndCutPiecesWaitForTheComputation() {
   QVERIFY(computed.has_value());
   computed->followed = decisions::standing(computed->decisions);
   review_->open(*computed);
-  QVERIFY(!review_->cards().index(review_->cards().rowOf(1)).data(CardRole::Waits).toBool());
+  QVERIFY(!waits(1));
 }
 
 }  // namespace ostraka::ui

@@ -53,7 +53,7 @@ void PairReviewTest::theMostDoubtfulIsInHandWithItsReason() {
            qPrintable(review_->hand().reason()));
   QCOMPARE(review_->hand().chosen(), 0);
   QVERIFY(shown().whyNotAccept().isEmpty());
-  QTRY_VERIFY(!review_->cards().index(0).data(CardRole::FrontPicture).value<QImage>().isNull());
+  QTRY_VERIFY(!review_->cards().picture(batch::Side::Front, review_->cards().at(0).front).isNull());
   const QString words = review_->cards().index(0).data(Qt::AccessibleTextRole).toString();
   QVERIFY2(words.contains("Check"), qPrintable(words));
 }

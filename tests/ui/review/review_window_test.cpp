@@ -292,13 +292,7 @@ void ReviewWindowTest::joinsAndCutsOfNumberedSherdsNameTheirNumbers() {
     QVERIFY(sherds::Sherds(rows).add(sherd, {}).has_value());
   }
   session_->tellSherdsChanged();
-  const auto numberOf = [this](int front) {
-    return review()
-        ->cards()
-        .index(review()->cards().rowOf(front))
-        .data(CardRole::SherdNumber)
-        .toString();
-  };
+  const auto numberOf = [this](int front) { return review()->cards().number(front); };
   QCOMPARE(numberOf(2), QStringLiteral("ARM1-0012-2"));
   QVERIFY(numberOf(0).isEmpty());
   review()->select(2);

@@ -1,15 +1,24 @@
 #pragma once
 #include <CLI/CLI.hpp>
 #include <map>
+#include <optional>
 #include <string>
-#include <type_traits>
 
 namespace ostraka::app {
+
+template <class Value>
+struct ChoiceOf {
+  using type = Value;
+};
+template <class Value>
+struct ChoiceOf<std::optional<Value>> {
+  using type = Value;
+};
 
 /// An option whose value is one of these words; standard: the word that is meant without it.
 template <class Value>
 CLI::Option* addChoice(CLI::App& command, const char* name, Value& value,
-                       const std::type_identity_t<std::map<std::string, Value>>& words,
+                       const std::map<std::string, typename ChoiceOf<Value>::type>& words,
                        const char* standard, const char* description) {
   return command.add_option(name, value, description)
       ->transform(CLI::CheckedTransformer(words))

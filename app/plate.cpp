@@ -1,11 +1,13 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "command.h"
 #include "files/output_place.h"
 #include "options.h"
 #include "rig/plate_print.h"
+#include "rig/printed_sheet.h"
 #include "shown.h"
 
 namespace ostraka::app {
@@ -48,18 +50,57 @@ int runPlate(PlatePrintOptions options, PaperChoice paper, const std::filesystem
   });
 }
 
+int runSheet(const rig::SheetPrintOptions& options, const std::filesystem::path& output,
+             const Session& session) {
+  if (const Result<void> good = checkOutputFile(output, {".pdf"}); !good)
+    return fail(session, good.error());
+  const Result<rig::SheetPrint> print = rig::writeSheetPrint(output, options);
+  if (!print) return fail(session, print.error());
+  nlohmann::ordered_json json = {{"output", output.string()},
+                                 {"markers", print->plate.markers.size()},
+                                 {"sheets", 1},
+                                 {"markers_on_seams", 0},
+                                 {"ruler_mm", print->bar_mm}};
+  return finish(session, Whole, std::move(json), [&] {
+    show(stdout, "%s: the sheet, and a bar of %.0f mm on its second page.\n", output.c_str(),
+         print->bar_mm);
+    show(stdout, "plate.json beside it describes the sheet%s.\n",
+         options.bar_measured_mm == 0 ? " as drawn" : " as measured");
+    if (options.bar_measured_mm == 0)
+      show(stdout,
+           "Print at 100 %% (not 'fit to page') and measure the bar. If it measures otherwise, run "
+           "this again with --ruler-measured and the length.\n");
+  });
+}
+
+int runChosen(const PlatePrintOptions& options, PaperChoice paper,
+              const std::optional<rig::SheetSize>& sheet, const std::filesystem::path& output,
+              const Session& session) {
+  return sheet ? runSheet({*sheet, options.ruler_measured_mm}, output, session)
+               : runPlate(options, paper, output, session);
+}
+
 }  // namespace
 
 void addPlate(CLI::App& root, Command& chosen) {
-  CLI::App* command = root.add_subcommand(
-      "plate", "Marker plate and calibration board to be printed in true scale (PDF)");
+  CLI::App* command = root.add_subcommand("plate",
+                                          "Marker plate with calibration board, or sheet for "
+                                          "photographs by hand, to be printed in true "
+                                          "scale (PDF)");
   auto options = std::make_shared<PlatePrintOptions>();
   auto paper = std::make_shared<PaperChoice>(PaperChoice::A3);
+  auto sheet = std::make_shared<std::optional<rig::SheetSize>>();
   auto output = std::make_shared<std::filesystem::path>();
   command
       ->add_option("--output,-o", *output,
                    "PDF to write; plate.json and board.json are written beside it")
       ->required();
+  CLI::Option* by_hand = addChoice(
+      *command, "--sheet", *sheet,
+      {{"a4", rig::SheetSize::A4}, {"a3", rig::SheetSize::A3}, {"letter", rig::SheetSize::Letter}},
+      "",
+      "a4, a3 or letter: the sheet under sherds that are photographed by hand, in "
+      "place of a turntable's plate");
   command->add_option("--diameter", options->diameter_mm, "Of the turntable's plate, mm")
       ->capture_default_str();
   addChoice(*command, "--paper", *paper,
@@ -75,8 +116,11 @@ void addPlate(CLI::App& root, Command& chosen) {
   command->add_option("--margin", options->printer_margin_mm, "What the printer leaves white, mm")
       ->capture_default_str();
   command->add_option("--ruler-measured", options->ruler_measured_mm,
-                      "What the plate's ruler measures on paper, mm: the files follow it");
-  workOf(*command, chosen, runPlate, options, paper, output);
+                      "What the ruler or bar measures on paper, mm: the files follow it");
+  for (const char* name :
+       {"--diameter", "--paper", "--marker", "--dictionary", "--ground", "--margin"})
+    by_hand->excludes(command->get_option(name));
+  workOf(*command, chosen, runChosen, options, paper, sheet, output);
 }
 
 }  // namespace ostraka::app

@@ -47,7 +47,7 @@ void addHandHeld(CLI::App& command, SimulateOptions& options, rendering::HandHel
         options.hand_held = hand;
       },
       "No rig: this many hand-held photographs per side over a printed sheet on a table");
-  using rendering::CameraKind, rendering::LightKind, rendering::SheetSize, rendering::TableKind;
+  using rendering::CameraKind, rendering::LightKind, rendering::TableKind, rig::SheetSize;
   addChoice(command, "--sheet", hand.sheet,
             {{"a4", SheetSize::A4}, {"a3", SheetSize::A3}, {"letter", SheetSize::Letter}}, "a4",
             "The printed sheet")

@@ -22,11 +22,6 @@
       <translation>Importieren</translation>
     </message>
     <message>
-      <source>Which bag do the sherds of %1 come from?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Aus welchem Beutel stammen die Scherben von %1?</translation>
-    </message>
-    <message>
       <source>Cancel import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Import abbrechen</translation>
@@ -35,6 +30,16 @@
       <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zum Importieren den Regler dorthin ziehen, wo die Scherben umgedreht wurden, oder „Nur eine Seite“ wählen.</translation>
+    </message>
+    <message>
+      <source>From %1. The bag can also be given later, in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aus %1. Der Beutel kann auch später im Katalog angegeben werden.</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Eingabe</translation>
     </message>
 </context>
 <context>
@@ -553,69 +558,69 @@
 <context>
     <name>Stage</name>
     <message>
-      <source>cameras</source>
+      <source>Finding the cameras</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Kameras</translation>
+      <translation>Kameras werden gefunden</translation>
     </message>
     <message>
-      <source>sherd or plate, front</source>
+      <source>Telling sherds from background, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherbe oder Platte, vorn</translation>
+      <translation>Scherben werden vom Hintergrund getrennt, vorn</translation>
     </message>
     <message>
-      <source>sherd or plate, back</source>
+      <source>Telling sherds from background, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Scherbe oder Platte, hinten</translation>
+      <translation>Scherben werden vom Hintergrund getrennt, hinten</translation>
     </message>
     <message>
-      <source>surface, front</source>
+      <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Oberfläche, vorn</translation>
+      <translation>Form wird gemessen, vorn</translation>
     </message>
     <message>
-      <source>surface, back</source>
+      <source>Measuring the shape, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Oberfläche, hinten</translation>
+      <translation>Form wird gemessen, hinten</translation>
     </message>
     <message>
-      <source>one scan a sherd, front</source>
+      <source>Cutting the sherds out, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ein Scan je Scherbe, vorn</translation>
+      <translation>Scherben werden einzeln ausgeschnitten, vorn</translation>
     </message>
     <message>
-      <source>one scan a sherd, back</source>
+      <source>Cutting the sherds out, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ein Scan je Scherbe, hinten</translation>
+      <translation>Scherben werden einzeln ausgeschnitten, hinten</translation>
     </message>
     <message>
-      <source>which back belongs to which front</source>
+      <source>Matching fronts and backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>welche Rückseite zu welcher Vorderseite gehört</translation>
+      <translation>Vorder- und Rückseiten werden einander zugeordnet</translation>
     </message>
     <message>
-      <source>models</source>
+      <source>Closing the models</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Modelle</translation>
+      <translation>Modelle werden geschlossen</translation>
     </message>
     <message>
-      <source>report</source>
+      <source>Writing the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bericht</translation>
+      <translation>Bericht wird geschrieben</translation>
     </message>
     <message>
-      <source>catalogue</source>
+      <source>Entering the sherds into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Katalog</translation>
+      <translation>Scherben werden in den Katalog eingetragen</translation>
     </message>
     <message>
-      <source>begins</source>
+      <source>Starting</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>beginnt</translation>
+      <translation>Beginnt</translation>
     </message>
     <message>
-      <source>more candidates for doubtful pairs</source>
+      <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>weitere Kandidaten für zweifelhafte Paare</translation>
+      <translation>Weitere Partner für zweifelhafte Paare werden gesucht</translation>
     </message>
 </context>
 <context>
@@ -3126,11 +3131,6 @@
       <translation>Virtueller Messplatz</translation>
     </message>
     <message>
-      <source>Virtual rig %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Virtueller Messplatz %1</translation>
-    </message>
-    <message>
       <source>Everywhere</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Überall</translation>
@@ -3375,6 +3375,11 @@
       <source>Virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Virtueller Messplatz</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotos</translation>
     </message>
 </context>
 <context>
@@ -4714,11 +4719,6 @@
       <translation>Hilfe</translation>
     </message>
     <message>
-        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Noch kein Projekt. Legen Sie eines an, oder probieren Sie alles mit dem virtuellen Messplatz: er zerbricht ein Gefäß und fotografiert die Scherben.</translation>
-    </message>
-    <message>
         <source>Create project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Projekt anlegen</translation>
@@ -4759,6 +4759,26 @@
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>No project yet. Import photographs of both sides of your sherds, or drop their folders here: a project is created for them. To practise, try the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Noch kein Projekt. Importieren Sie Fotos beider Seiten Ihrer Scherben, oder legen Sie deren Ordner hier ab: Dafür wird ein Projekt angelegt. Zum Üben dient der virtuelle Messplatz: Er zerbricht ein Gefäß und fotografiert die Scherben.</translation>
+    </message>
+    <message>
+        <source>Import photographs…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotos importieren…</translation>
+    </message>
+    <message>
+        <source>Creates a project named after their folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Legt ein Projekt mit dem Namen ihres Ordners an</translation>
+    </message>
+    <message>
+        <source>Folder of the photographs: both sides, or a folder for each side within it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ordner der Fotos: beide Seiten, oder darin ein Ordner je Seite</translation>
     </message>
 </context>
 <context>
@@ -10751,6 +10771,24 @@
       <source>marker side typed anew</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Markenseite neu eingegeben</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PrintSheetButton</name>
+    <message>
+        <source>Print a sheet…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bogen drucken…</translation>
+    </message>
+    <message>
+        <source>Markers around the sherds give photographs taken by hand their scale</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Marken um die Scherben geben Fotos aus freier Hand ihren Maßstab</translation>
+    </message>
+    <message>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Drucken Sie ihn mit 100 %, nicht an die Seite angepasst, und messen Sie den Balken der zweiten Seite: Er muss %1 mm lang sein. Der nächste Import schlägt diesen Bogen vor.</translation>
     </message>
 </context>
 </TS>

@@ -22,11 +22,6 @@
       <translation>Εισαγωγή</translation>
     </message>
     <message>
-      <source>Which bag do the sherds of %1 come from?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Από ποια σακούλα είναι τα όστρακα του %1;</translation>
-    </message>
-    <message>
       <source>Cancel import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Χωρίς εισαγωγή</translation>
@@ -35,6 +30,16 @@
       <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Για εισαγωγή, μετακινήστε τον δείκτη εκεί όπου γύρισαν τα όστρακα ή επιλέξτε μία μόνο όψη.</translation>
+    </message>
+    <message>
+      <source>From %1. The bag can also be given later, in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Από %1. Η σακούλα μπορεί να δηλωθεί και αργότερα, στον κατάλογο.</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -553,69 +558,69 @@
 <context>
     <name>Stage</name>
     <message>
-      <source>cameras</source>
+      <source>Finding the cameras</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>κάμερες</translation>
+      <translation>Εντοπισμός των καμερών</translation>
     </message>
     <message>
-      <source>sherd or plate, front</source>
+      <source>Telling sherds from background, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>όστρακο ή δίσκος, μπροστά</translation>
+      <translation>Διάκριση οστράκων και φόντου, εμπρός</translation>
     </message>
     <message>
-      <source>sherd or plate, back</source>
+      <source>Telling sherds from background, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>όστρακο ή δίσκος, πίσω</translation>
+      <translation>Διάκριση οστράκων και φόντου, πίσω</translation>
     </message>
     <message>
-      <source>surface, front</source>
+      <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>επιφάνεια, μπροστά</translation>
+      <translation>Μέτρηση του σχήματος, εμπρός</translation>
     </message>
     <message>
-      <source>surface, back</source>
+      <source>Measuring the shape, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>επιφάνεια, πίσω</translation>
+      <translation>Μέτρηση του σχήματος, πίσω</translation>
     </message>
     <message>
-      <source>one scan a sherd, front</source>
+      <source>Cutting the sherds out, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>μία σάρωση ανά όστρακο, μπροστά</translation>
+      <translation>Αποκοπή κάθε οστράκου, εμπρός</translation>
     </message>
     <message>
-      <source>one scan a sherd, back</source>
+      <source>Cutting the sherds out, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>μία σάρωση ανά όστρακο, πίσω</translation>
+      <translation>Αποκοπή κάθε οστράκου, πίσω</translation>
     </message>
     <message>
-      <source>which back belongs to which front</source>
+      <source>Matching fronts and backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>ποια πίσω όψη ανήκει σε ποια μπροστινή</translation>
+      <translation>Ταίριασμα μπροστινών και πίσω όψεων</translation>
     </message>
     <message>
-      <source>models</source>
+      <source>Closing the models</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>μοντέλα</translation>
+      <translation>Κλείσιμο των μοντέλων</translation>
     </message>
     <message>
-      <source>report</source>
+      <source>Writing the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>αναφορά</translation>
+      <translation>Σύνταξη της αναφοράς</translation>
     </message>
     <message>
-      <source>catalogue</source>
+      <source>Entering the sherds into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>κατάλογος</translation>
+      <translation>Καταχώριση των οστράκων στον κατάλογο</translation>
     </message>
     <message>
-      <source>begins</source>
+      <source>Starting</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>αρχίζει</translation>
+      <translation>Έναρξη</translation>
     </message>
     <message>
-      <source>more candidates for doubtful pairs</source>
+      <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>περισσότεροι υποψήφιοι για αμφίβολα ζεύγη</translation>
+      <translation>Αναζήτηση άλλων ταιριών για τα αμφίβολα ζεύγη</translation>
     </message>
 </context>
 <context>
@@ -3126,11 +3131,6 @@
       <translation>Εικονική διάταξη</translation>
     </message>
     <message>
-      <source>Virtual rig %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Εικονική διάταξη %1</translation>
-    </message>
-    <message>
       <source>Everywhere</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Παντού</translation>
@@ -3375,6 +3375,11 @@
       <source>Virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Εικονική διάταξη</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Φωτογραφίες</translation>
     </message>
 </context>
 <context>
@@ -4714,11 +4719,6 @@
       <translation>Βοήθεια</translation>
     </message>
     <message>
-        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Δεν υπάρχει ακόμη έργο. Δημιουργήστε ένα ή δοκιμάστε τα πάντα με την εικονική διάταξη: σπάει ένα αγγείο και φωτογραφίζει τα όστρακά του.</translation>
-    </message>
-    <message>
         <source>Create project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Δημιουργία έργου</translation>
@@ -4759,6 +4759,26 @@
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enter</translation>
+    </message>
+    <message>
+        <source>No project yet. Import photographs of both sides of your sherds, or drop their folders here: a project is created for them. To practise, try the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Δεν υπάρχει ακόμη έργο. Εισαγάγετε φωτογραφίες και των δύο όψεων των οστράκων σας ή αφήστε εδώ τους φακέλους τους: δημιουργείται έργο για αυτές. Για εξάσκηση, δοκιμάστε την εικονική διάταξη: σπάζει ένα αγγείο και φωτογραφίζει τα όστρακά του.</translation>
+    </message>
+    <message>
+        <source>Import photographs…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Εισαγωγή φωτογραφιών…</translation>
+    </message>
+    <message>
+        <source>Creates a project named after their folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Δημιουργεί έργο με το όνομα του φακέλου τους</translation>
+    </message>
+    <message>
+        <source>Folder of the photographs: both sides, or a folder for each side within it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Φάκελος των φωτογραφιών: και οι δύο όψεις ή ένας φάκελος για κάθε όψη</translation>
     </message>
 </context>
 <context>
@@ -10751,6 +10771,24 @@
       <source>marker side typed anew</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>η πλευρά του δείκτη δόθηκε ξανά</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PrintSheetButton</name>
+    <message>
+        <source>Print a sheet…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Εκτύπωση φύλλου…</translation>
+    </message>
+    <message>
+        <source>Markers around the sherds give photographs taken by hand their scale</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Οι δείκτες γύρω από τα όστρακα δίνουν κλίμακα στις φωτογραφίες που λαμβάνονται με το χέρι</translation>
+    </message>
+    <message>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Εκτυπώστε το στο 100 %, χωρίς προσαρμογή στη σελίδα, και μετρήστε τη ράβδο της δεύτερης σελίδας: πρέπει να έχει μήκος %1 mm. Η επόμενη εισαγωγή προτείνει αυτό το φύλλο.</translation>
     </message>
 </context>
 </TS>

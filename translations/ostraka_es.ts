@@ -22,11 +22,6 @@
       <translation>Importar</translation>
     </message>
     <message>
-      <source>Which bag do the sherds of %1 come from?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>¿De qué bolsa son los fragmentos de %1?</translation>
-    </message>
-    <message>
       <source>Cancel import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Cancelar importación</translation>
@@ -35,6 +30,16 @@
       <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Para importar, mueva el control hasta donde se dio la vuelta a los fragmentos o elija un solo lado.</translation>
+    </message>
+    <message>
+      <source>From %1. The bag can also be given later, in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De %1. La bolsa también puede indicarse más tarde, en el catálogo.</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Intro</translation>
     </message>
 </context>
 <context>
@@ -553,69 +558,69 @@
 <context>
     <name>Stage</name>
     <message>
-      <source>cameras</source>
+      <source>Finding the cameras</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>cámaras</translation>
+      <translation>Localizando las cámaras</translation>
     </message>
     <message>
-      <source>sherd or plate, front</source>
+      <source>Telling sherds from background, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>fragmento o plato, anverso</translation>
+      <translation>Separando los fragmentos del fondo, anverso</translation>
     </message>
     <message>
-      <source>sherd or plate, back</source>
+      <source>Telling sherds from background, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>fragmento o plato, reverso</translation>
+      <translation>Separando los fragmentos del fondo, reverso</translation>
     </message>
     <message>
-      <source>surface, front</source>
+      <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>superficie, anverso</translation>
+      <translation>Midiendo la forma, anverso</translation>
     </message>
     <message>
-      <source>surface, back</source>
+      <source>Measuring the shape, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>superficie, reverso</translation>
+      <translation>Midiendo la forma, reverso</translation>
     </message>
     <message>
-      <source>one scan a sherd, front</source>
+      <source>Cutting the sherds out, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>un escaneo por fragmento, anverso</translation>
+      <translation>Recortando cada fragmento, anverso</translation>
     </message>
     <message>
-      <source>one scan a sherd, back</source>
+      <source>Cutting the sherds out, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>un escaneo por fragmento, reverso</translation>
+      <translation>Recortando cada fragmento, reverso</translation>
     </message>
     <message>
-      <source>which back belongs to which front</source>
+      <source>Matching fronts and backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>qué reverso corresponde a qué anverso</translation>
+      <translation>Emparejando anversos y reversos</translation>
     </message>
     <message>
-      <source>models</source>
+      <source>Closing the models</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>modelos</translation>
+      <translation>Cerrando los modelos</translation>
     </message>
     <message>
-      <source>report</source>
+      <source>Writing the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>informe</translation>
+      <translation>Escribiendo el informe</translation>
     </message>
     <message>
-      <source>catalogue</source>
+      <source>Entering the sherds into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>catálogo</translation>
+      <translation>Anotando los fragmentos en el catálogo</translation>
     </message>
     <message>
-      <source>begins</source>
+      <source>Starting</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>empieza</translation>
+      <translation>Comenzando</translation>
     </message>
     <message>
-      <source>more candidates for doubtful pairs</source>
+      <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>más candidatos para las parejas dudosas</translation>
+      <translation>Buscando otras parejas para los pares dudosos</translation>
     </message>
 </context>
 <context>
@@ -3126,11 +3131,6 @@
       <translation>Equipo virtual</translation>
     </message>
     <message>
-      <source>Virtual rig %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Equipo virtual %1</translation>
-    </message>
-    <message>
       <source>Everywhere</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>En todas partes</translation>
@@ -3375,6 +3375,11 @@
       <source>Virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Equipo virtual</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotografías</translation>
     </message>
 </context>
 <context>
@@ -4714,11 +4719,6 @@
       <translation>Ayuda</translation>
     </message>
     <message>
-        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Aún no hay proyecto. Cree uno o pruebe todo con el equipo virtual: rompe una vasija y fotografía sus fragmentos.</translation>
-    </message>
-    <message>
         <source>Create project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Crear proyecto</translation>
@@ -4759,6 +4759,26 @@
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Intro</translation>
+    </message>
+    <message>
+        <source>No project yet. Import photographs of both sides of your sherds, or drop their folders here: a project is created for them. To practise, try the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Todavía no hay ningún proyecto. Importe fotografías de las dos caras de sus fragmentos o suelte aquí sus carpetas: se crea un proyecto para ellas. Para practicar, pruebe el equipo virtual: rompe una vasija y fotografía sus fragmentos.</translation>
+    </message>
+    <message>
+        <source>Import photographs…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Importar fotografías…</translation>
+    </message>
+    <message>
+        <source>Creates a project named after their folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Crea un proyecto con el nombre de su carpeta</translation>
+    </message>
+    <message>
+        <source>Folder of the photographs: both sides, or a folder for each side within it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Carpeta de las fotografías: las dos caras, o una carpeta para cada cara</translation>
     </message>
 </context>
 <context>
@@ -10751,6 +10771,24 @@
       <source>marker side typed anew</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>lado del marcador escrito de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PrintSheetButton</name>
+    <message>
+        <source>Print a sheet…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Imprimir una hoja…</translation>
+    </message>
+    <message>
+        <source>Markers around the sherds give photographs taken by hand their scale</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Las marcas alrededor de los fragmentos dan su escala a las fotografías hechas a mano</translation>
+    </message>
+    <message>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Imprímala al 100 %, sin ajustar a la página, y mida la barra de la segunda página: debe medir %1 mm. La próxima importación propone esta hoja.</translation>
     </message>
 </context>
 </TS>

@@ -22,11 +22,6 @@
       <translation>Importer</translation>
     </message>
     <message>
-      <source>Which bag do the sherds of %1 come from?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>De quel sac viennent les tessons de %1 ?</translation>
-    </message>
-    <message>
       <source>Cancel import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Annuler l&apos;importation</translation>
@@ -35,6 +30,16 @@
       <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Pour importer, placez le curseur là où les tessons ont été retournés, ou choisissez une seule face.</translation>
+    </message>
+    <message>
+      <source>From %1. The bag can also be given later, in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De %1. Le sac peut aussi être indiqué plus tard, dans le catalogue.</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Entrée</translation>
     </message>
 </context>
 <context>
@@ -553,69 +558,69 @@
 <context>
     <name>Stage</name>
     <message>
-      <source>cameras</source>
+      <source>Finding the cameras</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>appareils</translation>
+      <translation>Recherche des caméras</translation>
     </message>
     <message>
-      <source>sherd or plate, front</source>
+      <source>Telling sherds from background, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>tesson ou plateau, avant</translation>
+      <translation>Séparation des tessons et du fond, face avant</translation>
     </message>
     <message>
-      <source>sherd or plate, back</source>
+      <source>Telling sherds from background, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>tesson ou plateau, arrière</translation>
+      <translation>Séparation des tessons et du fond, face arrière</translation>
     </message>
     <message>
-      <source>surface, front</source>
+      <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>surface, avant</translation>
+      <translation>Mesure de la forme, face avant</translation>
     </message>
     <message>
-      <source>surface, back</source>
+      <source>Measuring the shape, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>surface, arrière</translation>
+      <translation>Mesure de la forme, face arrière</translation>
     </message>
     <message>
-      <source>one scan a sherd, front</source>
+      <source>Cutting the sherds out, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>une numérisation par tesson, avant</translation>
+      <translation>Découpe des tessons un à un, face avant</translation>
     </message>
     <message>
-      <source>one scan a sherd, back</source>
+      <source>Cutting the sherds out, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>une numérisation par tesson, arrière</translation>
+      <translation>Découpe des tessons un à un, face arrière</translation>
     </message>
     <message>
-      <source>which back belongs to which front</source>
+      <source>Matching fronts and backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>quelle face arrière pour quelle face avant</translation>
+      <translation>Appariement des faces avant et arrière</translation>
     </message>
     <message>
-      <source>models</source>
+      <source>Closing the models</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>modèles</translation>
+      <translation>Fermeture des modèles</translation>
     </message>
     <message>
-      <source>report</source>
+      <source>Writing the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rapport</translation>
+      <translation>Rédaction du rapport</translation>
     </message>
     <message>
-      <source>catalogue</source>
+      <source>Entering the sherds into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>catalogue</translation>
+      <translation>Inscription des tessons au catalogue</translation>
     </message>
     <message>
-      <source>begins</source>
+      <source>Starting</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>commence</translation>
+      <translation>Démarrage</translation>
     </message>
     <message>
-      <source>more candidates for doubtful pairs</source>
+      <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>autres candidats pour les paires douteuses</translation>
+      <translation>Recherche d’autres partenaires pour les paires douteuses</translation>
     </message>
 </context>
 <context>
@@ -3126,11 +3131,6 @@
       <translation>Banc virtuel</translation>
     </message>
     <message>
-      <source>Virtual rig %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Banc virtuel %1</translation>
-    </message>
-    <message>
       <source>Everywhere</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Partout</translation>
@@ -3375,6 +3375,11 @@
       <source>Virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Banc virtuel</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Photographies</translation>
     </message>
 </context>
 <context>
@@ -4714,11 +4719,6 @@
       <translation>Aide</translation>
     </message>
     <message>
-        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Pas encore de projet. Créez-en un, ou essayez tout avec le banc virtuel : il casse un pot et photographie ses tessons.</translation>
-    </message>
-    <message>
         <source>Create project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Créer le projet</translation>
@@ -4759,6 +4759,26 @@
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entrée</translation>
+    </message>
+    <message>
+        <source>No project yet. Import photographs of both sides of your sherds, or drop their folders here: a project is created for them. To practise, try the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Pas encore de projet. Importez des photographies des deux faces de vos tessons, ou déposez leurs dossiers ici : un projet est créé pour elles. Pour vous exercer, essayez le banc virtuel : il brise un vase et en photographie les tessons.</translation>
+    </message>
+    <message>
+        <source>Import photographs…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Importer des photographies…</translation>
+    </message>
+    <message>
+        <source>Creates a project named after their folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Crée un projet qui porte le nom de leur dossier</translation>
+    </message>
+    <message>
+        <source>Folder of the photographs: both sides, or a folder for each side within it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Dossier des photographies : les deux faces, ou un dossier pour chaque face</translation>
     </message>
 </context>
 <context>
@@ -10751,6 +10771,24 @@
       <source>marker side typed anew</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>côté du marqueur saisi de nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PrintSheetButton</name>
+    <message>
+        <source>Print a sheet…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Imprimer une feuille…</translation>
+    </message>
+    <message>
+        <source>Markers around the sherds give photographs taken by hand their scale</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Les marques autour des tessons donnent leur échelle aux photographies prises à main levée</translation>
+    </message>
+    <message>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Imprimez-la à 100 %, sans ajustement à la page, et mesurez la barre de la deuxième page : elle doit avoir %1 mm de long. L’importation suivante propose cette feuille.</translation>
     </message>
 </context>
 </TS>

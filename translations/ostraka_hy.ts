@@ -22,11 +22,6 @@
       <translation>Ներմուծել</translation>
     </message>
     <message>
-      <source>Which bag do the sherds of %1 come from?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ո՞ր տոպրակից են %1-ի բեկորները։</translation>
-    </message>
-    <message>
       <source>Cancel import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչինչ չներմուծել</translation>
@@ -35,6 +30,16 @@
       <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ներմուծելու համար տեղափոխեք սահիչն այնտեղ, որտեղ բեկորները շրջվել են, կամ ընտրեք միայն մեկ երես։</translation>
+    </message>
+    <message>
+      <source>From %1. The bag can also be given later, in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ից։ Տոպրակը կարելի է նշել նաև ավելի ուշ՝ կատալոգում։</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -553,69 +558,69 @@
 <context>
     <name>Stage</name>
     <message>
-      <source>cameras</source>
+      <source>Finding the cameras</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>տեսախցիկներ</translation>
+      <translation>Որոշվում են տեսախցիկների դիրքերը</translation>
     </message>
     <message>
-      <source>sherd or plate, front</source>
+      <source>Telling sherds from background, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>բեկոր թե սկավառակ, առջև</translation>
+      <translation>Բեկորները տարանջատվում են ֆոնից, առջև</translation>
     </message>
     <message>
-      <source>sherd or plate, back</source>
+      <source>Telling sherds from background, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>բեկոր թե սկավառակ, հետև</translation>
+      <translation>Բեկորները տարանջատվում են ֆոնից, հետև</translation>
     </message>
     <message>
-      <source>surface, front</source>
+      <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մակերևույթ, առջև</translation>
+      <translation>Չափվում է ձևը, առջև</translation>
     </message>
     <message>
-      <source>surface, back</source>
+      <source>Measuring the shape, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մակերևույթ, հետև</translation>
+      <translation>Չափվում է ձևը, հետև</translation>
     </message>
     <message>
-      <source>one scan a sherd, front</source>
+      <source>Cutting the sherds out, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մեկ սկան ամեն բեկորին, առջև</translation>
+      <translation>Բեկորները կտրվում են մեկ առ մեկ, առջև</translation>
     </message>
     <message>
-      <source>one scan a sherd, back</source>
+      <source>Cutting the sherds out, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մեկ սկան ամեն բեկորին, հետև</translation>
+      <translation>Բեկորները կտրվում են մեկ առ մեկ, հետև</translation>
     </message>
     <message>
-      <source>which back belongs to which front</source>
+      <source>Matching fronts and backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>որ հետևի երեսը որ առջևինն է</translation>
+      <translation>Զուգադրվում են առջևի և հետևի կողմերը</translation>
     </message>
     <message>
-      <source>models</source>
+      <source>Closing the models</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>մոդելներ</translation>
+      <translation>Փակվում են մոդելները</translation>
     </message>
     <message>
-      <source>report</source>
+      <source>Writing the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>հաշվետվություն</translation>
+      <translation>Գրվում է հաշվետվությունը</translation>
     </message>
     <message>
-      <source>catalogue</source>
+      <source>Entering the sherds into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>կատալոգ</translation>
+      <translation>Բեկորները մուտքագրվում են կատալոգ</translation>
     </message>
     <message>
-      <source>begins</source>
+      <source>Starting</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>սկսվում է</translation>
+      <translation>Սկսվում է</translation>
     </message>
     <message>
-      <source>more candidates for doubtful pairs</source>
+      <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>այլ թեկնածուներ կասկածելի զույգերի համար</translation>
+      <translation>Որոնվում են այլ զույգեր կասկածելի զույգերի համար</translation>
     </message>
 </context>
 <context>
@@ -3126,11 +3131,6 @@
       <translation>Վիրտուալ սարքակազմ</translation>
     </message>
     <message>
-      <source>Virtual rig %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Վիրտուալ սարքակազմ %1</translation>
-    </message>
-    <message>
       <source>Everywhere</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ամենուր</translation>
@@ -3375,6 +3375,11 @@
       <source>Virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վիրտուալ սարքակազմ</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լուսանկարներ</translation>
     </message>
 </context>
 <context>
@@ -4714,11 +4719,6 @@
       <translation>Օգնություն</translation>
     </message>
     <message>
-        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Դեռ նախագիծ չկա։ Ստեղծեք մեկը կամ ամեն ինչ փորձեք վիրտուալ սարքակազմով. այն կոտրում է մի անոթ և լուսանկարում բեկորները։</translation>
-    </message>
-    <message>
         <source>Create project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ստեղծել նախագիծ</translation>
@@ -4759,6 +4759,26 @@
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enter</translation>
+    </message>
+    <message>
+        <source>No project yet. Import photographs of both sides of your sherds, or drop their folders here: a project is created for them. To practise, try the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նախագիծ դեռ չկա։ Ներմուծեք ձեր բեկորների երկու կողմերի լուսանկարները կամ դրանց պանակները գցեք այստեղ․ դրանց համար նախագիծ կստեղծվի։ Վարժվելու համար փորձեք վիրտուալ սարքակազմը․ այն ջարդում է անոթ և լուսանկարում բեկորները։</translation>
+    </message>
+    <message>
+        <source>Import photographs…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ներմուծել լուսանկարներ…</translation>
+    </message>
+    <message>
+        <source>Creates a project named after their folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ստեղծում է նախագիծ՝ դրանց պանակի անունով</translation>
+    </message>
+    <message>
+        <source>Folder of the photographs: both sides, or a folder for each side within it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լուսանկարների պանակը՝ երկու կողմերով կամ յուրաքանչյուր կողմի համար առանձին պանակով</translation>
     </message>
 </context>
 <context>
@@ -10751,6 +10771,24 @@
       <source>marker side typed anew</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>նշիչի կողմը նորից մուտքագրվեց</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PrintSheetButton</name>
+    <message>
+        <source>Print a sheet…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Տպել թերթ…</translation>
+    </message>
+    <message>
+        <source>Markers around the sherds give photographs taken by hand their scale</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Բեկորների շուրջի նշիչները ձեռքից արված լուսանկարներին մասշտաբ են տալիս</translation>
+    </message>
+    <message>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Տպեք այն 100 % չափով՝ առանց էջին հարմարեցնելու, և չափեք երկրորդ էջի գիծը․ այն պետք է լինի %1 մմ։ Հաջորդ ներմուծումն առաջարկում է այս թերթը։</translation>
     </message>
 </context>
 </TS>

@@ -22,11 +22,6 @@
       <translation>İçe aktar</translation>
     </message>
     <message>
-      <source>Which bag do the sherds of %1 come from?</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 içindeki parçalar hangi torbadan?</translation>
-    </message>
-    <message>
       <source>Cancel import</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İçe aktarma</translation>
@@ -35,6 +30,16 @@
       <source>To import, move the slider to where the sherds were turned over, or choose one side only.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İçe aktarmak için kaydırıcıyı parçaların çevrildiği yere getirin veya yalnızca tek yüzü seçin.</translation>
+    </message>
+    <message>
+      <source>From %1. The bag can also be given later, in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaynak: %1. Torba daha sonra katalogda da verilebilir.</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Enter</translation>
     </message>
 </context>
 <context>
@@ -551,69 +556,69 @@
 <context>
     <name>Stage</name>
     <message>
-      <source>cameras</source>
+      <source>Finding the cameras</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kameralar</translation>
+      <translation>Kameralar bulunuyor</translation>
     </message>
     <message>
-      <source>sherd or plate, front</source>
+      <source>Telling sherds from background, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>parça mı tabla mı, ön</translation>
+      <translation>Parçalar arka plandan ayrılıyor, ön</translation>
     </message>
     <message>
-      <source>sherd or plate, back</source>
+      <source>Telling sherds from background, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>parça mı tabla mı, arka</translation>
+      <translation>Parçalar arka plandan ayrılıyor, arka</translation>
     </message>
     <message>
-      <source>surface, front</source>
+      <source>Measuring the shape, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>yüzey, ön</translation>
+      <translation>Biçim ölçülüyor, ön</translation>
     </message>
     <message>
-      <source>surface, back</source>
+      <source>Measuring the shape, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>yüzey, arka</translation>
+      <translation>Biçim ölçülüyor, arka</translation>
     </message>
     <message>
-      <source>one scan a sherd, front</source>
+      <source>Cutting the sherds out, front</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>parça başına bir tarama, ön</translation>
+      <translation>Parçalar tek tek ayrılıyor, ön</translation>
     </message>
     <message>
-      <source>one scan a sherd, back</source>
+      <source>Cutting the sherds out, back</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>parça başına bir tarama, arka</translation>
+      <translation>Parçalar tek tek ayrılıyor, arka</translation>
     </message>
     <message>
-      <source>which back belongs to which front</source>
+      <source>Matching fronts and backs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>hangi arka yüz hangi ön yüzün</translation>
+      <translation>Ön ve arka yüzler eşleştiriliyor</translation>
     </message>
     <message>
-      <source>models</source>
+      <source>Closing the models</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>modeller</translation>
+      <translation>Modeller kapatılıyor</translation>
     </message>
     <message>
-      <source>report</source>
+      <source>Writing the report</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>rapor</translation>
+      <translation>Rapor yazılıyor</translation>
     </message>
     <message>
-      <source>catalogue</source>
+      <source>Entering the sherds into the catalogue</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>katalog</translation>
+      <translation>Parçalar kataloğa giriliyor</translation>
     </message>
     <message>
-      <source>begins</source>
+      <source>Starting</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>başlıyor</translation>
+      <translation>Başlıyor</translation>
     </message>
     <message>
-      <source>more candidates for doubtful pairs</source>
+      <source>Looking for other partners in doubtful pairs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>kuşkulu eşler için başka adaylar</translation>
+      <translation>Kuşkulu çiftler için başka eşler aranıyor</translation>
     </message>
 </context>
 <context>
@@ -3090,11 +3095,6 @@
       <translation>Sanal düzenek</translation>
     </message>
     <message>
-      <source>Virtual rig %1</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Sanal düzenek %1</translation>
-    </message>
-    <message>
       <source>Everywhere</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Her yerde</translation>
@@ -3337,6 +3337,11 @@
       <source>Virtual rig</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Sanal düzenek</translation>
+    </message>
+    <message>
+        <source>Photographs</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotoğraflar</translation>
     </message>
 </context>
 <context>
@@ -4671,11 +4676,6 @@
       <translation>Yardım</translation>
     </message>
     <message>
-        <source>No project yet. Create one, or try everything with the virtual rig: it breaks a pot and photographs its sherds for you.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Henüz proje yok. Bir tane oluşturun ya da her şeyi sanal düzenekle deneyin: bir kabı kırar ve parçalarını çeker.</translation>
-    </message>
-    <message>
         <source>Create project</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Proje oluştur</translation>
@@ -4716,6 +4716,26 @@
       <source>Enter</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enter</translation>
+    </message>
+    <message>
+        <source>No project yet. Import photographs of both sides of your sherds, or drop their folders here: a project is created for them. To practise, try the virtual rig: it breaks a pot and photographs its sherds for you.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Henüz proje yok. Parçalarınızın iki yüzünün fotoğraflarını içe aktarın ya da klasörlerini buraya bırakın: onlar için bir proje oluşturulur. Alıştırma için sanal düzeneği deneyin: bir kabı kırar ve parçalarını fotoğraflar.</translation>
+    </message>
+    <message>
+        <source>Import photographs…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotoğrafları içe aktar…</translation>
+    </message>
+    <message>
+        <source>Creates a project named after their folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Klasörlerinin adını taşıyan bir proje oluşturur</translation>
+    </message>
+    <message>
+        <source>Folder of the photographs: both sides, or a folder for each side within it</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotoğrafların klasörü: iki yüz birlikte ya da içinde her yüz için bir klasör</translation>
     </message>
 </context>
 <context>
@@ -10702,6 +10722,24 @@
       <source>marker side typed anew</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>işaret kenarı yeniden yazıldı</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::PrintSheetButton</name>
+    <message>
+        <source>Print a sheet…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sayfa yazdır…</translation>
+    </message>
+    <message>
+        <source>Markers around the sherds give photographs taken by hand their scale</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parçaların çevresindeki işaretler, elde çekilen fotoğraflara ölçeğini verir</translation>
+    </message>
+    <message>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Onu sayfaya sığdırmadan, % 100 boyutta yazdırın ve ikinci sayfadaki çubuğu ölçün: uzunluğu %1 mm olmalıdır. Bir sonraki içe aktarma bu sayfayı önerir.</translation>
     </message>
 </context>
 </TS>

@@ -6,7 +6,7 @@
 
 #include "base/median.h"
 #include "base/message.h"
-#include "rig/rounded.h"
+#include "base/rounded.h"
 
 namespace ostraka::calibration {
 namespace {
@@ -23,7 +23,7 @@ struct Solution {
 };
 
 void round(cv::Mat& values, double step) {
-  values.forEach<double>([step](double& value, const int*) { value = rig::rounded(value, step); });
+  values.forEach<double>([step](double& value, const int*) { value = rounded(value, step); });
 }
 
 // Pixels to a ten-thousandth, terms of the distortion to a hundredth of a millionth.
@@ -34,7 +34,7 @@ void round(Solution& s) {
   round(s.rms_per_view, 1e-6);
   for (cv::Mat& rotation : s.rotations) round(rotation, 1e-7);
   for (cv::Mat& translation : s.translations) round(translation, 1e-7);
-  s.rms_px = rig::rounded(s.rms_px, 1e-6);
+  s.rms_px = rounded(s.rms_px, 1e-6);
 }
 
 Result<Solution> solve(std::span<const TargetView* const> views, cv::Size size, int flags) {

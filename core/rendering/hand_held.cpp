@@ -11,16 +11,4 @@ Result<void> HandHeldOptions::check() const {
   return {};
 }
 
-Eigen::Vector2d paperSize(SheetSize size) {
-  switch (size) {
-    case SheetSize::A4:
-      return {297, 210};
-    case SheetSize::A3:
-      return {420, 297};
-    case SheetSize::Letter:
-      return {279.4, 215.9};
-  }
-  return {297, 210};
-}
-
 }  // namespace ostraka::rendering

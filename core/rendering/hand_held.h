@@ -1,12 +1,10 @@
 #pragma once
-#include <Eigen/Core>
-
 #include "base/result.h"
+#include "rig/printed_sheet.h"
 
 /// Photographs by hand over a printed sheet on a table.
 namespace ostraka::rendering {
 
-enum class SheetSize { A4, A3, Letter };
 enum class TableKind { Wood, Cloth, Granite, CuttingMat };
 enum class LightKind {
   Window,    ///< large and from one side
@@ -19,7 +17,7 @@ enum class CameraKind { Phone, Dslr, Compact };
 
 struct HandHeldOptions {
   int photographs = 30;  ///< a side
-  SheetSize sheet = SheetSize::A4;
+  rig::SheetSize sheet = rig::SheetSize::A4;
   TableKind table = TableKind::Wood;
   LightKind light = LightKind::Window;
   CameraKind camera = CameraKind::Phone;
@@ -28,8 +26,5 @@ struct HandHeldOptions {
   /// Names the field that cannot be.
   Result<void> check() const;
 };
-
-/// Width and height of the paper, mm.
-Eigen::Vector2d paperSize(SheetSize size);
 
 }  // namespace ostraka::rendering

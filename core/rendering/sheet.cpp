@@ -4,63 +4,24 @@
 #include <cmath>
 #include <opencv2/aruco/charuco.hpp>
 
-#include "rig/plate_print.h"
-
 namespace ostraka::rendering {
 namespace {
 
-constexpr const char* kDictionary = "DICT_5X5_100";
-constexpr double kMarkerSide = 20;                  // mm, of a marker
-constexpr double kMarginX = 6.5, kMarginY = 6;      // mm of paper outside of the markers
-constexpr double kMostStepX = 27, kMostStepY = 30;  // mm from marker to marker
-constexpr double kFree = 4;                         // mm that nothing is printed on beside markers
-constexpr float kCell = 2;                          // mm
+constexpr double kFree = 4;  // mm that nothing is printed on beside markers
+constexpr float kCell = 2;   // mm
 
-batch::Marker markerAt(int id, const Eigen::Vector2d& middle) {
-  const double h = kMarkerSide / 2;
-  return {id,
-          {Eigen::Vector3d(middle.x() - h, middle.y() + h, 0),
-           Eigen::Vector3d(middle.x() + h, middle.y() + h, 0),
-           Eigen::Vector3d(middle.x() + h, middle.y() - h, 0),
-           Eigen::Vector3d(middle.x() - h, middle.y() - h, 0)}};
+// Half of what lies within the markers, clear of them.
+Eigen::Vector2f blankWithin(const batch::Plate& plate) {
+  const Eigen::Vector2d inner = plate.markers.front().corners[2].head<2>();
+  return (inner.cwiseAbs() - Eigen::Vector2d::Constant(kFree)).cast<float>();
 }
 
 }  // namespace
 
-batch::Plate sheetPlate(SheetSize size) {
-  const Eigen::Vector2d half = paperSize(size) / 2;
-  batch::Plate plate;
-  plate.dictionary = kDictionary;
-  plate.sheet = Eigen::AlignedBox2d(-half, half);
-  const Eigen::Vector2d reach =
-      half - Eigen::Vector2d(kMarginX, kMarginY) - Eigen::Vector2d::Constant(kMarkerSide / 2);
-  const int across = static_cast<int>(std::ceil(2 * reach.x() / kMostStepX)),
-            down = static_cast<int>(std::ceil(2 * reach.y() / kMostStepY));
-  const Eigen::Vector2d step(2 * reach.x() / across, 2 * reach.y() / down);
-  int id = 0;
-  for (int i = 0; i < across; ++i)
-    plate.markers.push_back(markerAt(id++, {-reach.x() + i * step.x(), reach.y()}));
-  for (int i = 0; i < down; ++i)
-    plate.markers.push_back(markerAt(id++, {reach.x(), reach.y() - i * step.y()}));
-  for (int i = 0; i < across; ++i)
-    plate.markers.push_back(markerAt(id++, {reach.x() - i * step.x(), -reach.y()}));
-  for (int i = 0; i < down; ++i)
-    plate.markers.push_back(markerAt(id++, {-reach.x(), -reach.y() + i * step.y()}));
-  return plate;
-}
-
-Result<void> writeSheet(const std::filesystem::path& file, batch::Plate plate) {
-  for (batch::Marker& marker : plate.markers)
-    for (Eigen::Vector3d& corner : marker.corners)
-      for (double& value : corner) value = std::round(value * 1e4) / 1e4;
-  return rig::writePlate(file, plate);
-}
-
-SheetSurface::SheetSurface(SheetSize size, double bend_mm, vessels::Random& random)
-    : plate_(sheetPlate(size)),
+SheetSurface::SheetSurface(rig::SheetSize size, double bend_mm, vessels::Random& random)
+    : plate_(rig::sheetPlate(size)),
       half_(plate_.sheet->max().cast<float>()),
-      blank_(half_ -
-             Eigen::Vector2f(kMarginX + kMarkerSide + kFree, kMarginY + kMarkerSide + kFree)),
+      blank_(blankWithin(plate_)),
       paper_(static_cast<float>(random.uniform(0.74, 0.82))),
       ink_(static_cast<float>(random.uniform(0.025, 0.06))),
       spread_mm_(static_cast<float>(random.uniform(0, 0.06))) {
@@ -113,7 +74,7 @@ bool SheetSurface::ink(const Eigen::Vector2f& p) const {
   if (found == 0) return false;
   const auto& corner = plate_.markers[static_cast<std::size_t>(found - 1)].corners[0];
   const auto& bits = bits_[static_cast<std::size_t>(found - 1)];
-  constexpr auto module = static_cast<float>(kMarkerSide / 7);
+  constexpr auto module = static_cast<float>(rig::kSheetMarker_mm / 7);
   for (const float dx : {-spread_mm_, spread_mm_})
     for (const float dy : {-spread_mm_, spread_mm_}) {
       const float u = (p.x() + dx - static_cast<float>(corner.x())) / module,

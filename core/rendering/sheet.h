@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <filesystem>
 #include <vector>
 
 #include "batch/batch.h"
@@ -10,16 +9,10 @@
 
 namespace ostraka::rendering {
 
-/// A printed sheet: markers of DICT_5X5_100 round its border, 20 mm, tops along +y, ids from 0
-/// clockwise from the upper left. Origin in the middle of the paper.
-batch::Plate sheetPlate(SheetSize size);
-/// plate.json, to a ten-thousandth of a millimetre.
-Result<void> writeSheet(const std::filesystem::path& file, batch::Plate plate);
-
 /// The sheet as it lies there: paper, print, and how it bends.
 class SheetSurface final : public Ground {
  public:
-  SheetSurface(SheetSize size, double bend_mm, vessels::Random& random);
+  SheetSurface(rig::SheetSize size, double bend_mm, vessels::Random& random);
 
   const batch::Plate& plate() const { return plate_; }
   bool holds(const Eigen::Vector2f& p) const {

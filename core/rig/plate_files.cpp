@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "files/json.h"
 #include "files/output_place.h"
 #include "rig/plate_print.h"
+#include "rig/printed_sheet.h"
 
 namespace ostraka::rig {
 namespace {
@@ -89,6 +91,34 @@ class Together {
   std::vector<std::pair<fs::path, std::optional<std::string>>> written_;
 };
 
+// plate.json of the folder may become `fresh`: it is not there yet, as drawn, or the same.
+Result<Beside> plateBeside(const fs::path& folder, const ordered_json& fresh,
+                           const ordered_json& as_drawn) {
+  const fs::path file = folder / "plate.json";
+  const Result<Beside> there = compared(file, fresh, as_drawn);
+  if (!there || *there == Beside::Same) return there;
+  if (*there == Beside::Another)
+    return Error::unusable(
+        message(
+            "This file describes another plate, or this plate with another ruler length; choose "
+            "another folder."),
+        file.string());
+  if (!batch::photographsIn(folder.empty() ? fs::path(".") : folder).empty())
+    return Error::unusable(
+        message(
+            "This folder contains photographs, and a new plate.json would describe the sheet under "
+            "their sherds; choose another folder."),
+        folder.string());
+  return there;
+}
+
+batch::Plate roundedPlate(batch::Plate plate) {
+  for (batch::Marker& marker : plate.markers)
+    for (Eigen::Vector3d& corner : marker.corners)
+      for (double& value : corner) value = std::round(value * 1e4) / 1e4;
+  return plate;
+}
+
 }  // namespace
 
 Result<void> writePlate(const fs::path& file, const batch::Plate& plate) {
@@ -110,27 +140,14 @@ Result<PlatePrint> writePlatePrint(const fs::path& pdf, const PlatePrintOptions&
   const fs::path folder = pdf.parent_path();
   const fs::path plate_file = folder / "plate.json", board_file = folder / "board.json";
   const ordered_json plate = describedPlate(print->plate), board = describedBoard(print->board);
-  const auto plate_there = compared(plate_file, plate, describedPlate(as_drawn->plate));
+  const auto plate_there = plateBeside(folder, plate, describedPlate(as_drawn->plate));
   if (!plate_there) return plate_there.error();
-  if (*plate_there == Beside::Another)
-    return Error::unusable(
-        message(
-            "This file describes another plate, or this plate with another ruler length; choose "
-            "another folder."),
-        plate_file.string());
   const auto board_there = compared(board_file, board, describedBoard(as_drawn->board));
   if (!board_there) return board_there.error();
   if (*board_there == Beside::Another)
     return Error::unusable(
         message("This file describes another calibration board; choose another folder."),
         board_file.string());
-  if (*plate_there != Beside::Same &&
-      !batch::photographsIn(folder.empty() ? fs::path(".") : folder).empty())
-    return Error::unusable(
-        message(
-            "This folder contains photographs, and a new plate.json would describe the sheet under "
-            "their sherds; choose another folder."),
-        folder.string());
   // The PDF last: nobody prints a plate that nothing describes.
   Together files;
   if (*plate_there != Beside::Same)
@@ -138,6 +155,28 @@ Result<PlatePrint> writePlatePrint(const fs::path& pdf, const PlatePrintOptions&
   if (*board_there != Beside::Same)
     if (const Result<void> r = files.write(board_file, board.dump(1) + "\n"); !r) return r.error();
   if (const Result<void> r = files.write(pdf, formatPdf(print->pages, "Ostraka plate")); !r)
+    return r.error();
+  return print;
+}
+
+Result<void> writeSheet(const fs::path& file, batch::Plate plate) {
+  return writePlate(file, roundedPlate(std::move(plate)));
+}
+
+Result<SheetPrint> writeSheetPrint(const fs::path& pdf, const SheetPrintOptions& options) {
+  if (const Result<void> good = checkOutputPlace(pdf); !good) return good.error();
+  Result<SheetPrint> print = printSheet(options);
+  if (!print) return print;
+  const fs::path folder = pdf.parent_path();
+  const ordered_json plate = describedPlate(roundedPlate(print->plate));
+  const auto there =
+      plateBeside(folder, plate, describedPlate(roundedPlate(sheetPlate(options.size))));
+  if (!there) return there.error();
+  Together files;
+  if (*there != Beside::Same)
+    if (const Result<void> r = files.write(folder / "plate.json", plate.dump(1) + "\n"); !r)
+      return r.error();
+  if (const Result<void> r = files.write(pdf, formatPdf(print->pages, "Ostraka sheet")); !r)
     return r.error();
   return print;
 }

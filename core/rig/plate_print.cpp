@@ -10,7 +10,6 @@
 #include "base/message.h"
 #include "base/text.h"
 #include "rig/marker_dictionary.h"
-#include "rig/marker_outline.h"
 
 namespace ostraka::rig {
 namespace {
@@ -225,13 +224,7 @@ class Drawing {
                       c[2] + m * right + m * down, c[3] - m * right + m * down},
                      1.0);
     }
-    cv::Mat picture;
-    const int cells = dictionary_->markerSize + 2;
-    cv::aruco::drawMarker(dictionary_, marker.id, cells, picture, 1);
-    Shape shape{outlinesOfInk(picture), true, 0.0, {}, 0, 0};
-    for (auto& line : shape.lines)
-      for (Vector2d& p : line) p = c[0] + (p.x() * (c[1] - c[0]) + p.y() * (c[3] - c[0])) / cells;
-    sheet_.items.push_back(std::move(shape));
+    sheet_.items.emplace_back(markerInk(dictionary_, marker.id, c));
   }
 
   // How far sheets reach along one axis, and where the first begins (plate frame, mm).

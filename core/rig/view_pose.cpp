@@ -4,7 +4,7 @@
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 
-#include "rig/rounded.h"
+#include "base/rounded.h"
 
 namespace ostraka::rig {
 namespace {

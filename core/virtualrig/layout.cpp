@@ -242,7 +242,7 @@ double FreeArea::area() const {
 FreeArea freeArea(const SimulateOptions& options) {
   FreeArea free;
   if (!options.hand_held) return free;
-  free.half = rendering::paperSize(options.hand_held->sheet) / 2 - Eigen::Vector2d(30.5, 30);
+  free.half = rig::sheetSize(options.hand_held->sheet) / 2 - Eigen::Vector2d(30.5, 30);
   free.radius = std::min(free.half.norm(), 124.0);
   free.half = free.half.cwiseMin(free.radius);
   return free;

@@ -199,8 +199,7 @@ Result<void> photographByHand(const std::vector<vessels::VirtualSherd>& sherds,
     lying.front.push_back(rendering::restingOn(photographer.sheet(), layout.front[s], vertices));
     lying.back.push_back(rendering::restingOn(photographer.sheet(), layout.back[s], vertices));
   }
-  if (Result<void> r =
-          rendering::writeSheet(options.output / "plate.json", photographer.sheet().plate());
+  if (Result<void> r = rig::writeSheet(options.output / "plate.json", photographer.sheet().plate());
       !r)
     return r;
   const Eigen::Isometry3d table_from_plate = photographer.sheet().tableFromPlate();

@@ -90,10 +90,9 @@ CameraModel cameraModel(rendering::CameraKind kind, vessels::Random& random) {
 std::vector<FreeShot> walkAround(const rendering::HandHeldOptions& options,
                                  const CameraModel& model, int width, vessels::Random& random) {
   // A telephone of 27 mm sees A4 from 26-33 cm; others stand where they see as much.
-  const double scale = width / 1600.0,
-               reach = rendering::paperSize(options.sheet).norm() /
-                       rendering::paperSize(rendering::SheetSize::A4).norm() *
-                       model.focal_per_width / (1291.0 / 1600);
+  const double scale = width / 1600.0, reach = rig::sheetSize(options.sheet).norm() /
+                                               rig::sheetSize(rig::SheetSize::A4).norm() *
+                                               model.focal_per_width / (1291.0 / 1600);
   int number = 1000 + random.below(8000);
   double time = 0;
   std::vector<FreeShot> shots;

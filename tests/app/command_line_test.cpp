@@ -68,7 +68,7 @@ TEST_F(CommandLine, HelpOfEachCommandNamesAllItsOptions) {
       {"dense", {"IMAGES", "--cameras", "--masks", "--output"}},
       {"evaluate", {"OUT", "--truth", "--align"}},
       {"draw", {"MODEL.ply", "--output", "--scale", "--rim", "--plates", "--surface", "--dpi"}},
-      {"plate", {"--output", "--diameter", "--paper", "--ruler-measured"}},
+      {"plate", {"--output", "--sheet", "--diameter", "--paper", "--ruler-measured"}},
       {"catalogue merge",
        {"A", "B", "--settle", "--dry-run", "For example", "ostraka catalogue merge Hill"}},
       {"rig calibrate", {"FOLDER", "--output", "--length"}},

@@ -59,6 +59,7 @@ constexpr Printed kQuick[] = {
     {"completion", "completion zsh"},
     {"man-pages", "man-pages @/man"},
     {"plate", "plate -o @/plate.pdf --diameter 200"},
+    {"plate", "plate -o @/man/sheet.pdf --sheet a4"},
     {"draw", "draw @/a.ply -o @/a.svg"},
     {"evaluate", "evaluate @/a.ply --truth @/a.ply"},
     {"rig-simulate", "rig simulate --scans-only --sherds 2 -o @/scans"},

@@ -6,6 +6,7 @@
 #include "ui/capture/rig_page.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/batch_importer.h"
+#include "ui/import/import_chooser.h"
 #include "ui/widgets/message_panel.h"
 #include "ui/wizard/capture_wizard.h"
 #include "ui/wizard/rig_connection.h"
@@ -45,6 +46,10 @@ void CaptureScreen::buildTwice() {
     twice_->hide();
     setFocus();
   });
+}
+
+void CaptureScreen::importPhotographs(const QStringList& paths) {
+  chooser_->take(paths);
 }
 
 QString CaptureScreen::rigWords() const {

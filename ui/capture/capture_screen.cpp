@@ -330,6 +330,9 @@ void CaptureScreen::showImported(const QString& number, int files, const QString
   if (!more.isEmpty())
     failure_->showSuccess(words, more.join(QLatin1Char('\n')), !doubts.isEmpty(), tr("OK"));
   emit said(words);
+  // Without a rig nothing is to be photographed meanwhile.
+  if (wizard_->phase() == CapturePhase::NoRig && doubts.isEmpty())
+    emit wantsScreen(QStringLiteral("queue"), number);
 }
 
 void CaptureScreen::placeTyped() {

@@ -46,6 +46,7 @@ class CaptureScreen final : public Screen {
   bool isRigReady() const;
   QString whereWords() const override;
   BatchImporter* importer() const { return importer_; }
+  void importPhotographs(const QStringList& paths);  ///< shows what they are, and asks
 
  public slots:
   void chooseRig(const ostraka::ui::RigChoice& choice);

@@ -358,6 +358,7 @@ void CatalogueScreen::showItem(const QString& what) {
         catalogue::Batches(session_->project().catalogue()).byNumber(what.toStdString())
             ? "batch:" + what
             : what);
+    if (model_->rowCount() > 0) table_->selectRow(0);
     return;
   }
   if (model_->rowOf(*sherd) < 0) {

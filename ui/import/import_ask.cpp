@@ -11,6 +11,7 @@
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/page_area.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 
@@ -26,6 +27,7 @@ ImportAsk::ImportAsk(QWidget* parent)
       tr("To import, move the slider to where the sherds were turned over, or choose one side "
          "only."));
   import_ = new BigButton(QStringLiteral("importStart"), tr("Import"), this);
+  import_->setKeyHint(tr("Enter"));
   auto* leave = new QPushButton(tr("Cancel import"), this);
   leave->setObjectName(QStringLiteral("importLeave"));
   auto* row = new QHBoxLayout;
@@ -50,6 +52,12 @@ ImportAsk::ImportAsk(QWidget* parent)
   connect(place_, &PlaceEdit::entered, this, &ImportAsk::confirm);
   connect(place_, &PlaceEdit::edited, this, &ImportAsk::follow);
   connect(sides_, &SidesView::changed, this, &ImportAsk::follow);
+  connect(sides_, &SidesView::sheetPrinted, this,
+          [this](const QString& headline, const QString& words) {
+            words_->setText(headline + QLatin1Char('\n') + words);
+          });
+  connect(sides_, &SidesView::sheetNotPrinted, this,
+          [this](const Error& error) { words_->setText(sentenceOf(error)); });
   hide();
 }
 
@@ -81,7 +89,7 @@ void ImportAsk::follow() {
 void ImportAsk::open(const QString& folder, ImportKind kind) {
   folder_ = folder;
   kind_ = kind;
-  words_->setText(tr("Which bag do the sherds of %1 come from?").arg(folder));
+  words_->setText(tr("From %1. The bag can also be given later, in the catalogue.").arg(folder));
   place_->setText({});  // the bag on the turntable is another, mostly
   follow();
   show();

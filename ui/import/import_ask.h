@@ -12,7 +12,7 @@ class BigButton;
 class PlaceEdit;
 class SidesView;
 
-/// Asks where the sherds of a folder come from before it is imported; without a bag they get no
+/// Shows what is to be imported and takes the bag that it comes from; without one the sherds get no
 /// numbers, and no context but by hand.
 class ImportAsk final : public QWidget {
   Q_OBJECT

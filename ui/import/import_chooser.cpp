@@ -1,13 +1,12 @@
 #include "ui/import/import_chooser.h"
 
-#include <QDropEvent>
 #include <QFileDialog>
-#include <QMimeData>
-#include <QUrl>
 #include <QWidget>
 
 #include "ui/frame/project_session.h"
 #include "ui/import/import_ask.h"
+#include "ui/import/path_drop.h"
+#include "ui/import/print_sheet_button.h"
 #include "ui/import/sides_view.h"
 #include "ui/jobs/when_done.h"
 #include "ui/widgets/page_acts.h"
@@ -16,22 +15,16 @@ namespace ostraka::ui {
 namespace {
 
 constexpr const char* kSheetKey = "import.sheet";
+constexpr QLatin1String kNoSheet("none");  // a person cleared it
 constexpr const char* kMarkerKey = "import.marker_mm";
-
-QStringList pathsOf(const QMimeData* data) {
-  QStringList paths;
-  for (const QUrl& url : data->urls())
-    if (url.isLocalFile()) paths << url.toLocalFile();
-  return paths;
-}
 
 }  // namespace
 
 ImportChooser::ImportChooser(QWidget* screen, ImportAsk* ask)
     : QObject(screen), screen_(screen), ask_(ask) {
-  screen_->installEventFilter(this);
+  connect(new PathDrop(screen_), &PathDrop::dropped, this, &ImportChooser::take);
   connect(ask_->sides(), &SidesView::sheetChosen, this, [this](const QString& file) {
-    if (session_ != nullptr) session_->keepSetting(kSheetKey, file);
+    if (session_ != nullptr) session_->keepSetting(kSheetKey, file.isEmpty() ? kNoSheet : file);
   });
   connect(ask_->sides(), &SidesView::backWanted, this, &ImportChooser::chooseBack);
   connect(ask_->sides(), &SidesView::markerChosen, this, [this](double side_mm) {
@@ -46,7 +39,8 @@ void ImportChooser::setSession(ProjectSession* session) {
 }
 
 std::filesystem::path ImportChooser::lastSheet() const {
-  return session_->setting(kSheetKey).toStdString();
+  const QString kept = session_->setting(kSheetKey);
+  return kept.isEmpty() ? printedSheet() : std::filesystem::path(kept.toStdString());
 }
 
 std::optional<double> ImportChooser::lastMarker() const {
@@ -93,23 +87,6 @@ void ImportChooser::take(const QStringList& paths) {
     } else
       ask_->ask(paths.front(), ImportKind::Photographs);
   });
-}
-
-bool ImportChooser::eventFilter(QObject* watched, QEvent* event) {
-  if (session_ == nullptr) return false;
-  if (event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove) {
-    auto* drag = static_cast<QDragMoveEvent*>(event);
-    if (pathsOf(drag->mimeData()).isEmpty()) return false;
-    drag->acceptProposedAction();
-    return true;
-  }
-  if (event->type() == QEvent::Drop) {
-    auto* drop = static_cast<QDropEvent*>(event);
-    drop->acceptProposedAction();
-    take(pathsOf(drop->mimeData()));
-    return true;
-  }
-  return QObject::eventFilter(watched, event);
 }
 
 }  // namespace ostraka::ui

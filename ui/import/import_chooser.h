@@ -31,9 +31,6 @@ class ImportChooser final : public QObject {
  signals:
   void failed(const ostraka::Error& error);
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   void chooseBack();
   std::filesystem::path lastSheet() const;

@@ -10,6 +10,7 @@
 #include <QSlider>
 #include <QVBoxLayout>
 
+#include "ui/import/print_sheet_button.h"
 #include "ui/look/look.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/page_acts.h"
@@ -73,15 +74,22 @@ SidesView::SidesView(QWidget* parent)
   connect(back, &QPushButton::clicked, this, &SidesView::backWanted);
   auto* beneath = new QHBoxLayout;
   beneath->addWidget(sheet_, 1);
-  beneath->addWidget(marker_label_);
-  beneath->addWidget(marker_);
   beneath->addWidget(clear_sheet_);
   beneath->addWidget(choose);
+  auto* print = new PrintSheetButton(QStringLiteral("importPrintSheet"), this);
+  beneath->addWidget(print);
+  connect(print, &PrintSheetButton::printed, this, &SidesView::sheetPrinted);
+  connect(print, &PrintSheetButton::failed, this, &SidesView::sheetNotPrinted);
+  auto* marked = new QHBoxLayout;
+  marked->addWidget(marker_label_);
+  marked->addWidget(marker_);
+  marked->addStretch();
   auto* column = bareLayout<QVBoxLayout>(this);
   column->addLayout(pictures);
   column->addWidget(flip_);
   column->addLayout(dividing);
   column->addLayout(beneath);
+  column->addLayout(marked);
   connect(where_, &QSlider::valueChanged, this, [this](int at) {
     plan_.first_second = static_cast<std::size_t>(at);
     plan_.flip_found = true;  // a person said so

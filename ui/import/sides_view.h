@@ -30,6 +30,8 @@ class SidesView final : public QWidget {
   void changed();
   void sheetChosen(const QString& file);  ///< empty: there is no file
   void markerChosen(double side_mm);
+  void sheetPrinted(const QString& headline, const QString& words);
+  void sheetNotPrinted(const ostraka::Error& error);
   void backWanted();  ///< from a folder of its own
 
  private:

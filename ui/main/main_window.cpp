@@ -2,7 +2,6 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDir>
 #include <QLineEdit>
 #include <QStackedWidget>
 #include <QStyle>
@@ -13,6 +12,8 @@
 #include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/sidebar.h"
+#include "ui/import/import_sides.h"
+#include "ui/jobs/when_done.h"
 #include "ui/main/catalogue_repair.h"
 #include "ui/main/file_watch.h"
 #include "ui/main/help_page.h"
@@ -103,15 +104,17 @@ void MainWindow::connectParts() {
   for (Screen* screen : screens())
     connect(screen, &Screen::wantsScreen, this, &MainWindow::showScreenNamed);
   connect(work_, &WorkPage::screenWanted, this, &MainWindow::showScreen);
+  connect(work_, &WorkPage::resultsWanted, this, &MainWindow::showScreenNamed);
   connect(start_, &StartScreen::opened, this, &MainWindow::openProject);
   connect(start_, &StartScreen::found, this, &MainWindow::findProject);
   connect(start_, &StartScreen::made, this, &MainWindow::takeProject);
   connect(start_, &StartScreen::settingsWanted, this, &MainWindow::showSettings);
   connect(start_, &StartScreen::manualWanted, this, &MainWindow::showManual);
   connect(start_, &StartScreen::virtualRigWanted, this, &MainWindow::tryVirtualRig);
+  connect(start_, &StartScreen::photographsChosen, this, &MainWindow::beginWith);
   auto* repair = new CatalogueRepair(runner_, this);
   connect(start_, &StartScreen::repairWanted, repair, &CatalogueRepair::repair);
-  connect(repair, &CatalogueRepair::told, start_, &StartScreen::showRepair);
+  connect(repair, &CatalogueRepair::told, start_, &StartScreen::tell);
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
   connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);
   connect(all_, &QStackedWidget::currentChanged, this, [this] {
@@ -203,12 +206,24 @@ void MainWindow::leaveProject() {
 }
 
 void MainWindow::tryVirtualRig() {
-  const QDir place(projectsFolder());
-  QString folder = place.filePath(tr("Virtual rig"));
-  for (int n = 2; QDir(folder).exists(); ++n) folder = place.filePath(tr("Virtual rig %1").arg(n));
-  auto made = makeVirtualProject(folder);
+  auto made = makeVirtualProject(freshFolder(tr("Virtual rig")));
   if (!made) return start_->showError(made.error());
   takeProject(*made);
+}
+
+// What holds no photographs leaves no empty project behind.
+void MainWindow::beginWith(const QStringList& photographs) {
+  if (photographs.size() == 1 && upkeep::Project::isProject(photographs.front().toStdString()))
+    return openProject(photographs.front());
+  JobHandle* job = runner_.start(
+      makeJob([photographs](Progress&, std::stop_token) { return planSides(photographs, {}); }),
+      this);
+  whenDone<std::optional<SidesPlan>>(job, this, [this, photographs](const auto& plan) {
+    if (session() != nullptr) return;  // one was opened meanwhile
+    if (!plan) return start_->showError(plan.error());
+    start_->makeFor(photographs);
+    if (session() != nullptr) capture_screen_->importPhotographs(photographs);
+  });
 }
 
 void MainWindow::showScreen(int index) {
@@ -226,6 +241,7 @@ void MainWindow::showScreen(int index) {
 void MainWindow::showScreenNamed(const QString& icon_name, const QString& what) {
   const int index = work_->screenNamed(icon_name);
   showScreen(index);
+  work_->await(icon_name == QLatin1String("queue") ? what : QString());
   if (index >= 0 && !what.isEmpty()) screens()[static_cast<std::size_t>(index)]->showItem(what);
 }
 

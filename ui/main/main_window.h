@@ -70,6 +70,7 @@ class MainWindow final : public QMainWindow {
   void takeProject(std::shared_ptr<upkeep::Project> project);
   void showProject();
   void tryVirtualRig();
+  void beginWith(const QStringList& photographs);
   void applySettings(const WindowSettings& settings);
   void keepSettings();
   void findProject(const QString& lost, const QString& found);

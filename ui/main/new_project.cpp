@@ -1,6 +1,7 @@
 #include "ui/main/new_project.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QStandardPaths>
 
@@ -15,9 +16,24 @@
 namespace ostraka::ui {
 namespace {
 
+constexpr qsizetype kLongestCode = 8;
+
 const QRegularExpression& siteForm() {
   static const QRegularExpression form(QStringLiteral("^[A-Z0-9]{2,8}$"));
   return form;
+}
+
+// What tells the photographs of one place from another's: their folder, of both sides' the one
+// above.
+QString folderNameOf(const QStringList& photographs) {
+  const QFileInfo first(QDir::cleanPath(photographs.front()));
+  const QString name =
+      photographs.size() == 1 && first.isDir() ? first.fileName() : first.dir().dirName();
+  return name.isEmpty() || first.dir().isRoot() ? NewProject::tr("Photographs") : name;
+}
+
+QString asFolderName(QString name) {
+  return name.replace(QRegularExpression(QStringLiteral("[/\\\\:*?\"<>|]+")), QStringLiteral("_"));
 }
 
 }  // namespace
@@ -25,6 +41,14 @@ const QRegularExpression& siteForm() {
 QString projectsFolder() {
   return QDir(QStandardPaths::writableLocation(QStandardPaths::HomeLocation))
       .filePath(QStringLiteral("Ostraka"));
+}
+
+QString freshFolder(const QString& name) {
+  const QDir place(projectsFolder());
+  QString folder = place.filePath(asFolderName(name));
+  for (int n = 2; QFileInfo::exists(folder); ++n)
+    folder = place.filePath(QStringLiteral("%1 %2").arg(asFolderName(name)).arg(n));
+  return folder;
 }
 
 NewProject::NewProject(QObject* parent) : QObject(parent) {
@@ -37,6 +61,19 @@ void NewProject::clear() {
   folder_.clear();
   folder_typed_ = false;
   numbering_ = QString::fromStdString(records::ProjectRecord().numbering);
+  follow();
+}
+
+void NewProject::proposeFor(const QStringList& photographs) {
+  const QString name = name_.isEmpty() ? folderNameOf(photographs) : name_;
+  if (site_.isEmpty()) {
+    site_ = name.normalized(QString::NormalizationForm_D).toUpper();
+    site_.remove(QRegularExpression(QStringLiteral("[^A-Z0-9]")));
+    site_.truncate(kLongestCode);
+    if (!siteForm().match(site_).hasMatch()) site_ = QStringLiteral("SITE");
+  }
+  if (!folder_typed_) setFolder(freshFolder(name));
+  name_ = name;
   follow();
 }
 
@@ -63,8 +100,7 @@ void NewProject::setNumbering(const QString& numbering) {
 
 void NewProject::follow() {
   if (!folder_typed_) {
-    QString safe = name_.isEmpty() ? site_ : name_;
-    safe.replace(QRegularExpression(QStringLiteral("[/\\\\:*?\"<>|]+")), QStringLiteral("_"));
+    const QString safe = asFolderName(name_.isEmpty() ? site_ : name_);
     folder_ = safe.isEmpty() ? QString() : QDir(projectsFolder()).filePath(safe);
   }
   example_.clear();

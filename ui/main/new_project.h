@@ -1,6 +1,7 @@
 #pragma once
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <memory>
 
 #include "base/result.h"
@@ -33,7 +34,9 @@ class NewProject final : public QObject {
   Result<std::shared_ptr<upkeep::Project>> make() const;
 
  public slots:
-  void clear();                       ///< as it was at first
+  void clear();  ///< as it was at first
+  /// Name, code and folder that nobody typed, after the folder of these photographs.
+  void proposeFor(const QStringList& photographs);
   void setName(const QString& name);  ///< the folder follows until it was typed
   void setSiteCode(const QString& code);
   void setFolder(const QString& folder);
@@ -50,6 +53,9 @@ class NewProject final : public QObject {
   QString name_, site_, folder_, numbering_, example_, numbering_refusal_;
   bool folder_typed_ = false;
 };
+
+/// A folder of this name where projects go, or with a number behind it when there is one.
+QString freshFolder(const QString& name);
 
 /// Where projects go when nobody says otherwise: ~/Ostraka.
 QString projectsFolder();

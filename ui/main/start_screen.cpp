@@ -12,12 +12,15 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QStandardPaths>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "ui/frame/batch_place.h"
 #include "ui/frame/lines.h"
+#include "ui/import/path_drop.h"
+#include "ui/import/print_sheet_button.h"
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/form_rows.h"
@@ -94,6 +97,8 @@ StartScreen::StartScreen(Thumbnails* thumbnails, QWidget* parent)
   all->addWidget(message_);
   all->addLayout(columns, 1);
   connect(fresh_, &NewProject::changed, this, &StartScreen::follow);
+  setAcceptDrops(true);
+  connect(new PathDrop(this), &PathDrop::dropped, this, &StartScreen::photographsChosen);
   follow();
 }
 
@@ -108,8 +113,9 @@ QWidget* StartScreen::buildRecent() {
   const int line = fontMetrics().height();
   recent_->setIconSize(QSize(line * 4, line * 3));
   no_recent_ =
-      new QLabel(tr("No project yet. Create one, or try everything with the virtual rig: it "
-                    "breaks a pot and photographs its sherds for you."),
+      new QLabel(tr("No project yet. Import photographs of both sides of your sherds, or drop "
+                    "their folders here: a project is created for them. To practise, try the "
+                    "virtual rig: it breaks a pot and photographs its sherds for you."),
                  box);
   no_recent_->setWordWrap(true);
   no_recent_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -118,10 +124,14 @@ QWidget* StartScreen::buildRecent() {
   connect(open_, &QPushButton::clicked, this, &StartScreen::openChosen);
   connect(recent_, &QListWidget::currentRowChanged, this, &StartScreen::follow);
   QPushButton* open = iconButton(box, "openProject", "open", tr("&Open a project…"));
-  try_ = new BigButton(QStringLiteral("tryVirtualRig"), tr("Try with the virtual rig"), box);
+  photographs_ = new BigButton(QStringLiteral("startPhotographs"), tr("Import photographs…"), box);
+  photographs_->setToolTip(tr("Creates a project named after their folder"));
+  QPushButton* virtual_rig =
+      iconButton(box, "tryVirtualRig", "turntable", tr("Try with the virtual rig"));
   connect(recent_, &QListWidget::itemActivated, this, &StartScreen::openChosen);
   connect(open, &QPushButton::clicked, this, &StartScreen::chooseProject);
-  connect(try_, &QPushButton::clicked, this, &StartScreen::virtualRigWanted);
+  connect(photographs_, &QPushButton::clicked, this, &StartScreen::choosePhotographs);
+  connect(virtual_rig, &QPushButton::clicked, this, &StartScreen::virtualRigWanted);
   connect(thumbnails_, &Thumbnails::ready, this, [this] {
     for (int i = 0; i < recent_->count(); ++i)
       if (QListWidgetItem* item = recent_->item(i); item->icon().isNull())
@@ -135,8 +145,14 @@ QWidget* StartScreen::buildRecent() {
   auto* opening = new QHBoxLayout;
   opening->addWidget(open_, 1);
   opening->addWidget(open, 1);
+  auto* print = new PrintSheetButton(QStringLiteral("startPrintSheet"), box);
+  connect(print, &PrintSheetButton::failed, this, &StartScreen::showError);
+  connect(print, &PrintSheetButton::printed, this,
+          [this](const QString& headline, const QString& words) { tell(headline, words, {}); });
   column->addLayout(opening);
-  column->addWidget(try_);
+  column->addWidget(photographs_);
+  column->addWidget(virtual_rig);
+  column->addWidget(print);
   return box;
 }
 
@@ -217,7 +233,7 @@ void StartScreen::setRecent(const QStringList& folders, const QMap<QString, QStr
   no_recent_->setVisible(recent_->count() == 0);
   if (recent_->count() > 0) recent_->setCurrentRow(0);
   // By keyboard alone: what most come for is one key away.
-  recent_->count() > 0 ? recent_->setFocus() : try_->setFocus();
+  recent_->count() > 0 ? recent_->setFocus() : photographs_->setFocus();
 }
 
 void StartScreen::openChosen() {
@@ -235,8 +251,7 @@ void StartScreen::showError(const Error& error) {
   message_->showError(error, damaged_.isEmpty() ? tr("OK") : tr("Repair the catalogue"));
 }
 
-void StartScreen::showRepair(const QString& headline, const QString& words,
-                             const QString& project) {
+void StartScreen::tell(const QString& headline, const QString& words, const QString& project) {
   damaged_.clear();
   repaired_ = project;
   message_->showWords(headline, words, project.isEmpty() ? tr("OK") : tr("Open the project"));
@@ -260,12 +275,20 @@ void StartScreen::follow() {
   open_->setVisible(recent_->count() > 0);
   open_->setEnabled(recent_->currentRow() >= 0);
   open_->setPrimary(!fresh_->canBeMade());
-  try_->setPrimary(!fresh_->canBeMade() && recent_->count() == 0);
+  photographs_->setPrimary(!fresh_->canBeMade() && recent_->count() == 0);
 }
 
 void StartScreen::chooseFolder() {
   connect(askForFile(this, tr("Folder of the new project"), projectsFolder(), {}),
           &QFileDialog::fileSelected, fresh_, &NewProject::setFolder);
+}
+
+void StartScreen::choosePhotographs() {
+  QFileDialog* dialog = askForFile(
+      this, tr("Folder of the photographs: both sides, or a folder for each side within it"),
+      QStandardPaths::writableLocation(QStandardPaths::PicturesLocation), {});
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& folder) { emit photographsChosen({folder}); });
 }
 
 void StartScreen::chooseProject() {
@@ -279,6 +302,14 @@ void StartScreen::findLost(const QString& folder) {
   dialog->setObjectName(QStringLiteral("findProject"));
   connect(dialog, &QFileDialog::fileSelected, this,
           [this, folder](const QString& now) { emit found(folder, now); });
+}
+
+void StartScreen::makeFor(const QStringList& photographs) {
+  fresh_->proposeFor(photographs);
+  name_->setText(fresh_->name());
+  site_->setText(fresh_->siteCode());
+  if (fresh_->canBeMade()) return make();
+  showError(Error::unusable(fresh_->refusal().toStdString(), fresh_->folder().toStdString()));
 }
 
 void StartScreen::make() {

@@ -13,7 +13,8 @@ class BigButton;
 class MessagePanel;
 class Thumbnails;
 
-/// Before a project is open: the recent ones, a new one, one from elsewhere, the virtual rig.
+/// Before a project is open: the recent ones, photographs that a project is made for, a new one,
+/// one from elsewhere, the virtual rig. Folders are dropped onto it, too.
 class StartScreen final : public QWidget {
   Q_OBJECT
 
@@ -24,14 +25,18 @@ class StartScreen final : public QWidget {
   /// Of a damaged catalogue it offers the repair.
   void showError(const Error& error);
   /// project: may be opened now; empty: not.
-  void showRepair(const QString& headline, const QString& words, const QString& project);
+  void tell(const QString& headline, const QString& words, const QString& project);
   NewProject* fresh() const { return fresh_; }
+  /// Makes a project for these photographs: what nobody typed of it is proposed by their folder.
+  void makeFor(const QStringList& photographs);
 
  signals:
   void opened(const QString& folder);                      ///< to be opened
   void found(const QString& lost, const QString& folder);  ///< of a project that was moved
   void repairWanted(const QString& folder);                ///< of its damaged catalogue
   void virtualRigWanted();
+  /// These are to be imported into a project of their own; or one of them is a project.
+  void photographsChosen(const QStringList& paths);
   void settingsWanted();
   void manualWanted();
   void made(const std::shared_ptr<ostraka::upkeep::Project>& project);
@@ -41,6 +46,7 @@ class StartScreen final : public QWidget {
   QWidget* buildNew();
   void follow();
   void chooseFolder();
+  void choosePhotographs();
   void chooseProject();
   void findLost(const QString& folder);
   void make();
@@ -52,7 +58,7 @@ class StartScreen final : public QWidget {
   QListWidget* recent_;
   QLabel *no_recent_, *example_, *refusal_;
   QLineEdit *name_, *site_, *folder_, *numbering_;
-  BigButton *make_, *try_, *open_;
+  BigButton *make_, *photographs_, *open_;
   MessagePanel* message_;
   QString damaged_, repaired_;  ///< folders of the project that the message is about
 };

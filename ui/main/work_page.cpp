@@ -41,6 +41,13 @@ WorkPage::WorkPage(BatchQueue& queue, CaptureScreen& capture, QueueScreen& queue
   connect(&queue, &BatchQueue::batchComputed, this, [this](const QString& number) {
     footer_->say(MainWindow::tr("%1 is ready.").arg(number));
   });
+  // Queued: the other screens have heard of the results by then.
+  connect(
+      &queue, &BatchQueue::batchComputed, this,
+      [this](const QString& number) {
+        if (number == awaited_) emit resultsWanted(QStringLiteral("catalogue"), number);
+      },
+      Qt::QueuedConnection);
   connect(&queue, &BatchQueue::batchFailed, this,
           [this](const QString& number, const QString& why) {
             footer_->say(MainWindow::tr("%1 stopped: %2").arg(number, why));
@@ -92,6 +99,7 @@ void WorkPage::closeProject() {
     screen->closeProject();
   }
   session_ = nullptr;
+  awaited_.clear();
   warned_ = false;
 }
 
@@ -103,6 +111,7 @@ void WorkPage::bringChosen(int index) {
 
 void WorkPage::showScreen(int index) {
   warned_ = false;
+  awaited_.clear();
   pages_->setCurrentIndex(index);
   sidebar_->select(index);
   for (std::size_t i = 0; i < screens_.size(); ++i)
@@ -111,6 +120,7 @@ void WorkPage::showScreen(int index) {
 }
 
 void WorkPage::rest() {
+  awaited_.clear();
   for (Screen* screen : screens_) screen->setInFront(false);
 }
 

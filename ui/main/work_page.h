@@ -36,6 +36,8 @@ class WorkPage final : public QWidget {
   /// What is chosen in the screen in front goes along to this one.
   void bringChosen(int index);
   void showScreen(int index);
+  /// Whoever waits before the queue for this batch is shown what came of it. Empty: nobody waits.
+  void await(const QString& batch) { awaited_ = batch; }
   void rest();  ///< it is hidden: no live picture
   void fit(const QSize& window);
   /// Shows what would be lost by closing, and says so, but only once: who closes again means it.
@@ -48,6 +50,7 @@ class WorkPage final : public QWidget {
 
  signals:
   void screenWanted(int index);
+  void resultsWanted(const QString& icon_name, const QString& batch);
 
  private:
   struct Warning {
@@ -70,6 +73,7 @@ class WorkPage final : public QWidget {
   FooterLine* footer_ = nullptr;
   QString other_work_;  ///< than the queue's
   double other_fraction_ = -1;
+  QString awaited_;      ///< a batch
   bool warned_ = false;  ///< of what closing would lose
 };
 

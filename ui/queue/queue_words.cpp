@@ -101,19 +101,21 @@ QString stageWords(const QString& stage) {
     const char* words;
   };
   static constexpr Words kStages[] = {
-      {"cameras", QT_TRANSLATE_NOOP("Stage", "cameras")},
-      {"masks of the front side", QT_TRANSLATE_NOOP("Stage", "sherd or plate, front")},
-      {"masks of the back side", QT_TRANSLATE_NOOP("Stage", "sherd or plate, back")},
-      {"stereo of the front side", QT_TRANSLATE_NOOP("Stage", "surface, front")},
-      {"stereo of the back side", QT_TRANSLATE_NOOP("Stage", "surface, back")},
-      {"scans of the front side", QT_TRANSLATE_NOOP("Stage", "one scan a sherd, front")},
-      {"scans of the back side", QT_TRANSLATE_NOOP("Stage", "one scan a sherd, back")},
-      {"pairs", QT_TRANSLATE_NOOP("Stage", "which back belongs to which front")},
-      {"models", QT_TRANSLATE_NOOP("Stage", "models")},
-      {"report", QT_TRANSLATE_NOOP("Stage", "report")},
-      {"candidates", QT_TRANSLATE_NOOP("Stage", "more candidates for doubtful pairs")},
-      {"catalogue", QT_TRANSLATE_NOOP("Stage", "catalogue")}};
-  if (stage.isEmpty()) return QCoreApplication::translate("Stage", "begins");
+      {"cameras", QT_TRANSLATE_NOOP("Stage", "Finding the cameras")},
+      {"masks of the front side",
+       QT_TRANSLATE_NOOP("Stage", "Telling sherds from background, front")},
+      {"masks of the back side",
+       QT_TRANSLATE_NOOP("Stage", "Telling sherds from background, back")},
+      {"stereo of the front side", QT_TRANSLATE_NOOP("Stage", "Measuring the shape, front")},
+      {"stereo of the back side", QT_TRANSLATE_NOOP("Stage", "Measuring the shape, back")},
+      {"scans of the front side", QT_TRANSLATE_NOOP("Stage", "Cutting the sherds out, front")},
+      {"scans of the back side", QT_TRANSLATE_NOOP("Stage", "Cutting the sherds out, back")},
+      {"pairs", QT_TRANSLATE_NOOP("Stage", "Matching fronts and backs")},
+      {"models", QT_TRANSLATE_NOOP("Stage", "Closing the models")},
+      {"report", QT_TRANSLATE_NOOP("Stage", "Writing the report")},
+      {"candidates", QT_TRANSLATE_NOOP("Stage", "Looking for other partners in doubtful pairs")},
+      {"catalogue", QT_TRANSLATE_NOOP("Stage", "Entering the sherds into the catalogue")}};
+  if (stage.isEmpty()) return QCoreApplication::translate("Stage", "Starting");
   for (const Words& known : kStages)
     if (stage == QLatin1String(known.stage))
       return QCoreApplication::translate("Stage", known.words);

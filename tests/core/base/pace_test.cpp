@@ -25,7 +25,8 @@ TEST(Pace, IsAGuessBeforeAFifthOfWhatThisRunHasToDo) {
   EXPECT_FALSE(pace.secondsLeft(kStart + seconds(60))) << "a tenth took a minute";
   pace.report(1.0 / 9, kStart + seconds(80));
   ASSERT_TRUE(pace.secondsLeft(kStart + seconds(80)));
-  EXPECT_NEAR(*pace.secondsLeft(kStart + seconds(80)), 320, 1e-6);
+  // 320 s by all of it, 160 s by this stage, of which a ninth is done.
+  EXPECT_NEAR(*pace.secondsLeft(kStart + seconds(80)), 320 - 160.0 / 9, 1e-6);
   Pace again;  // nine tenths were found whole
   again.begin(0.9, kStart);
   again.begin(0.1, kStart + milliseconds(100));
@@ -52,6 +53,43 @@ TEST(Pace, DoesNotLookFastBecauseOfStagesFoundWhole) {
   pace.report(0.5, kStart + milliseconds(10100));
   EXPECT_DOUBLE_EQ(pace.fraction(), 0.75);
   EXPECT_NEAR(*pace.secondsLeft(kStart + milliseconds(10100)), 10, 1e-9);
+}
+
+TEST(Pace, TakesASlowStageInLittleByLittle) {
+  Pace pace;
+  pace.begin(0.5, kStart);
+  Pace::Clock::time_point now = kStart;
+  for (int percent = 1; percent <= 100; ++percent)
+    pace.report(percent / 100.0, now = kStart + seconds(percent));
+  ASSERT_NEAR(*pace.secondsLeft(now), 100, 1);
+  // Its second half is five times as slow: 500 s.
+  pace.begin(0.5, now);
+  double before = *pace.secondsLeft(now), most = before;
+  for (int second = 1; second <= 400; ++second) {
+    pace.report(second / 500.0, now += seconds(1));
+    const double left = *pace.secondsLeft(now);
+    EXPECT_LT(left - before, 5) << "in a second, at " << second;
+    before = left;
+    most = std::max(most, left);
+  }
+  EXPECT_LT(most, 350);
+  EXPECT_NEAR(before, 100, 30) << "within 30 % once most of the stage is done";
+}
+
+// Reports that come in leaps, as of a few large pieces of work.
+TEST(Pace, DoesNotSwingWhereReportsAreRare) {
+  Pace pace;
+  pace.begin(1, kStart);
+  Pace::Clock::time_point now = kStart;
+  double before = 0, grown = 0;
+  for (int second = 1; second < 100; ++second) {
+    now += seconds(1);
+    if (second % 10 == 0) pace.report(second / 100.0, now);
+    const std::optional<double> left = pace.secondsLeft(now);
+    if (left && before > 0) grown += std::max(0.0, *left - before);
+    before = left.value_or(0);
+  }
+  EXPECT_LT(grown, 1);
 }
 
 TEST(Pace, DoesNotCountAPauseAsWork) {

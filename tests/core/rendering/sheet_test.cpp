@@ -8,7 +8,7 @@ using namespace ostraka::rendering;
 // Markers are stated in the paper's own plane, wherever it lies above the table.
 TEST(Sheet, ItsFrameIsThatOfThePapersMiddle) {
   vessels::Random random(3);
-  const SheetSurface sheet(SheetSize::A4, 4, random);
+  const SheetSurface sheet(rig::SheetSize::A4, 4, random);
   const Eigen::Isometry3d plate_from_table = sheet.tableFromPlate().inverse();
   EXPECT_GT(std::abs(sheet.height({0, 0})), 0.2);  // of 4 mm: it does not lie on the table there
   for (const Eigen::Vector2f& p : {Eigen::Vector2f(0, 0), Eigen::Vector2f(2, 0),
@@ -21,6 +21,6 @@ TEST(Sheet, ItsFrameIsThatOfThePapersMiddle) {
 
 TEST(Sheet, AFlatOneLiesInTheTablesFrame) {
   vessels::Random random(3);
-  const SheetSurface sheet(SheetSize::A4, 0, random);
+  const SheetSurface sheet(rig::SheetSize::A4, 0, random);
   EXPECT_TRUE(sheet.tableFromPlate().isApprox(Eigen::Isometry3d::Identity()));
 }

@@ -246,7 +246,7 @@ TEST(WalkAround, ACameraOfALongerLensStandsFartherAway) {
 
 TEST(Sheet, RisesByItsBendAndSherdsLieOnIt) {
   vessels::Random random(3);
-  const rendering::SheetSurface sheet(rendering::SheetSize::A4, 3, random);
+  const rendering::SheetSurface sheet(rig::SheetSize::A4, 3, random);
   float low = 1e9f, high = -1e9f;
   for (float x = -148; x <= 148; x += 4)
     for (float y = -104; y <= 104; y += 4) {
@@ -276,9 +276,9 @@ TEST(Sheet, RisesByItsBendAndSherdsLieOnIt) {
 }
 
 TEST(Sheet, OfAnySizeHasItsMarkersOnThePaper) {
-  for (const rendering::SheetSize size :
-       {rendering::SheetSize::A4, rendering::SheetSize::A3, rendering::SheetSize::Letter}) {
-    const batch::Plate plate = rendering::sheetPlate(size);
+  for (const rig::SheetSize size :
+       {rig::SheetSize::A4, rig::SheetSize::A3, rig::SheetSize::Letter}) {
+    const batch::Plate plate = rig::sheetPlate(size);
     EXPECT_GE(plate.markers.size(), 30u);
     EXPECT_LE(plate.markers.size(), 100u);  // of DICT_5X5_100
     for (std::size_t i = 0; i < plate.markers.size(); ++i) {

@@ -32,6 +32,28 @@ class NewProjectTest : public QObject {
     QCOMPARE(fresh.folder(), QStringLiteral("elsewhere"));
   }
 
+  // Nothing is asked that can be said later; what was typed stays.
+  void isProposedByTheFolderOfThePhotographs() {
+    const QTemporaryDir folder;
+    qputenv("HOME", folder.path().toUtf8());
+    QVERIFY(QDir(folder.path()).mkpath("Grabung Süd/oben"));
+    NewProject fresh;
+    fresh.proposeFor({folder.filePath("Grabung Süd/oben"), folder.filePath("Grabung Süd/unten")});
+    QCOMPARE(fresh.name(), QStringLiteral("Grabung Süd"));
+    QCOMPARE(fresh.siteCode(), QStringLiteral("GRABUNGS"));
+    QCOMPARE(fresh.folder(), folder.filePath("Ostraka/Grabung Süd"));
+    QVERIFY2(fresh.canBeMade(), qPrintable(fresh.refusal()));
+    QVERIFY(QDir(folder.path()).mkpath("Ostraka/oben"));
+    NewProject second;
+    second.setSiteCode("arm1");
+    second.proposeFor({folder.filePath("Grabung Süd/oben")});
+    QCOMPARE(second.siteCode(), QStringLiteral("ARM1"));
+    QCOMPARE(second.folder(), folder.filePath("Ostraka/oben 2"));
+    NewProject other;
+    other.proposeFor({folder.filePath("Φ/x.jpg")});
+    QCOMPARE(other.siteCode(), QStringLiteral("SITE"));
+  }
+
   void isEmptyAgainForTheNextOne() {
     NewProject fresh;
     fresh.setName("Aragats");

@@ -89,7 +89,7 @@ class ScreensTest : public QObject {
       QTest::keyClicks(QApplication::focusWidget(), QString::fromLatin1(text));
     };
     QTRY_VERIFY(QApplication::focusWidget() != nullptr);
-    QCOMPARE(inHand(), QStringLiteral("tryVirtualRig"));
+    QCOMPARE(inHand(), QStringLiteral("startPhotographs"));
     press(Qt::Key_N, Qt::AltModifier);
     QCOMPARE(inHand(), QStringLiteral("newName"));
     type("Seven");

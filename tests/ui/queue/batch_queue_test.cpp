@@ -448,11 +448,12 @@ class BatchQueueTest : public QObject {
   }
 
   void everyStageOfTheChainHasWordsOfItsOwn() {
-    for (const char* stage : {"cameras", "masks of the front side", "stereo of the back side",
-                              "scans of the front side", "pairs", "models", "report"})
-      QVERIFY2(!stageWords(QString::fromLatin1(stage)).isEmpty(), stage);
-    QCOMPARE(stageWords(QStringLiteral("pairs")),
-             QStringLiteral("which back belongs to which front"));
+    for (const char* stage :
+         {"cameras", "masks of the front side", "masks of the back side",
+          "stereo of the front side", "stereo of the back side", "scans of the front side",
+          "scans of the back side", "pairs", "models", "report", "candidates", "catalogue"})
+      QVERIFY2(stageWords(QString::fromLatin1(stage)) != QLatin1String(stage), stage);
+    QCOMPARE(stageWords(QStringLiteral("pairs")), QStringLiteral("Matching fronts and backs"));
   }
 
  private:

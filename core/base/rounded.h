@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-namespace ostraka::rig {
+namespace ostraka {
 
 /// OpenCV leaves its algebra to LAPACK, and some LAPACKs round by where the memory happens to lie.
 /// What comes from there and goes into results is kept to `step` (far below what it is known to,
@@ -10,4 +10,4 @@ inline double rounded(double value, double step) {
   return step * std::round(value / step);
 }
 
-}  // namespace ostraka::rig
+}  // namespace ostraka

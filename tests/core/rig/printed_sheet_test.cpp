@@ -1,0 +1,78 @@
+#include "rig/printed_sheet.h"
+
+#include <gmock/gmock.h>
+
+#include "batch/batch.h"
+#include "files/files.h"
+#include "tests/core/files/temporary_folder.h"
+
+namespace ostraka::rig {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+// From the drawing itself: the ink of each marker lies where plate.json says.
+TEST(PrintedSheet, IsDrawnInTrueScaleWhereItsFileSays) {
+  for (const SheetSize size : {SheetSize::A4, SheetSize::A3, SheetSize::Letter}) {
+    const auto print = printSheet({size});
+    ASSERT_TRUE(print.has_value());
+    ASSERT_EQ(print->pages.size(), 2u);
+    const Page& page = print->pages[0];
+    EXPECT_EQ(Eigen::Vector2d(page.width_mm, page.height_mm), sheetSize(size));
+    ASSERT_EQ(page.layers.size(), 1u);
+    const Layer& layer = page.layers[0];
+    ASSERT_EQ(layer.sheet.items.size(), print->plate.markers.size());
+    for (std::size_t i = 0; i < layer.sheet.items.size(); ++i) {
+      Eigen::AlignedBox2d ink;
+      for (const auto& line : std::get<Shape>(layer.sheet.items[i]).lines)
+        for (const Eigen::Vector2d& p : line) ink.extend(layer.at + p);
+      const auto& corners = print->plate.markers[i].corners;  // 0: upper left, y up
+      EXPECT_LT(
+          (ink.min() - page.layers[0].at - Eigen::Vector2d(corners[0].x(), -corners[0].y())).norm(),
+          1e-9);
+      EXPECT_NEAR(ink.sizes().x(), kSheetMarker_mm, 1e-9);
+      EXPECT_NEAR(ink.sizes().y(), kSheetMarker_mm, 1e-9);
+    }
+  }
+}
+
+TEST(PrintedSheet, HasABarOfTheLengthThatItNames) {
+  const auto print = printSheet({SheetSize::Letter});
+  double longest = 0;
+  std::string words;
+  for (const auto& item : print->pages[1].layers[0].sheet.items) {
+    if (const auto* shape = std::get_if<Shape>(&item))
+      longest = std::max(longest, (shape->lines[0][1] - shape->lines[0][0]).norm());
+    if (const auto* text = std::get_if<Text>(&item)) {
+      words += text->text + "\n";
+      EXPECT_LT(text->at.x() + textWidth(*text), print->pages[1].width_mm);
+    }
+  }
+  EXPECT_NEAR(longest, print->bar_mm, 1e-9);
+  EXPECT_THAT(words, HasSubstr("Print at 100 %"));
+  EXPECT_THAT(words, HasSubstr("must measure 200 mm"));
+}
+
+TEST(PrintedSheet, IsWrittenWithItsFileWhichFollowsTheMeasuredBar) {
+  const TemporaryFolder folder;
+  const fs::path pdf = folder.path() / "sheet.pdf";
+  ASSERT_TRUE(writeSheetPrint(pdf, {}).has_value());
+  EXPECT_TRUE(readFile(pdf)->starts_with("%PDF"));
+  const auto drawn = batch::readPlate(folder.path() / "plate.json");
+  ASSERT_TRUE(drawn.has_value());
+  EXPECT_EQ(drawn->markers.size(), sheetPlate(SheetSize::A4).markers.size());
+  ASSERT_TRUE(writeSheetPrint(pdf, {SheetSize::A4, 198}).has_value());
+  const auto measured = batch::readPlate(folder.path() / "plate.json");
+  const auto side = [](const batch::Plate& plate) {
+    return (plate.markers[0].corners[1] - plate.markers[0].corners[0]).norm();
+  };
+  EXPECT_NEAR(side(*measured), 0.99 * side(*drawn), 1e-3);
+  EXPECT_NEAR(measured->sheet->sizes().x(), 0.99 * 297, 1e-9);
+  // Another sheet's file is not replaced, and a bar of another unit is not believed.
+  EXPECT_FALSE(writeSheetPrint(pdf, {SheetSize::A3}).has_value());
+  EXPECT_FALSE(printSheet({SheetSize::A4, 20}).has_value());
+}
+
+}  // namespace
+}  // namespace ostraka::rig

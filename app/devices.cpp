@@ -18,10 +18,9 @@ namespace {
 
 // What only the camera itself tells: the number that binds it to its place.
 void askCameras(std::vector<devices::FoundDevice>& devices) {
-  const Result<std::vector<cameras::FoundCamera>> cameras = cameras::listGphotoCameras();
-  if (!cameras) return;
+  const std::vector<cameras::FoundCamera> cameras = cameras::listGphotoCameras();
   for (devices::FoundDevice& device : devices)
-    for (const cameras::FoundCamera& camera : *cameras) {
+    for (const cameras::FoundCamera& camera : cameras) {
       if (device.kind != devices::DeviceKind::Camera || device.port != camera.id.port) continue;
       device.model = camera.id.model;
       if (!camera.id.serial.empty()) device.serial = device.address = camera.id.serial;

@@ -30,6 +30,15 @@ struct Error {
   static Error unusable(Message what, std::string where = {}) {
     return {ErrorCode::UnusableInput, std::move(what), std::move(where)};
   }
+  static Error notEnough(Message what, std::string where = {}) {
+    return {ErrorCode::NotEnough, std::move(what), std::move(where)};
+  }
+  static Error missing(Message what, std::string where = {}) {
+    return {ErrorCode::Missing, std::move(what), std::move(where)};
+  }
+  static Error failed(Message what, std::string where = {}) {
+    return {ErrorCode::Failed, std::move(what), std::move(where)};
+  }
   /// Undo and redo write only where the field still holds what their step left.
   static Error changedMeanwhile(std::string_view field, std::string where = {}) {
     return unusable(

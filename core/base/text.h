@@ -1,6 +1,8 @@
 #pragma once
+#include <charconv>
 #include <cstdarg>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,6 +21,15 @@ int wholePercent(double share);
 [[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 /// The same for arguments that are passed on.
 [[gnu::format(printf, 1, 0)]] std::string vformatted(const char* format, std::va_list arguments);
+
+/// The number that the whole text is, with a decimal point in every locale.
+template <class Number>
+std::optional<Number> wholeText(std::string_view text) {
+  Number value{};
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failed != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
 
 /// A to Z as a to z; other characters, those of UTF-8 too, stay as they are.
 std::string lowerCase(std::string text);

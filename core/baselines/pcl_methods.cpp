@@ -213,25 +213,19 @@ namespace ostraka::baselines {
 Result<void> enoughPoints(const PointCloud& front, const PointCloud& back) {
   for (const PointCloud* side : {&front, &back}) {
     if (side->size() < kFewestPoints)
-      return Error{
-          ErrorCode::NotEnough,
+      return Error::notEnough(
           message("Too few fracture points for the chosen registration method; use the default "
-                  "method."),
-          {}};
+                  "method."));
     if (!side->hasNormals())
-      return Error{
-          ErrorCode::NotEnough, message("The scan has no normals; export it with normals."), {}};
+      return Error::notEnough(message("The scan has no normals; export it with normals."));
   }
   return {};
 }
 
 Error notConverged() {
-  return {
-      ErrorCode::Failed,
-      message(
-          "The chosen registration method did not converge; use the default method, or align the "
-          "back by hand."),
-      {}};
+  return Error::failed(message(
+      "The chosen registration method did not converge; use the default method, or align the "
+      "back by hand."));
 }
 
 Result<Isometry3d> trimmedIcp(const PointCloud& front, const PointCloud& back,

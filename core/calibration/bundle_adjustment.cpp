@@ -17,7 +17,7 @@ namespace {
 constexpr double kLossScale = 3.0;
 
 using IntrinsicsBlock = std::array<double, 9>;  // fx fy cx cy k1 k2 p1 p2 k3
-using PoseBlock = std::array<double, 6>;        // rotation vector, translation
+using rig::PoseBlock, rig::poseFrom, rig::toBlock;
 
 IntrinsicsBlock toBlock(const rig::Intrinsics& i) {
   return {i.fx,
@@ -29,15 +29,6 @@ IntrinsicsBlock toBlock(const rig::Intrinsics& i) {
           i.distortion[2],
           i.distortion[3],
           i.distortion[4]};
-}
-
-PoseBlock toBlock(const Eigen::Isometry3d& pose) {
-  const Eigen::Vector3d w = rig::rotationVector(pose), t = pose.translation();
-  return {w.x(), w.y(), w.z(), t.x(), t.y(), t.z()};
-}
-
-Eigen::Isometry3d toPose(const PoseBlock& block) {
-  return rig::poseFrom(Eigen::Vector3d(block.data()), Eigen::Vector3d(block.data() + 3));
 }
 
 template <class T>
@@ -224,11 +215,9 @@ class Adjustment {
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem_, &summary);
     if (!summary.IsSolutionUsable() || !std::isfinite(summary.final_cost))
-      return Error{
-          ErrorCode::Failed,
+      return Error::failed(
           message("The bundle adjustment of the rig did not converge; check that plate.json and "
-                  "board.json describe what was photographed."),
-          {}};
+                  "board.json describe what was photographed."));
     store();
     if (options_.cameras == Cameras::Free) storeCovariance();
     return state_;
@@ -372,7 +361,7 @@ class Adjustment {
     for (std::size_t c = 0; c < intrinsics_.size(); ++c) {
       RigState::Camera& camera = state_.cameras[c];
       camera.inset_px = insets_[c];
-      if (options_.cameras != Cameras::Known) camera.camera_from_turntable = toPose(cameras_[c]);
+      if (options_.cameras != Cameras::Known) camera.camera_from_turntable = poseFrom(cameras_[c]);
       if (options_.cameras != Cameras::Free && options_.cameras != Cameras::Separate) continue;
       const IntrinsicsBlock& i = intrinsics_[c];
       camera.intrinsics.fx = i[0];
@@ -381,9 +370,9 @@ class Adjustment {
       camera.intrinsics.cy = i[3];
       camera.intrinsics.distortion = {i[4], i[5], i[6], i[7], i[8]};
     }
-    for (int s = 0; s < 2; ++s) state_.turntable_from_plate[s] = toPose(plates_[s]);
+    for (int s = 0; s < 2; ++s) state_.turntable_from_plate[s] = poseFrom(plates_[s]);
     for (std::size_t v = 0; v < boards_.size(); ++v)
-      state_.camera_from_board[v] = toPose(boards_[v]);
+      state_.camera_from_board[v] = poseFrom(boards_[v]);
   }
 
   // Nothing is stored where the covariance cannot be computed.

@@ -166,11 +166,11 @@ class Poser : MarkerPoser {
     const auto [width, height] = sizeOf(camera);
     const Result<IntrinsicsReport> report = intrinsicsFromPlate(views, width, height);
     if (!report)
-      return Error{ErrorCode::NotEnough,
-                   message("The lens of camera %1 is unknown: no usable pictures of the board and "
-                           "no plate markers were found; add pictures of the board to 'calib'.",
-                           letterOf(camera)),
-                   batch_.folder.string()};
+      return Error::notEnough(
+          message("The lens of camera %1 is unknown: no usable pictures of the board and "
+                  "no plate markers were found; add pictures of the board to 'calib'.",
+                  letterOf(camera)),
+          batch_.folder.string());
     state_.cameras[camera].intrinsics = report->intrinsics;
     warn(
         message("The lens of camera %1 was estimated from the plate's markers alone; add 12 "
@@ -197,12 +197,12 @@ class Poser : MarkerPoser {
     if (!start) {
       int seen = 0;
       for (const auto& markers : markers_) seen += markers.empty() ? 0 : 1;
-      return Error{ErrorCode::NotEnough,
-                   message("The plate's markers were found in %1 of %2 photographs, too few for a "
-                           "pose of each side; check that plate.json belongs to this plate and "
-                           "that the markers are lit and in the picture.",
-                           seen, markers_.size()),
-                   batch_.folder.string()};
+      return Error::notEnough(
+          message("The plate's markers were found in %1 of %2 photographs, too few for a "
+                  "pose of each side; check that plate.json belongs to this plate and "
+                  "that the markers are lit and in the picture.",
+                  seen, markers_.size()),
+          batch_.folder.string());
     }
     start_ = std::move(*start);
     places_.clear();
@@ -331,9 +331,9 @@ class Poser : MarkerPoser {
       if (side == batch::Side::Back && sidesShot() == SidesShot::FrontOnly) break;
       const auto views = std::ranges::count(out_.images, side, &rig::PosedImage::side);
       if (views < kMinViewsPerSide)
-        return Error{ErrorCode::NotEnough,
-                     message(side == batch::Side::Front ? kTooFewOfFront : kTooFewOfBack, views),
-                     batch_.folder.string()};
+        return Error::notEnough(
+            message(side == batch::Side::Front ? kTooFewOfFront : kTooFewOfBack, views),
+            batch_.folder.string());
     }
     for (std::size_t c = 0; c < out_.cameras.size(); ++c)
       out_.cameras[c].median_residual_px = medianOf(residualsOf(c));

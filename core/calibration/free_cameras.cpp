@@ -172,13 +172,12 @@ class FreePoser : MarkerPoser {
         posed += places_[i].camera >= 0 ? 1 : 0;
       }
       if (shots == 0 || posed >= kFewestViews) continue;
-      return Error{
-          ErrorCode::NotEnough,
+      return Error::notEnough(
           message("The sheet's markers can be read in %1 of %2 photographs of the %3 side; at "
                   "least 3 are needed. Check that plate.json describes this sheet, that the "
                   "photographs are not mirrored, and that most of the markers are in the picture.",
                   posed, shots, batch::name(side)),
-          (batch_.plate_file.empty() ? batch_.folder : batch_.plate_file).string()};
+          (batch_.plate_file.empty() ? batch_.folder : batch_.plate_file).string());
     }
     return {};
   }

@@ -56,10 +56,10 @@ Result<Solution> solve(std::span<const TargetView* const> views, cv::Size size, 
         ignored, s.rms_per_view, flags | cv::CALIB_USE_INTRINSIC_GUESS | cv::CALIB_FIX_ASPECT_RATIO,
         cv::TermCriteria(cv::TermCriteria::EPS | cv::TermCriteria::COUNT, 100, 1e-10));
   } catch (const cv::Exception&) {
-    return Error{ErrorCode::Failed, message("No camera model fits the calibration pictures."), {}};
+    return Error::failed(message("No camera model fits the calibration pictures."));
   }
   if (!std::isfinite(s.rms_px) || !cv::checkRange(s.matrix) || !cv::checkRange(s.distortion))
-    return Error{ErrorCode::Failed, message("No camera model fits the calibration pictures."), {}};
+    return Error::failed(message("No camera model fits the calibration pictures."));
   round(s);
   return s;
 }
@@ -99,7 +99,7 @@ IntrinsicsReport reportOf(const Solution& s, std::span<const TargetView* const> 
     report.rms_per_view_px.push_back(s.rms_per_view.at<double>(static_cast<int>(v)));
     const cv::Vec3d turn(s.rotations[v].reshape(1, 3)), shift(s.translations[v].reshape(1, 3));
     report.camera_from_target.push_back(
-        rig::poseFrom(Eigen::Vector3d(turn.val), Eigen::Vector3d(shift.val)));
+        rig::poseFrom({turn[0], turn[1], turn[2], shift[0], shift[1], shift[2]}));
   }
   const auto& rms = report.rms_per_view_px;
   report.worst_view =
@@ -157,11 +157,10 @@ Result<IntrinsicsReport> calibrateIntrinsics(std::span<const TargetView> views, 
           message("%1: the board was not detected; the picture is set aside.", view.file));
   }
   if (usable.size() < kMinViews)
-    return Error{ErrorCode::NotEnough,
-                 message("Calibration pictures that show the board: %1; at least 3 are needed. "
-                         "Take more pictures of it.",
-                         usable.size()),
-                 {}};
+    return Error::notEnough(
+        message("Calibration pictures that show the board: %1; at least 3 are needed. "
+                "Take more pictures of it.",
+                usable.size()));
   const cv::Size size(width, height);
   Result<Solution> full = solve(usable, size, 0);
   if (full) {
@@ -181,9 +180,7 @@ Result<IntrinsicsReport> intrinsicsFromPlate(std::span<const TargetView> views, 
   for (const TargetView& view : views)
     if (view.points.size() >= kMinCorners) usable.push_back(&view);
   if (usable.empty())
-    return Error{ErrorCode::NotEnough,
-                 message("No photograph of this camera shows the plate's markers."),
-                 {}};
+    return Error::notEnough(message("No photograph of this camera shows the plate's markers."));
   const cv::Size size(width, height);
   constexpr int kFlags = cv::CALIB_FIX_PRINCIPAL_POINT | cv::CALIB_ZERO_TANGENT_DIST |
                          cv::CALIB_FIX_K2 | cv::CALIB_FIX_K3;

@@ -25,11 +25,10 @@ void MarkerPoser::warn(const Message& text) {
 
 Result<void> MarkerPoser::readMarkers(Progress& progress) {
   if (!batch_.plate)
-    return Error{
-        ErrorCode::NotEnough,
+    return Error::notEnough(
         message("plate.json is missing, so the plate's markers cannot be used; copy the file "
                 "that 'ostraka plate' wrote with the plate into this folder."),
-        batch_.folder.string()};
+        batch_.folder.string());
   const Result<std::vector<ShotMarkers>> shots =
       findBatchMarkers(batch_, options_.threads, progress, stop_);
   if (!shots) return shots.error();

@@ -27,11 +27,11 @@ Result<void> releaseFromDesktop(
   (void)run("systemctl", {"--user", "stop", "gvfs-gphoto2-volume-monitor.service"});
   for (const devices::FoundDevice& device : find_again())
     if (const auto holders = desktopHolders({device}); !holders.empty())
-      return Error{ErrorCode::Failed,
-                   message("The desktop does not release the camera: it is still in use by %1; "
-                           "close its file window and try again.",
-                           holders.front()),
-                   device.model};
+      return Error::failed(
+          message("The desktop does not release the camera: it is still in use by %1; "
+                  "close its file window and try again.",
+                  holders.front()),
+          device.model);
   return {};
 }
 
@@ -39,8 +39,7 @@ RunProgram programRunner(std::stop_token stop) {
   return [stop](const std::string& program,
                 const std::vector<std::string>& arguments) -> Result<void> {
     const auto found = colmap::findProgram(program);
-    if (!found)
-      return Error{ErrorCode::Missing, message("This program is not installed."), program};
+    if (!found) return Error::missing(message("This program is not installed."), program);
     return colmap::runProgram(*found, arguments, "/dev/null", stop);
   };
 }

@@ -46,7 +46,7 @@ class FolderCamera final : public devices::Camera {
         message("A watched folder has no setting %1; set it on the camera.", name), where());
   }
   Result<std::string> preview(std::stop_token) override {
-    return Error{ErrorCode::Missing, message("A watched folder has no live view."), where()};
+    return Error::missing(message("A watched folder has no live view."), where());
   }
   bool triggersItself() const override { return false; }
   Result<void> trigger() override { return {}; }
@@ -78,11 +78,11 @@ class FolderCamera final : public devices::Camera {
         if (files || files.error().code == ErrorCode::UnusableInput) return files;
       }
       if (clock_->now_s() >= deadline_s)
-        return Error{ErrorCode::Missing,
-                     message("No new photograph arrived within %1 seconds; check that the camera's "
-                             "software writes into this folder.",
-                             static_cast<int>(timeout_s)),
-                     where()};
+        return Error::missing(
+            message("No new photograph arrived within %1 seconds; check that the camera's "
+                    "software writes into this folder.",
+                    static_cast<int>(timeout_s)),
+            where());
       if (!clock_->sleep(options_.poll_s, stop)) return Error::cancelled();
     }
   }
@@ -107,8 +107,8 @@ class FolderCamera final : public devices::Camera {
       if (!gone) files[it->path()] = state;
     }
     if (failed)
-      return Error{ErrorCode::Missing,
-                   message("The watched folder cannot be read (%1).", failed.message()), where()};
+      return Error::missing(message("The watched folder cannot be read (%1).", failed.message()),
+                            where());
     return files;
   }
 
@@ -132,10 +132,10 @@ class FolderCamera final : public devices::Camera {
     }
     for (const auto& [file, state] : fresh) {
       Result<std::string> bytes = readFile(file);
-      if (!bytes) return Error{ErrorCode::Missing, bytes.error().what, bytes.error().where};
+      if (!bytes) return Error::missing(bytes.error().what, bytes.error().where);
       if (batch::hasPhotographEnding(file))
         if (const auto size = batch::imageSize(*bytes, file.string()); !size)
-          return Error{ErrorCode::Missing, size.error().what, file.string()};
+          return Error::missing(size.error().what, file.string());
       const bool belongs =
           batch::hasPhotographEnding(file) || file.stem() == fs::path(photograph).stem();
       if (belongs) files.push_back({file.filename().string(), std::move(*bytes)});

@@ -1,6 +1,8 @@
 #include "cameras/gphoto_camera.h"
 
+#include <fcntl.h>
 #include <gphoto2/gphoto2.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -11,7 +13,6 @@
 
 #include "base/message.h"
 #include "base/text.h"
-#include "cameras/gphoto_library.h"
 
 namespace ostraka::cameras {
 namespace {
@@ -19,8 +20,89 @@ namespace {
 constexpr double kBusy_s = 4;       // "I/O in progress" passes; a person who stops waits as long
 constexpr double kMoreFiles_s = 2;  // RAW and JPEG come one after the other
 constexpr double kPause_s = 0.02;   // a time-out event may come at once
+constexpr double kStart_s = 5;      // cameras take seconds to start
 constexpr double kDrain_s = 0.2;    // silence for so long: nothing is left
 constexpr int kPreviewTries = 3;
+
+// libgphoto2 loads its drivers by libltdl, which is not safe in threads: one lock round loading,
+// opening and closing. The only mutable static here, since the library's state is one as well.
+std::mutex& gphotoLock() {
+  static std::mutex lock;
+  return lock;
+}
+
+// libgphoto2 2.5.30 closes descriptor 0 when it lets a PTP/IP camera go; while this lives, it is
+// put back. Without it the next file that is opened would be 0, and be closed with the next camera.
+class KeepDescriptorZero {
+ public:
+  KeepDescriptorZero() : copy_(::fcntl(0, F_DUPFD_CLOEXEC, 3)) {}
+  ~KeepDescriptorZero() {
+    if (copy_ < 0) return;
+    if (::fcntl(0, F_GETFD) < 0) ::dup2(copy_, 0);
+    ::close(copy_);
+  }
+  KeepDescriptorZero(const KeepDescriptorZero&) = delete;
+  KeepDescriptorZero& operator=(const KeepDescriptorZero&) = delete;
+
+ private:
+  int copy_;
+};
+
+struct GphotoPort {
+  std::string model, port;
+};
+
+// The cameras at all ports. Under the lock.
+std::vector<GphotoPort> detectGphoto(GPContext* context) {
+  std::vector<GphotoPort> seen;
+  CameraList* list = nullptr;
+  if (gp_list_new(&list) < GP_OK) return seen;
+  if (gp_camera_autodetect(list, context) >= GP_OK)
+    for (int i = 0; i < gp_list_count(list); ++i) {
+      const char *model = nullptr, *port = nullptr;
+      gp_list_get_name(list, i, &model);
+      gp_list_get_value(list, i, &port);
+      if (model != nullptr && port != nullptr) seen.push_back({model, port});
+    }
+  gp_list_free(list);
+  return seen;
+}
+
+// An error code of the library in words.
+Error gphotoTrouble(int code, const std::string& where) {
+  switch (code) {
+    case GP_ERROR_IO_USB_CLAIM:
+    case GP_ERROR_IO_LOCK:
+      return Error::missing(
+          message("Another program uses the camera, often the desktop's file manager; 'ostraka "
+                  "devices' names it."),
+          where);
+    case GP_ERROR_IO_USB_FIND:
+    case GP_ERROR_MODEL_NOT_FOUND:
+    case GP_ERROR_UNKNOWN_PORT:
+      return Error::missing(message("The camera is not plugged in or not switched on."), where);
+    case GP_ERROR_TIMEOUT:
+      return Error::missing(
+          message(
+              "The camera does not answer and may be asleep. Turn off its automatic power-off."),
+          where);
+    case GP_ERROR_CAMERA_BUSY:
+      return Error::missing(message("The camera remains busy; switch it off and on."), where);
+    case GP_ERROR_IO:
+    case GP_ERROR:
+    case GP_ERROR_IO_READ:
+    case GP_ERROR_IO_WRITE:
+      return Error::missing(message("The connection to the camera failed; check its cable."),
+                            where);
+    case GP_ERROR_IO_INIT:
+      return Error::missing(
+          message(
+              "The camera cannot be opened; check this user's permissions with 'ostraka devices'."),
+          where);
+    default:
+      return Error::failed(message("The camera reports: %1.", gp_result_as_string(code)), where);
+  }
+}
 
 struct ContextDeleter {
   void operator()(GPContext* c) const { gp_context_unref(c); }
@@ -30,6 +112,12 @@ using Context = std::unique_ptr<GPContext, ContextDeleter>;
 struct FileDeleter {
   void operator()(::CameraFile* f) const { gp_file_unref(f); }
 };
+using File = std::unique_ptr<::CameraFile, FileDeleter>;
+File newFile() {
+  ::CameraFile* made = nullptr;
+  gp_file_new(&made);
+  return File(made);
+}
 struct WidgetDeleter {
   void operator()(CameraWidget* w) const { gp_widget_free(w); }
 };
@@ -76,12 +164,25 @@ class GphotoCamera final : public devices::Camera {
       letGo();
     }
     if (trouble) return *trouble;
-    return Error{
-        ErrorCode::Missing,
+    return Error::missing(
         others.empty()
             ? message("The camera is not plugged in or not switched on.")
             : message("The camera with this serial number is not plugged in; found: %1.", others),
-        serial_};
+        serial_);
+  }
+
+  // Opens each by itself to ask for its number; others may hold it.
+  std::vector<FoundCamera> all() {
+    const std::lock_guard lock(gphotoLock());
+    std::vector<FoundCamera> found;
+    for (const GphotoPort& seen : detectGphoto(context_.get())) {
+      const Result<void> opened = openAt(seen);
+      FoundCamera& entry = found.emplace_back();
+      entry.id = {"gphoto2", seen.model, text("serialnumber"), seen.port};
+      if (!opened) entry.trouble = opened.error().what;
+      letGo();
+    }
+    return found;
   }
 
   devices::CameraId id() const override { return {"gphoto2", model_, serial_, port_}; }
@@ -124,9 +225,7 @@ class GphotoCamera final : public devices::Camera {
     if (camera_ == nullptr) return notOpen();
     int code = GP_OK;
     for (int k = 0; k < kPreviewTries && !stop.stop_requested(); ++k) {
-      ::CameraFile* made = nullptr;
-      gp_file_new(&made);
-      const std::unique_ptr<::CameraFile, FileDeleter> file(made);
+      const File file = newFile();
       code = gp_camera_capture_preview(camera_, file.get(), context_.get());
       if (code >= GP_OK) return bytesOf(file.get());
       if (code != GP_ERROR_CAMERA_BUSY) break;
@@ -134,7 +233,7 @@ class GphotoCamera final : public devices::Camera {
     }
     if (stop.stop_requested()) return Error::cancelled();
     if (code == GP_ERROR_NOT_SUPPORTED)
-      return Error{ErrorCode::Missing, message("This camera has no live view."), serial_};
+      return Error::missing(message("This camera has no live view."), serial_);
     return gphotoTrouble(code, serial_);
   }
 
@@ -150,23 +249,18 @@ class GphotoCamera final : public devices::Camera {
         quiet_s = clock_->now_s();
       }
       if (clock_->now_s() > deadline_s)
-        return Error{ErrorCode::Missing, message("The camera does not stop sending photographs."),
-                     serial_};
+        return Error::missing(message("The camera does not stop sending photographs."), serial_);
     }
     return {};
   }
 
   Result<void> trigger() override {
     if (camera_ == nullptr) return notOpen();
-    const double deadline_s = clock_->now_s() + kBusy_s;
-    while (true) {
+    return onceFree([this] {
       const int code = gp_camera_trigger_capture(camera_, context_.get());
-      if (code >= GP_OK) return {};
-      if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
-        return gphotoTrouble(code, serial_);
-      (void)next();
-      clock_->sleep(0.1, {});
-    }
+      if (code == GP_ERROR_CAMERA_BUSY) (void)next();
+      return code;
+    });
   }
 
   Result<std::vector<devices::CameraFile>> fetch(double timeout_s, std::stop_token stop) override {
@@ -185,10 +279,9 @@ class GphotoCamera final : public devices::Camera {
       deadline_s = clock_->now_s() + kMoreFiles_s;
     }
     if (files.empty())
-      return Error{
-          ErrorCode::Missing,
+      return Error::missing(
           message("The camera sent no photograph; check that it is focused and set to manual."),
-          serial_};
+          serial_);
     return files;
   }
 
@@ -197,12 +290,7 @@ class GphotoCamera final : public devices::Camera {
       const std::lock_guard lock(gphotoLock());
       letGo();
     }
-    const double deadline_s = clock_->now_s() + 5;  // cameras take seconds to start
-    while (true) {
-      const Result<void> opened = open();
-      if (opened || clock_->now_s() > deadline_s) return opened;
-      if (!clock_->sleep(0.5, stop)) return Error::cancelled();
-    }
+    return devices::openWithin(kStart_s, 0.5, *clock_, stop, [this] { return open(); });
   }
 
   Result<void> close() override {
@@ -225,8 +313,20 @@ class GphotoCamera final : public devices::Camera {
   };
 
   Error notOpen() const {
-    return {ErrorCode::Missing, message("The camera is not plugged in or not switched on."),
-            serial_};
+    return Error::missing(message("The camera is not plugged in or not switched on."), serial_);
+  }
+
+  // Calls again while the camera is busy.
+  template <typename Call>
+  Result<void> onceFree(Call&& call) {
+    const double deadline_s = clock_->now_s() + kBusy_s;
+    while (true) {
+      const int code = call();
+      if (code >= GP_OK) return {};
+      if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
+        return gphotoTrouble(code, serial_);
+      clock_->sleep(0.1, {});
+    }
   }
 
   // Under the library's lock.
@@ -330,15 +430,9 @@ class GphotoCamera final : public devices::Camera {
     const Widget found = widget(key);
     if (!found) return Error::unusable(message("The camera has no setting %1.", key), serial_);
     gp_widget_set_value(found.get(), value.c_str());
-    const double deadline_s = clock_->now_s() + kBusy_s;
-    while (true) {
-      const int code =
-          gp_camera_set_single_config(camera_, key.c_str(), found.get(), context_.get());
-      if (code >= GP_OK) return {};
-      if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
-        return gphotoTrouble(code, serial_);
-      clock_->sleep(0.1, {});
-    }
+    return onceFree([&] {
+      return gp_camera_set_single_config(camera_, key.c_str(), found.get(), context_.get());
+    });
   }
 
   // Waits shortly; many events say nothing about files.
@@ -367,18 +461,14 @@ class GphotoCamera final : public devices::Camera {
   }
 
   Result<devices::CameraFile> download(const OnCamera& place) {
-    const double deadline_s = clock_->now_s() + kBusy_s;
-    while (true) {
-      ::CameraFile* made = nullptr;
-      gp_file_new(&made);
-      const std::unique_ptr<::CameraFile, FileDeleter> file(made);
-      const int code = gp_camera_file_get(camera_, place.folder.c_str(), place.name.c_str(),
-                                          GP_FILE_TYPE_NORMAL, file.get(), context_.get());
-      if (code >= GP_OK) return devices::CameraFile{place.name, bytesOf(file.get())};
-      if (code != GP_ERROR_CAMERA_BUSY || clock_->now_s() > deadline_s)
-        return gphotoTrouble(code, serial_);
-      clock_->sleep(0.1, {});
-    }
+    File file;
+    const Result<void> got = onceFree([&] {
+      file = newFile();
+      return gp_camera_file_get(camera_, place.folder.c_str(), place.name.c_str(),
+                                GP_FILE_TYPE_NORMAL, file.get(), context_.get());
+    });
+    if (!got) return got.error();
+    return devices::CameraFile{place.name, bytesOf(file.get())};
   }
 
   std::string serial_;
@@ -391,6 +481,10 @@ class GphotoCamera final : public devices::Camera {
 };
 
 }  // namespace
+
+std::vector<FoundCamera> listGphotoCameras() {
+  return GphotoCamera({}, devices::steadyClock()).all();
+}
 
 Result<std::unique_ptr<devices::Camera>> openGphotoCamera(const std::string& serial,
                                                           std::shared_ptr<devices::Clock> clock) {

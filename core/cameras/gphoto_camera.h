@@ -13,7 +13,7 @@ struct FoundCamera {
   devices::CameraId id;  ///< the serial number is empty when it could not be asked
   Message trouble;       ///< why not, and what to do; empty: all is well
 };
-Result<std::vector<FoundCamera>> listGphotoCameras();
+std::vector<FoundCamera> listGphotoCameras();
 
 /// serial: as the camera tells it, or "ptpip:host:port:port" for one in the network. What is
 /// changed is restored by close(). Files on the camera's card stay there. Errors: Missing (not

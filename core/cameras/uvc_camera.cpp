@@ -139,12 +139,7 @@ class UvcCamera final : public devices::Camera {
 
   Result<void> reopen(std::stop_token stop) override {
     video_.release();
-    const double deadline_s = clock_->now_s() + 2;
-    while (true) {
-      const Result<void> opened = open();
-      if (opened || clock_->now_s() >= deadline_s) return opened;
-      if (!clock_->sleep(0.2, stop)) return Error::cancelled();
-    }
+    return devices::openWithin(2, 0.2, *clock_, stop, [this] { return open(); });
   }
 
   Result<void> close() override {
@@ -159,7 +154,7 @@ class UvcCamera final : public devices::Camera {
   UvcCamera& operator=(const UvcCamera&) = delete;
 
  private:
-  Error gone(const Message& what) const { return {ErrorCode::Missing, what, options_.source}; }
+  Error gone(const Message& what) const { return Error::missing(what, options_.source); }
   Error notOpen() const {
     return gone(
         message("The video camera cannot be opened; check that it is plugged in and that no other "

@@ -89,8 +89,7 @@ Result<void> keepPlate(const fs::path& folder, const batch::Plate& plate) {
   return rig::writePlate(file, plate);
 }
 
-}  // namespace
-
+// Writes a file that must not be there yet, and syncs it.
 Result<void> writeNewFile(const fs::path& path, std::string_view bytes) {
   const FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
   if (!file.isOpen()) return cannotMake(path, errno);
@@ -100,6 +99,7 @@ Result<void> writeNewFile(const fs::path& path, std::string_view bytes) {
   return cannotWrite(path, reason);
 }
 
+// Gives a file another name that must not be taken, in the same file system.
 Result<void> renameToNew(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return {};
   if (errno != EINVAL && errno != ENOSYS) return cannotMake(to, errno);
@@ -115,6 +115,8 @@ Result<void> renameToNew(const fs::path& from, const fs::path& to) {
   if (::rename(from.c_str(), to.c_str()) != 0) return cannotWrite(to, errno);
   return {};
 }
+
+}  // namespace
 
 Result<void> checkPlate(const fs::path& batch, const batch::Plate& plate) {
   const Result<Manifest> manifest = readManifest(batch);

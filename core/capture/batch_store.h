@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -72,9 +71,5 @@ class BatchStore {
 /// Before anything of another rig is written into a batch that has photographs. Errors:
 /// UnusableInput: they were taken on another plate than this one.
 Result<void> checkPlate(const std::filesystem::path& batch, const batch::Plate& plate);
-/// Writes a file that must not be there yet, and syncs it. Errors: CannotWrite.
-Result<void> writeNewFile(const std::filesystem::path& path, std::string_view bytes);
-/// Gives a file another name that must not be taken, in the same file system.
-Result<void> renameToNew(const std::filesystem::path& from, const std::filesystem::path& to);
 
 }  // namespace ostraka::capture

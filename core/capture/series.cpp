@@ -70,7 +70,7 @@ Result<SideSummary> Series::run() {
 Result<void> Series::prepare() {
   if (Result<void> r = options_.check(); !r) return r;
   if (devices_.cameras.empty() || !devices_.turntable)
-    return Error{ErrorCode::Missing, message("The rig has no camera or no turntable."), {}};
+    return Error::missing(message("The rig has no camera or no turntable."));
   const int cameras = static_cast<int>(devices_.cameras.size());
   Result<BatchStore> store =
       BatchStore::open(options_.batch, options_.side, options_.stops, cameras, devices_.plate);
@@ -153,11 +153,10 @@ Result<void> Series::findPosition() {
     return watch.reference.inspection.has_value();
   });
   if (!seen)
-    return Error{
-        ErrorCode::NotEnough,
+    return Error::notEnough(
         message(
             "The turntable's position is unknown: turn its zero mark to the front and set zero."),
-        table.name()};
+        table.name());
   if (Result<void> r = table.zeroHere(stop_); !r) return r;
   zero_unknown_ = true;
   ++epoch_;
@@ -264,11 +263,9 @@ Result<void> Series::refuse(const Shot& shot) {
   progress_.note(NoteLevel::Info,
                  Message("capture: %1 is retaken: %2", {shotWords(shot.stop, shot.camera), why}));
   if (tries_[{shot.stop, shot.camera}] < options_.tries_per_shot) return {};
-  return Error{
-      ErrorCode::Failed,
-      message("Camera %1, position %2 failed %3 times: %4.", batch::cameraLetter(shot.camera),
-              shot.stop + 1, options_.tries_per_shot, why),
-      {}};
+  return Error::failed(message("Camera %1, position %2 failed %3 times: %4.",
+                               batch::cameraLetter(shot.camera), shot.stop + 1,
+                               options_.tries_per_shot, why));
 }
 
 // When all cameras see the plate turned by the same angle too far, it is the table that is wrong;

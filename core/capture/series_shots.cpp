@@ -86,11 +86,10 @@ Result<void> Series::takeProofs(std::vector<int> cameras, const Task& task) {
   for (int round = 0; !cameras.empty(); ++round) {
     if (stop_.stop_requested()) return Error::cancelled();
     if (round == options_.tries_per_shot)
-      return Error{
-          ErrorCode::Failed,
+      return Error::failed(
           message("Camera %1 delivers only earlier or broken photographs; switch it off and on.",
                   batch::cameraLetter(cameras[0])),
-          devices_.cameras[static_cast<std::size_t>(cameras[0])]->id().serial};
+          devices_.cameras[static_cast<std::size_t>(cameras[0])]->id().serial);
     if (round > 0)
       parallelFor(cameras.size(), static_cast<int>(cameras.size()),
                   [&](std::size_t i) { emptyCamera(cameras[i]); });

@@ -52,18 +52,16 @@ Message words(ShotProblem problem) {
   return {};
 }
 
-bool mustNotBeKept(ShotProblem problem) {
-  return problem == ShotProblem::Unreadable || problem == ShotProblem::WrongStop ||
-         problem == ShotProblem::Unplaced || problem == ShotProblem::OtherSize ||
-         problem == ShotProblem::Repeated;
-}
-
 bool ShotCheck::has(ShotProblem problem) const {
   return std::find(problems.begin(), problems.end(), problem) != problems.end();
 }
 
 bool ShotCheck::keepable() const {
-  return std::none_of(problems.begin(), problems.end(), mustNotBeKept);
+  using enum ShotProblem;
+  return std::none_of(problems.begin(), problems.end(), [](ShotProblem problem) {
+    return problem == Unreadable || problem == WrongStop || problem == Unplaced ||
+           problem == OtherSize || problem == Repeated;
+  });
 }
 
 bool ShotCheck::again() const {

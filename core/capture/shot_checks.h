@@ -29,7 +29,6 @@ enum class ShotProblem {
   OtherSettings  ///< exposure, focus or another setting is not the rig's, or the first shot's
 };
 Message words(ShotProblem problem);
-bool mustNotBeKept(ShotProblem problem);
 
 /// A sherd as seen in one picture.
 struct SeenSherd {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "cloud/bounds.h"
+
 namespace ostraka {
 namespace {
 
@@ -29,8 +31,7 @@ Counts countPerCell(const std::vector<Vector3f>& points, float edge) {
 
 // Of cells that hold kPointsPerCell points of a surface on average.
 float gridEdge(const std::vector<Vector3f>& points) {
-  Vector3f low = points[0], high = points[0];
-  for (const Vector3f& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const auto [low, high] = boundsOf(points);
   const float diagonal = std::max((high - low).norm(), 1e-3f);
   float edge = diagonal / 32;
   for (int round = 0; round < kGridRounds; ++round) {

@@ -51,7 +51,7 @@ std::string shortened(std::string output) {
 
 Result<void> requireProgram(const std::string& program, Message missing) {
   if (colmap::findProgram(program)) return {};
-  return Error{ErrorCode::Missing, std::move(missing), {}};
+  return Error::missing(std::move(missing));
 }
 
 }  // namespace
@@ -113,17 +113,17 @@ Result<std::string> Place::runHere(const std::string& program,
   Result<std::string> output = readFile(log, kMostOutput);
   if (done) return output;
   if (done.error().code == ErrorCode::Missing)
-    return Error{ErrorCode::Missing,
-                 message("The program %1 cannot be started there; ask the cluster's administrators "
-                         "how Slurm is reached.",
-                         named),
-                 name()};
+    return Error::missing(
+        message("The program %1 cannot be started there; ask the cluster's administrators "
+                "how Slurm is reached.",
+                named),
+        name());
   if (done.error().code != ErrorCode::Failed) return done.error();
-  return Error{ErrorCode::Failed,
-               message("%1 failed (%2). Nothing is lost; once the cause is removed, run the same "
-                       "command again.",
-                       named, shortened(output ? *output : std::string())),
-               name()};
+  return Error::failed(
+      message("%1 failed (%2). Nothing is lost; once the cause is removed, run the same "
+              "command again.",
+              named, shortened(output ? *output : std::string())),
+      name());
 }
 
 Result<std::string> Place::run(const std::vector<std::string>& words,

@@ -1,7 +1,6 @@
 #include "cluster/queue_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <random>
 
 #include "base/text.h"
@@ -32,11 +31,8 @@ std::vector<std::string_view> wordsIn(std::string_view line) {
 
 // All of it, not negative.
 std::optional<int> number(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc{} || end != text.data() + text.size() || value < 0)
-    return std::nullopt;
-  return value;
+  const auto value = wholeText<int>(text);
+  return value && *value >= 0 ? value : std::nullopt;
 }
 
 bool isWord(std::string_view text) {
@@ -125,11 +121,8 @@ std::optional<double> readFreeSpace_mb(std::string_view text) {
   for (const std::string_view line : split(text, '\n')) {
     const std::vector<std::string_view> words = wordsIn(line);
     if (words.size() < 6 || !words[4].ends_with('%')) continue;
-    double blocks = 0;
-    const auto [end, error] =
-        std::from_chars(words[3].data(), words[3].data() + words[3].size(), blocks);
-    if (error == std::errc{} && end == words[3].data() + words[3].size() && blocks >= 0)
-      free_mb = blocks * 1024 / 1e6;
+    const auto blocks = wholeText<double>(words[3]);
+    if (blocks && *blocks >= 0) free_mb = *blocks * 1024 / 1e6;
   }
   return free_mb;
 }

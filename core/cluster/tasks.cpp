@@ -33,10 +33,6 @@ Task* Tasks::of(const std::string& batch) {
   return found == tasks.end() ? nullptr : &*found;
 }
 
-const Task* Tasks::of(const std::string& batch) const {
-  return const_cast<Tasks*>(this)->of(batch);
-}
-
 bool Tasks::anyUncollected() const {
   return std::any_of(tasks.begin(), tasks.end(), [](const Task& t) { return !t.collected; });
 }

@@ -27,7 +27,6 @@ struct Tasks {
   std::vector<Task> tasks;
 
   Task* of(const std::string& batch);
-  const Task* of(const std::string& batch) const;
   bool anyUncollected() const;
 };
 std::filesystem::path clusterFolder(const std::filesystem::path& project);

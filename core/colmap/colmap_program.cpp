@@ -112,11 +112,10 @@ class Session {
               // much to ask.
               "--Mapper.init_min_tri_angle", "8"});
     if (!mapped && mapped.error().code == ErrorCode::Failed)
-      return Error{
-          ErrorCode::NotEnough,
+      return Error::notEnough(
           message("COLMAP cannot align these photographs; its output is in this file. Check that "
                   "all show the same sherds with large overlap, or photograph on a marker plate."),
-          mapped.error().where};
+          mapped.error().where);
     return mapped;
   }
 
@@ -197,25 +196,6 @@ class Session {
   bool with_masks_ = false;
 };
 
-Eigen::Isometry3d turntableOrIdentity(const ColmapPoses& poses) {
-  std::map<int, std::vector<Eigen::Vector3d>> by_camera;
-  for (const rig::PosedImage& image : poses.images)
-    by_camera[image.camera].push_back(image.centre());
-  std::vector<std::vector<Eigen::Vector3d>> centres;
-  for (auto& [camera, list] : by_camera) centres.push_back(std::move(list));
-  return turntableFromCentres(centres, poses.points).value_or(Eigen::Isometry3d::Identity());
-}
-
-}  // namespace
-
-void moveTo(ColmapPoses& poses, const Eigen::Isometry3d& frame_from_world) {
-  for (rig::PosedImage& image : poses.images)
-    image.camera_from_plate = image.camera_from_plate * frame_from_world.inverse();
-  for (Eigen::Vector3d& point : poses.points) point = frame_from_world * point;
-}
-
-namespace {
-
 double low(std::vector<double> values) {
   if (values.empty()) return 0;
   const std::size_t k = values.size() / 50;  // a few wild points lie below the plate
@@ -223,8 +203,8 @@ double low(std::vector<double> values) {
   return values[k];
 }
 
-}  // namespace
-
+// Turntable frame from camera centres that circle about an axis: centres[k] belong to one camera.
+// Nothing when they do not (fewer than three centres of every camera, or all in one place).
 std::optional<Eigen::Isometry3d> turntableFromCentres(
     const std::vector<std::vector<Eigen::Vector3d>>& centres,
     const std::vector<Eigen::Vector3d>& points) {
@@ -276,6 +256,23 @@ std::optional<Eigen::Isometry3d> turntableFromCentres(
   return world_from_table.inverse();
 }
 
+Eigen::Isometry3d turntableOrIdentity(const ColmapPoses& poses) {
+  std::map<int, std::vector<Eigen::Vector3d>> by_camera;
+  for (const rig::PosedImage& image : poses.images)
+    by_camera[image.camera].push_back(image.centre());
+  std::vector<std::vector<Eigen::Vector3d>> centres;
+  for (auto& [camera, list] : by_camera) centres.push_back(std::move(list));
+  return turntableFromCentres(centres, poses.points).value_or(Eigen::Isometry3d::Identity());
+}
+
+}  // namespace
+
+void moveTo(ColmapPoses& poses, const Eigen::Isometry3d& frame_from_world) {
+  for (rig::PosedImage& image : poses.images)
+    image.camera_from_plate = image.camera_from_plate * frame_from_world.inverse();
+  for (Eigen::Vector3d& point : poses.points) point = frame_from_world * point;
+}
+
 ColmapPoses scaledTo(ColmapPoses poses, double mm_per_unit) {
   for (rig::PosedImage& image : poses.images) image.camera_from_plate.translation() *= mm_per_unit;
   for (Eigen::Vector3d& point : poses.points) point *= mm_per_unit;
@@ -289,11 +286,9 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
   const std::optional<fs::path> program =
       options.program.empty() ? findProgram("colmap") : std::optional(options.program);
   if (!program)
-    return Error{
-        ErrorCode::Missing,
+    return Error::missing(
         message("Without plate.json, poses come from COLMAP, which is not installed; install the "
-                "package 'colmap' or photograph on a marker plate."),
-        {}};
+                "package 'colmap' or photograph on a marker plate."));
   Session session(*program, fs::absolute(workspace), options, progress, stop);
   if (const Result<void> done = session.prepare(shots); !done) return done.error();
   if (const Result<void> done = session.run(); !done) return done.error();
@@ -316,11 +311,11 @@ Result<ColmapPoses> poseWithColmap(const std::vector<batch::Shot>& shots, const 
   }
   const auto needed = std::max(3.0, std::ceil(options.min_posed_share * shots.size()));
   if (static_cast<double>(poses.images.size()) < needed)
-    return Error{ErrorCode::NotEnough,
-                 message("COLMAP found poses for %1 of %2 photographs, too few; provide masks or "
-                         "photograph on a marker plate.",
-                         poses.images.size(), shots.size()),
-                 workspace.string()};
+    return Error::notEnough(
+        message("COLMAP found poses for %1 of %2 photographs, too few; provide masks or "
+                "photograph on a marker plate.",
+                poses.images.size(), shots.size()),
+        workspace.string());
   for (const ColmapPoint& point : model->points) {
     poses.points.push_back(point.position);
     poses.reprojection_px += point.error_px / static_cast<double>(model->points.size());

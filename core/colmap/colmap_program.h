@@ -67,10 +67,4 @@ void moveTo(ColmapPoses& poses, const Eigen::Isometry3d& frame_from_world);
 /// The same with lengths times `mm_per_unit`, as a known length or a board gives it.
 ColmapPoses scaledTo(ColmapPoses poses, double mm_per_unit);
 
-/// Turntable frame from camera centres that circle about an axis: centres[k] belong to one camera.
-/// Nothing when they do not (fewer than three centres of every camera, or all in one place).
-std::optional<Eigen::Isometry3d> turntableFromCentres(
-    const std::vector<std::vector<Eigen::Vector3d>>& centres,
-    const std::vector<Eigen::Vector3d>& points);
-
 }  // namespace ostraka::colmap

@@ -124,15 +124,13 @@ Result<void> runProgram(const std::filesystem::path& program,
   ProcessGroup group;
   const pid_t parent = ::getpid(), child = group.id() > 0 ? ::fork() : -1;
   if (child == 0) becomeProgram(raw.data(), group.id(), parent, file.descriptor());
-  if (child < 0)
-    return Error{ErrorCode::Failed, message("A process cannot be started."), program.string()};
+  if (child < 0) return Error::failed(message("A process cannot be started."), program.string());
   int status = 0;
   while (true) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
     if (ended == child) break;
     if (ended < 0 && errno != EINTR)
-      return Error{ErrorCode::Failed, message("The program's exit status is unknown."),
-                   program.string()};
+      return Error::failed(message("The program's exit status is unknown."), program.string());
     if (stop.stop_requested()) {
       ::kill(child, SIGKILL);  // it may not have joined its group yet
       group.kill();
@@ -143,12 +141,10 @@ Result<void> runProgram(const std::filesystem::path& program,
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
   if (WIFEXITED(status) && WEXITSTATUS(status) == kNotStarted)
-    return Error{ErrorCode::Missing, message("The program cannot be started; install it."),
-                 program.string()};
-  return Error{
-      ErrorCode::Failed,
+    return Error::missing(message("The program cannot be started; install it."), program.string());
+  return Error::failed(
       message("%1 ended with an error; its output is in this file.", program.filename().string()),
-      log.string()};
+      log.string());
 }
 
 }  // namespace ostraka::colmap

@@ -104,19 +104,16 @@ Correction fitted(const Patches<Eigen::Vector3d>& light) {
 
 Result<Correction> correctionBy(const Chart& chart) {
   if (chart.clipped > 0)
-    return Error{
-        ErrorCode::NotEnough,
+    return Error::notEnough(
         message("The colour chart is overexposed or underexposed (clipped patches: %1), so "
                 "it is not used and colours stay as photographed; reshoot it at another "
                 "exposure.",
-                chart.clipped),
-        {}};
+                chart.clipped));
   const Correction found = fitted(chart.light);
   if (!(found.within_95 <= kMostOff))
-    return Error{ErrorCode::NotEnough,
-                 message("The colour chart is shaded, bent or partly hidden, so it is not used and "
-                         "colours stay as photographed; reshoot it flat, whole and evenly lit."),
-                 {}};
+    return Error::notEnough(
+        message("The colour chart is shaded, bent or partly hidden, so it is not used and "
+                "colours stay as photographed; reshoot it flat, whole and evenly lit."));
   return found;
 }
 

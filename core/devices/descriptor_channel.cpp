@@ -1,5 +1,3 @@
-#include "devices/descriptor_channel.h"
-
 #include <fcntl.h>
 #include <netdb.h>
 #include <poll.h>
@@ -13,10 +11,12 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <optional>
 
 #include "base/message.h"
+#include "devices/byte_channel.h"
 #include "devices/clock.h"
 
 namespace ostraka::devices {
@@ -34,11 +34,18 @@ ssize_t send(int fd, std::string_view bytes) {
 
 class DescriptorChannel final : public ByteChannel {
  public:
-  DescriptorChannel(std::string name, int descriptor, std::function<Result<int>()> open)
-      : name_(std::move(name)), open_(std::move(open)), fd_(descriptor) {}
+  DescriptorChannel(std::string name, std::function<Result<int>()> open)
+      : name_(std::move(name)), open_(std::move(open)) {}
   ~DescriptorChannel() override { close(); }
   DescriptorChannel(const DescriptorChannel&) = delete;
   DescriptorChannel& operator=(const DescriptorChannel&) = delete;
+
+  Result<void> open() {
+    const Result<int> fd = open_();
+    if (!fd) return fd.error();
+    fd_ = *fd;
+    return {};
+  }
 
   std::string name() const override { return name_; }
 
@@ -79,16 +86,7 @@ class DescriptorChannel final : public ByteChannel {
 
   Result<void> reopen(std::stop_token stop) override {
     close();
-    const double deadline_s = clock_->now_s() + kReopen_s;
-    while (true) {
-      const Result<int> fd = open_();
-      if (fd) {
-        fd_ = *fd;
-        return {};
-      }
-      if (clock_->now_s() >= deadline_s) return fd.error();
-      if (!clock_->sleep(0.1, stop)) return Error::cancelled();
-    }
+    return openWithin(kReopen_s, 0.1, *clock_, stop, [this] { return open(); });
   }
 
   void close() override {
@@ -98,13 +96,12 @@ class DescriptorChannel final : public ByteChannel {
 
  private:
   Error gone(const Message& why) const {
-    return {ErrorCode::Missing, message("The connection to the turntable failed (%1).", why),
-            name_};
+    return Error::missing(message("The connection to the turntable failed (%1).", why), name_);
   }
 
   std::string name_;
   std::function<Result<int>()> open_;
-  int fd_;
+  int fd_ = -1;
   std::shared_ptr<Clock> clock_ = steadyClock();
 };
 
@@ -118,7 +115,7 @@ std::optional<speed_t> speedOf(int baud) {
 }
 
 Result<int> openPort(const std::string& path, speed_t speed) {
-  const auto missing = [&](const Message& what) { return Error{ErrorCode::Missing, what, path}; };
+  const auto missing = [&](const Message& what) { return Error::missing(what, path); };
   const int fd = ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (fd < 0) {
     if (errno == EACCES)
@@ -161,8 +158,7 @@ Result<int> connectTo(const std::string& host, const std::string& port) {
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   if (::getaddrinfo(host.c_str(), port.c_str(), &hints, &found) != 0)
-    return Error{ErrorCode::Missing, message("The turntable's address is unknown on this network."),
-                 name};
+    return Error::missing(message("The turntable's address is unknown on this network."), name);
   const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> owner(found, ::freeaddrinfo);
   for (const addrinfo* a = found; a != nullptr; a = a->ai_next) {
     const int fd = ::socket(a->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
@@ -179,15 +175,18 @@ Result<int> connectTo(const std::string& host, const std::string& port) {
       return fd;
     ::close(fd);
   }
-  return Error{ErrorCode::Missing, message("The turntable does not answer on the network."), name};
+  return Error::missing(message("The turntable does not answer on the network."), name);
+}
+
+// A channel over a file descriptor that can be polled; open gives a fresh one.
+Result<std::unique_ptr<ByteChannel>> channelOver(std::string name,
+                                                 std::function<Result<int>()> open) {
+  auto channel = std::make_unique<DescriptorChannel>(std::move(name), std::move(open));
+  if (const Result<void> opened = channel->open(); !opened) return opened.error();
+  return std::unique_ptr<ByteChannel>(std::move(channel));
 }
 
 }  // namespace
-
-std::unique_ptr<ByteChannel> makeDescriptorChannel(std::string name, int descriptor,
-                                                   std::function<Result<int>()> open) {
-  return std::make_unique<DescriptorChannel>(std::move(name), descriptor, std::move(open));
-}
 
 Result<std::unique_ptr<ByteChannel>> openSerial(const std::string& path, int baud) {
   const std::optional<speed_t> speed = speedOf(baud);
@@ -195,10 +194,7 @@ Result<std::unique_ptr<ByteChannel>> openSerial(const std::string& path, int bau
     return Error::unusable(
         message("A serial port does not support %1 baud; common rates are 9600 and 115200.", baud),
         path);
-  const auto open = [path, speed] { return openPort(path, *speed); };
-  const Result<int> fd = open();
-  if (!fd) return fd.error();
-  return makeDescriptorChannel(path, *fd, open);
+  return channelOver(path, [path, speed] { return openPort(path, *speed); });
 }
 
 Result<std::unique_ptr<ByteChannel>> openTcp(const std::string& host_and_port) {
@@ -206,10 +202,7 @@ Result<std::unique_ptr<ByteChannel>> openTcp(const std::string& host_and_port) {
   if (colon == std::string::npos || colon == 0 || colon + 1 == host_and_port.size())
     return Error::unusable(message("A network address looks like 192.168.0.7:23."), host_and_port);
   const std::string host = host_and_port.substr(0, colon), port = host_and_port.substr(colon + 1);
-  const auto open = [host, port] { return connectTo(host, port); };
-  const Result<int> fd = open();
-  if (!fd) return fd.error();
-  return makeDescriptorChannel("tcp:" + host_and_port, *fd, open);
+  return channelOver("tcp:" + host_and_port, [host, port] { return connectTo(host, port); });
 }
 
 Result<std::unique_ptr<ByteChannel>> openChannel(const std::string& name, int baud) {

@@ -151,12 +151,7 @@ class UsbChannel final : public ByteChannel {
 
   Result<void> reopen(std::stop_token stop) override {
     close();
-    const double deadline_s = clock_->now_s() + kUsbReopen_s;
-    while (true) {
-      const Result<void> opened = open();
-      if (opened || clock_->now_s() >= deadline_s) return opened;
-      if (!clock_->sleep(0.1, stop)) return Error::cancelled();
-    }
+    return openWithin(kUsbReopen_s, 0.1, *clock_, stop, [this] { return open(); });
   }
 
   // Giving the interfaces back gives them to the kernel's driver again.
@@ -169,7 +164,7 @@ class UsbChannel final : public ByteChannel {
   }
 
  private:
-  Error gone(const Message& what) const { return {ErrorCode::Missing, what, name_}; }
+  Error gone(const Message& what) const { return Error::missing(what, name_); }
 
   Error failed(int rc) {
     if (rc == LIBUSB_ERROR_NO_DEVICE) {

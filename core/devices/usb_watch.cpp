@@ -105,7 +105,7 @@ Result<std::unique_ptr<UsbWatch>> watchUsb(std::function<void()> changed,
                                            const UsbWatchOptions& options) {
   libusb_context* context = nullptr;
   if (libusb_init(&context) != 0)
-    return Error{ErrorCode::Missing, message("USB does not work on this computer."), {}};
+    return Error::missing(message("USB does not work on this computer."));
   return std::unique_ptr<UsbWatch>(
       std::make_unique<LibusbWatch>(context, std::move(changed), options));
 }

@@ -19,7 +19,6 @@ constexpr double kSampleSpacing_mm = 0.15;
 constexpr std::size_t kMostPoints = 200'000;
 constexpr float kOutlier_mm = 2.0f, kCovered_mm = 0.25f;
 constexpr double kCoverAbove_mm = 1.0;  // below it no camera sees the strip
-constexpr std::size_t kCloudBlock = 1024;
 
 // At most `most` of n indices, drawn at random.
 std::vector<std::size_t> someOf(std::size_t n, std::size_t most, std::uint64_t seed) {
@@ -35,10 +34,8 @@ std::vector<std::size_t> someOf(std::size_t n, std::size_t most, std::uint64_t s
 std::vector<int> nearestWithin(const KdTree& tree, const std::vector<Eigen::Vector3f>& queries,
                                float limit_mm, int threads) {
   std::vector<int> found(queries.size());
-  parallelFor((queries.size() + kCloudBlock - 1) / kCloudBlock, threads, [&](std::size_t block) {
-    const std::size_t end = std::min(queries.size(), (block + 1) * kCloudBlock);
-    for (std::size_t i = block * kCloudBlock; i < end; ++i)
-      found[i] = tree.nearest(queries[i], limit_mm).index;
+  parallelForRanges(queries.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) found[i] = tree.nearest(queries[i], limit_mm).index;
   });
   return found;
 }

@@ -1,15 +1,15 @@
 #include "evaluate/model.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <random>
 
 #include "base/median.h"
 #include "cloud/nearest.h"
 #include "evaluate/surface.h"
+#include "pairing/assignment.h"
 
 namespace ostraka::evaluate {
 namespace {
@@ -29,24 +29,13 @@ std::vector<double> distances(const std::vector<SurfacePoint>& found) {
   return d;
 }
 
-// The rigid transform that takes `from` to `to` with the least squares (Kabsch 1976).
+// The rigid transform that takes `from` to `to` with the least squares.
 Eigen::Isometry3d fitRigid(const Points& from, const Points& to) {
-  const auto n = static_cast<double>(from.size());
-  Eigen::Vector3d mean_from = Eigen::Vector3d::Zero(), mean_to = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    mean_from += from[i] / n;
-    mean_to += to[i] / n;
-  }
-  Eigen::Matrix3d cross = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < from.size(); ++i)
-    cross += (to[i] - mean_to) * (from[i] - mean_from).transpose();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(cross, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Matrix3d flip = Eigen::Matrix3d::Identity();
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) flip(2, 2) = -1;
-  Eigen::Isometry3d to_from_from = Eigen::Isometry3d::Identity();
-  to_from_from.linear() = svd.matrixU() * flip * svd.matrixV().transpose();
-  to_from_from.translation() = mean_to - to_from_from.linear() * mean_from;
-  return to_from_from;
+  const auto matrix = [](const Points& points) {
+    return Eigen::Map<const Eigen::Matrix3Xd>(points[0].data(), 3,
+                                              static_cast<Eigen::Index>(points.size()));
+  };
+  return Eigen::Isometry3d(Eigen::umeyama(matrix(from), matrix(to), false));
 }
 
 // 8000 points of the model onto the truth, the farthest 5 % left out, at most 60 rounds
@@ -84,17 +73,14 @@ Eigen::Isometry3d alignByIcp(Points points, const Surface& truth, int threads) {
 }
 
 bool boxesApart(const Points& a, const Points& b, double gap_mm) {
-  const auto low = [](const Points& points) {
-    Eigen::Vector3d v = points[0];
-    for (const Eigen::Vector3d& p : points) v = v.cwiseMin(p);
-    return v;
+  const auto boxOf = [](const Points& points) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& p : points) box.extend(p);
+    return box;
   };
-  const auto high = [](const Points& points) {
-    Eigen::Vector3d v = points[0];
-    for (const Eigen::Vector3d& p : points) v = v.cwiseMax(p);
-    return v;
-  };
-  return ((low(a) - high(b)).array() > gap_mm).any() || ((low(b) - high(a)).array() > gap_mm).any();
+  const Eigen::AlignedBox3d box = boxOf(a);
+  const Eigen::Vector3d gap = Eigen::Vector3d::Constant(gap_mm);
+  return !Eigen::AlignedBox3d(box.min() - gap, box.max() + gap).intersects(boxOf(b));
 }
 
 KdTree treeOf(const Points& points) {
@@ -113,53 +99,6 @@ double shareWithin(const Points& points, const KdTree& tree, float limit_mm) {
 double overlapOf(const Points& a, const Points& b) {
   if (a.empty() || b.empty() || boxesApart(a, b, 3)) return 0;
   return 0.5 * shareWithin(a, treeOf(b), 1.5f) + 0.5 * shareWithin(b, treeOf(a), 1.5f);
-}
-
-// The column of each row, -1 for none, with the greatest sum of gains: shortest augmenting paths
-// over a square cost matrix (Jonker and Volgenant 1987).
-std::vector<int> assign(const Eigen::MatrixXd& gain) {
-  const int rows = static_cast<int>(gain.rows()), columns = static_cast<int>(gain.cols());
-  const int n = std::max(rows, columns);
-  const auto cost = [&](int r, int c) { return r < rows && c < columns ? -gain(r, c) : 0.0; };
-  std::vector<double> u(n + 1), v(n + 1);
-  std::vector<int> row_of(n + 1, 0), way(n + 1, 0);
-  for (int r = 1; r <= n; ++r) {
-    row_of[0] = r;
-    std::vector<double> least(n + 1, std::numeric_limits<double>::infinity());
-    std::vector<bool> used(n + 1, false);
-    int at = 0;
-    do {
-      used[at] = true;
-      double delta = std::numeric_limits<double>::infinity();
-      int next = 0;
-      for (int c = 1; c <= n; ++c) {
-        if (used[c]) continue;
-        const double reduced = cost(row_of[at] - 1, c - 1) - u[row_of[at]] - v[c];
-        if (reduced < least[c]) {
-          least[c] = reduced;
-          way[c] = at;
-        }
-        if (least[c] < delta) {
-          delta = least[c];
-          next = c;
-        }
-      }
-      for (int c = 0; c <= n; ++c) {
-        if (used[c]) {
-          u[row_of[c]] += delta;
-          v[c] -= delta;
-        } else {
-          least[c] -= delta;
-        }
-      }
-      at = next;
-    } while (row_of[at] != 0);
-    for (; at != 0; at = way[at]) row_of[at] = row_of[way[at]];
-  }
-  std::vector<int> column_of(rows, -1);
-  for (int c = 1; c <= columns; ++c)
-    if (row_of[c] >= 1 && row_of[c] <= rows) column_of[row_of[c] - 1] = c - 1;
-  return column_of;
 }
 
 void fillMeans(BatchEvaluation& batch) {
@@ -242,18 +181,22 @@ Result<BatchEvaluation> evaluateBatch(const std::vector<NamedMesh>& models,
                                       std::stop_token stop) {
   std::vector<Points> model_samples;
   for (const NamedMesh& model : models) model_samples.push_back(samplesOf(model.mesh, 1.0, 5));
-  Eigen::MatrixXd overlap = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(truth.size()),
-                                                  static_cast<Eigen::Index>(models.size()));
+  std::vector<pairing::Evidence> overlaps;  // a truth is the front, a model the back
   for (std::size_t t = 0; t < truth.size(); ++t) {
     if (truth[t].mesh.triangles.empty())
       return Error::unusable("The true mesh has no faces.", truth[t].name);
     const Points samples = samplesOf(truth[t].mesh, 1.0, 6);
     for (std::size_t m = 0; m < models.size(); ++m)
-      overlap(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(m)) =
-          overlapOf(model_samples[m], samples);
+      overlaps.push_back({.front = static_cast<int>(t),
+                          .back = static_cast<int>(m),
+                          .log_likelihood = overlapOf(model_samples[m], samples)});
     if (stop.stop_requested()) return Error::cancelled();
   }
-  const std::vector<int> model_of = assign(overlap);
+  const Result<pairing::Assignment> assignment = pairing::assignPairs(
+      overlaps, static_cast<int>(truth.size()), static_cast<int>(models.size()), {});
+  if (!assignment) return assignment.error();
+  std::vector<int> model_of(truth.size(), -1);
+  for (const pairing::Decision& pair : assignment->pairs) model_of[pair.front] = pair.back;
   BatchEvaluation batch;
   std::vector<bool> used(models.size(), false);
   QuietProgress quiet;
@@ -262,10 +205,11 @@ Result<BatchEvaluation> evaluateBatch(const std::vector<NamedMesh>& models,
     SherdFigures sherd;
     sherd.sherd = truth[t].name;
     const int m = model_of[t];
-    if (m >= 0 && overlap(static_cast<Eigen::Index>(t), m) > 0.25) {
+    const double overlap = m < 0 ? 0 : overlaps[t * models.size() + m].log_likelihood;
+    if (overlap > 0.25) {
       used[m] = true;
       sherd.model = models[m].name;
-      sherd.overlap = overlap(static_cast<Eigen::Index>(t), m);
+      sherd.overlap = overlap;
       const Result<ModelFigures> figures =
           compareModel(models[m].mesh, truth[t].mesh, options, quiet, stop);
       if (!figures) return figures.error();

@@ -11,7 +11,6 @@ namespace ostraka::evaluate {
 namespace {
 
 constexpr int kLeafItems = 4;
-constexpr std::size_t kBlock = 1024;  // queries of one piece of work
 
 // Uniform in [0, 1): std::uniform_real_distribution differs between libraries.
 double uniform(std::mt19937_64& random) {
@@ -177,10 +176,8 @@ SurfacePoint Surface::closest(const Eigen::Vector3d& query) const {
 std::vector<SurfacePoint> Surface::closest(std::span<const Eigen::Vector3d> queries,
                                            int threads) const {
   std::vector<SurfacePoint> found(queries.size());
-  const std::size_t blocks = (queries.size() + kBlock - 1) / kBlock;
-  parallelFor(blocks, threads, [&](std::size_t block) {
-    const std::size_t end = std::min(queries.size(), (block + 1) * kBlock);
-    for (std::size_t i = block * kBlock; i < end; ++i) found[i] = closest(queries[i]);
+  parallelForRanges(queries.size(), 1024, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) found[i] = closest(queries[i]);
   });
   return found;
 }

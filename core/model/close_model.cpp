@@ -195,7 +195,7 @@ double usualCell(const Surfels& surfels) {
 }
 
 Error noModel(Message what) {
-  return {ErrorCode::NotEnough, std::move(what), {}};
+  return Error::notEnough(std::move(what));
 }
 
 Result<void> checkInput(const PointCloud& front, const PointCloud& back) {

@@ -5,6 +5,7 @@
 
 #include "base/message.h"
 #include "base/parallel.h"
+#include "cloud/bounds.h"
 
 namespace ostraka::model {
 namespace {
@@ -162,11 +163,7 @@ float Grid::interpolated(const Vector3f& p) const {
 }
 
 Result<Grid> indicator(const Surfels& surfels, float cell_mm, int threads, std::stop_token stop) {
-  Vector3f low = surfels.points[0], high = low;
-  for (const Vector3f& p : surfels.points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const auto [low, high] = boundsOf(surfels.points);
   Grid coarse;
   for (int level = kLevels - 1; level >= 0; --level) {
     Grid grid;
@@ -175,10 +172,8 @@ Result<Grid> indicator(const Surfels& surfels, float cell_mm, int threads, std::
     grid.origin = low.array() - margin;
     const Array3f cells = ((high - low).array() + 2 * margin) / grid.cell_mm;
     if (cells.prod() > 2.6e8f)
-      return Error{
-          ErrorCode::NotEnough,
-          message("The scan is too large for a model at this spacing; use a larger spacing."),
-          {}};
+      return Error::notEnough(
+          message("The scan is too large for a model at this spacing; use a larger spacing."));
     grid.size = cells.ceil().cast<int>() + 1;
     grid.values.assign(static_cast<std::size_t>(grid.size[0]) * grid.size[1] * grid.size[2], 0.0f);
     std::vector<float> right = rightSide(surfels, grid);

@@ -7,6 +7,7 @@
 #include "base/limits.h"
 #include "base/message.h"
 #include "base/text.h"
+#include "cloud/bounds.h"
 #include "model/model.h"
 #include "model/ray_grid.h"
 #include "model/volume_moment.h"
@@ -123,8 +124,7 @@ std::vector<double> thicknesses(const TriangleMesh& mesh, const Vector3d& across
 // gap as small lies between the faces of one rough edge. places: the vertices in the sherd's plane.
 double holesBetween(const TriangleMesh& mesh, const std::vector<Vector2d>& places) {
   constexpr double kPerMm = 4, kLeastHole_mm2 = 1;
-  Vector2d low = places[0], high = places[0];
-  for (const Vector2d& p : places) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const auto [low, high] = boundsOf(places);
   const Raster raster = rasterOver(high - low, kPerMm);
   cv::Mat1b shown(raster.rows + 3, raster.columns + 3, uchar{0});
   constexpr int kShift = 6;

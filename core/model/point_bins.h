@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "cloud/bounds.h"
+
 namespace ostraka::model {
 
 /// Points sorted into cubes, for many queries of one radius. Keeps the points' order within a cube,
@@ -15,11 +17,7 @@ class PointBins {
   /// edge_mm: about the radius of the queries. Enlarged where the box would hold over 2^24 cubes.
   PointBins(std::span<const Eigen::Vector3f> points, float edge_mm) : edge_(edge_mm) {
     if (points.empty()) return;
-    Eigen::Vector3f low = points[0], high = points[0];
-    for (const Eigen::Vector3f& p : points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+    const auto [low, high] = boundsOf(points);
     low_ = low;
     const auto cubes = [&] {
       size_ = ((high - low) / edge_).array().floor().cast<int>() + 1;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/bounds.h"
+
 namespace ostraka::model {
 namespace {
 
@@ -25,12 +27,8 @@ void cubesOf(const TriangleMesh& mesh, const std::array<int, 3>& t, const Vector
 }  // namespace
 
 RayGrid::RayGrid(const TriangleMesh& mesh) : mesh_(mesh), edge_(1) {
-  Vector3f high = mesh.vertices[0];
-  low_ = high;
-  for (const Vector3f& v : mesh.vertices) {
-    low_ = low_.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
+  const auto [low, high] = boundsOf(mesh.vertices);
+  low_ = low;
   // About 2^21 cubes at most, and none finer than the triangles make sense of.
   const Eigen::Array3f box = (high - low_).array() + 1e-3f;
   edge_ = std::max({1.0f, std::cbrt(box.prod() / 2e6f), box.maxCoeff() / 1e5f});

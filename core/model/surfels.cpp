@@ -245,9 +245,8 @@ double spacingOf(const PointCloud& cloud) {
 }
 
 Error tooFew() {
-  return {ErrorCode::NotEnough,
-          message("The scans contain too few points that agree with each other for a model."),
-          {}};
+  return Error::notEnough(
+      message("The scans contain too few points that agree with each other for a model."));
 }
 
 // The chosen points, each moved onto the smooth surface through its neighbours. false: stopped.

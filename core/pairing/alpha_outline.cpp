@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/message.h"
+#include "cloud/bounds.h"
 
 namespace ostraka::pairing {
 namespace {
@@ -16,9 +17,8 @@ class PlanarGrid {
  public:
   PlanarGrid(std::span<const Eigen::Vector2d> points, double cell_mm)
       : points_(points), cell_mm_(cell_mm) {
-    low_ = points[0];
-    Eigen::Vector2d high = points[0];
-    for (const Eigen::Vector2d& p : points) low_ = low_.cwiseMin(p), high = high.cwiseMax(p);
+    const auto [low, high] = boundsOf(points);
+    low_ = low;
     columns_ = static_cast<int>((high.x() - low_.x()) / cell_mm) + 1;
     rows_ = static_cast<int>((high.y() - low_.y()) / cell_mm) + 1;
     first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);

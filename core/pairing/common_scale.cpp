@@ -81,11 +81,9 @@ Result<double> commonScale(std::span<const scan::Scan> fronts, std::span<const s
   }
   if (scales.size() == 1 && best < kCertain) scales.clear();
   if (scales.empty()) {
-    return Error{
-        ErrorCode::NotEnough,
+    return Error::notEnough(
         message("No two outlines match, so the sizes of the two sides cannot be compared; provide "
-                "a known length."),
-        {}};
+                "a known length."));
   }
   return medianOf(scales) * back_factor / front_factor;
 }

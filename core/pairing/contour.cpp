@@ -141,8 +141,7 @@ std::vector<Eigen::Vector2d> mirrored(std::span<const Eigen::Vector2d> closed) {
 
 Result<Contour> traceContour(const PointCloud& cloud, const Eigen::Vector3d& axis) {
   if (cloud.size() < 20) {
-    return Error{
-        ErrorCode::NotEnough, message("A scan of fewer than 20 points has no outline."), {}};
+    return Error::notEnough(message("A scan of fewer than 20 points has no outline."));
   }
   const double spacing = std::max(1e-3, medianSpacing(cloud));
   const std::vector<int> kept = withoutFlyers(cloud, spacing);
@@ -171,7 +170,7 @@ Result<Contour> traceContour(const PointCloud& cloud, const Eigen::Vector3d& axi
   contour.perimeter_mm = perimeter(contour.points);
   contour.area_mm2 = signedArea(contour.points);
   if (contour.area_mm2 <= 0) {
-    return Error{ErrorCode::NotEnough, message("The scan's outline is not closed."), {}};
+    return Error::notEnough(message("The scan's outline is not closed."));
   }
   contour.heights = heightsAt(contour.points, points, std::max(0.5, 1.5 * spacing));
   return contour;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cloud/bounds.h"
+
 namespace ostraka::pairing {
 namespace {
 
@@ -68,11 +70,9 @@ OutlineField::OutlineField(std::vector<Eigen::Vector2d> closed) : line_(std::mov
 void OutlineField::fillRaster() {
   // 1/300 of the length: half a millimetre for a 50 mm sherd, a few neighbours to walk from there.
   cell_mm_ = perimeter_ / 300;
-  low_ = line_[0];
-  Eigen::Vector2d high = line_[0];
-  for (const Eigen::Vector2d& p : line_) low_ = low_.cwiseMin(p), high = high.cwiseMax(p);
+  auto [low, high] = boundsOf(line_);
   const double margin = 12 * cell_mm_;
-  low_.array() -= margin;
+  low_ = low.array() - margin;
   high.array() += margin;
   columns_ = static_cast<int>((high.x() - low_.x()) / cell_mm_) + 1;
   rows_ = static_cast<int>((high.y() - low_.y()) / cell_mm_) + 1;

@@ -10,7 +10,7 @@ namespace ostraka::pairing {
 
 Result<std::vector<double>> turningAngles(std::span<const Eigen::Vector2d> contour, int n) {
   if (contour.size() < 3 || n < 3) {
-    return Error{ErrorCode::NotEnough, message("A contour needs at least three points."), {}};
+    return Error::notEnough(message("A contour needs at least three points."));
   }
   const std::vector<Eigen::Vector2d> p = resampled(contour, n);
   std::vector<double> angles(p.size());

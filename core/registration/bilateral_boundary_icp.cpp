@@ -116,9 +116,8 @@ Result<BilateralBoundaryFit> bilateralBoundaryIcp(const Strip& front, const Stri
     const Pairs pairs = closestPairs(front_side, back_side, fit.front_from_back, fit.scale, radius);
     fit.pairs = static_cast<int>(pairs.front.size());
     if (fit.pairs < 10)
-      return Error{ErrorCode::NotEnough,
-                   message("Fewer than 10 fracture points match; start from a better pose."),
-                   {}};
+      return Error::notEnough(
+          message("Fewer than 10 fracture points match; start from a better pose."));
     fit.rms_mm = std::sqrt(pairs.squares / fit.pairs);
     const Isometry3d before = fit.front_from_back;
     const double scale_before = fit.scale;

@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/median.h"
+#include "cloud/bounds.h"
 #include "cloud/nearest.h"
 
 namespace ostraka::registration {
@@ -48,11 +49,7 @@ Coverage coverageOf(std::span<const Vector2f> points, double cell, double blur) 
   Coverage coverage;
   coverage.cell = cell;
   if (points.size() < 10) return coverage;
-  Vector2f low = points[0], high = points[0];
-  for (const Vector2f& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const auto [low, high] = boundsOf(points);
   const double margin = 4 * blur + 2 * cell;
   coverage.origin = low.cast<double>().array() - margin;
   const Vector2d size = ((high.cast<double>() - coverage.origin).array() + margin) / cell;

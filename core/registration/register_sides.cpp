@@ -293,8 +293,7 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
                                    const RegistrationOptions& options, Progress& progress,
                                    std::stop_token stop) {
   if (starts.empty())
-    return Error{
-        ErrorCode::NotEnough, message("No start pose was given for the registration."), {}};
+    return Error::notEnough(message("No start pose was given for the registration."));
   if (options.method != Method::Default)
     return byOthers(front, back, starts, constraints, options, stop);
   const PairFit pair(front, back, constraints, options);
@@ -354,18 +353,6 @@ Result<Registration> registerSides(const Strip& front, const Strip& back,
   found = checked(std::move(found), front, back);
   progress.report(3, 3);
   return found;
-}
-
-Result<Registration> registerSides(const scan::Scan& front, const scan::Scan& back,
-                                   std::span<const Isometry3d> starts,
-                                   const Constraints& constraints,
-                                   const RegistrationOptions& options, Progress& progress,
-                                   std::stop_token stop) {
-  auto front_strip = prepareStrip(front, options.strip, constraints.front);
-  if (!front_strip) return front_strip.error();
-  auto back_strip = prepareStrip(back, options.strip, constraints.back);
-  if (!back_strip) return back_strip.error();
-  return registerSides(*front_strip, *back_strip, starts, constraints, options, progress, stop);
 }
 
 }  // namespace ostraka::registration

@@ -9,7 +9,6 @@
 #include "base/result.h"
 #include "registration/strip.h"
 #include "rig/sheet_bend.h"
-#include "scan/scan.h"
 
 namespace ostraka::registration {
 
@@ -87,18 +86,12 @@ struct Registration {
   int start = -1;      ///< index of the start it came from
 };
 
-/// Registers two scans that show the two sides of one sherd, from rough start poses (within about
+/// Registers the strips of two scans that show the two sides of one sherd, prepared once with
+/// prepareStrip(scan, options.strip, views of its side), from rough start poses (within about
 /// 3 mm along the fracture and in height, and 5 degrees; where the contour does not tell how far
-/// the back is turned, the colours of the strips do, from any turn). The strips need normals.
-/// Errors: Cancelled, UnusableInput (options), NotEnough (no start, strip too small), Failed (a
-/// method but the default did not converge). 0.3 s a pair, 1 thread; other methods up to 15 s.
-Result<Registration> registerSides(const scan::Scan& front, const scan::Scan& back,
-                                   std::span<const Eigen::Isometry3d> front_from_back_starts,
-                                   const Constraints& constraints,
-                                   const RegistrationOptions& options, Progress& progress,
-                                   std::stop_token stop);
-
-/// The same for strips prepared once with prepareStrip(scan, options.strip, views of its side).
+/// the back is turned, the colours of the strips do, from any turn).
+/// Errors: Cancelled, UnusableInput (options), NotEnough (no start), Failed (a method but the
+/// default did not converge). 0.3 s a pair, 1 thread; other methods up to 15 s.
 Result<Registration> registerSides(const Strip& front, const Strip& back,
                                    std::span<const Eigen::Isometry3d> front_from_back_starts,
                                    const Constraints& constraints,

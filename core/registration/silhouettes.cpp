@@ -7,6 +7,7 @@
 
 #include "base/median.h"
 #include "base/parallel.h"
+#include "cloud/bounds.h"
 #include "cloud/nearest.h"
 
 namespace ostraka::registration {
@@ -50,16 +51,14 @@ std::vector<Vector2f> project(const rig::PosedImage& camera, std::span<const Vec
   return pixels;
 }
 
-std::vector<Vector3f> flatPoints(const std::vector<Vector2d>& points) {
-  std::vector<Vector3f> flat;
-  flat.reserve(points.size());
-  for (const Vector2d& p : points)
-    flat.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0f);
-  return flat;
-}
-
 Vector3f flatPoint(const Vector2d& p) {
   return {static_cast<float>(p.x()), static_cast<float>(p.y()), 0.0f};
+}
+
+std::vector<Vector3f> flatPoints(const std::vector<Vector2d>& points) {
+  std::vector<Vector3f> flat(points.size());
+  std::transform(points.begin(), points.end(), flat.begin(), flatPoint);
+  return flat;
 }
 
 // The mask around the sherd, blurred as the points' coverage is. Empty outside the photograph.
@@ -114,11 +113,7 @@ std::vector<std::size_t> nearOutline(const Outline& outline, std::span<const Vec
                                      double near) {
   std::vector<std::size_t> kept;
   if (outline.points.empty()) return kept;
-  Vector2d low = outline.points[0], high = low;
-  for (const Vector2d& p : outline.points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  auto [low, high] = boundsOf(outline.points);
   const int radius = static_cast<int>(std::ceil(near)) + 1;
   low.array() -= radius + 1;
   const Eigen::Vector2i size = ((high - low).array() + radius + 3).cast<int>();

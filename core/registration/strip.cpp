@@ -165,8 +165,7 @@ const std::map<std::string, Boundary>& boundariesByName() {
 Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options,
                            std::span<const SilhouetteView> views) {
   if (!scan.cloud.hasNormals())
-    return Error{ErrorCode::NotEnough, message("The scan has no normals; export it with normals."),
-                 scan.id};
+    return Error::notEnough(message("The scan has no normals; export it with normals."), scan.id);
   const bool dense = medianSpacing(scan.cloud) < 0.7 * kUsefulSpacingMm;
   const PointCloud cloud = dense ? thinned(scan.cloud, kUsefulSpacingMm) : scan.cloud;
   Strip strip;
@@ -199,11 +198,10 @@ Result<Strip> prepareStrip(const scan::Scan& scan, const StripOptions& options,
     offsets.push_back(std::abs(patch.normal.dot(cloud.points[i] - patch.mean)));
   }
   if (strip.fine.points.size() < 50)
-    return Error{
-        ErrorCode::NotEnough,
+    return Error::notEnough(
         message(
             "Fewer than 50 points are on the fracture; rescan the sherd including its fracture."),
-        scan.id};
+        scan.id);
   if (options.boundary == Boundary::Paper) {
     const std::vector<std::uint8_t> boundary = scan::findBoundary(cloud, views, {});
     for (std::size_t i = 0; i < cloud.size(); ++i)

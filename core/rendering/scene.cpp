@@ -7,16 +7,9 @@
 
 namespace ostraka::rendering {
 
-// Embree, Wald et al., SIGGRAPH 2014. One building thread: the same tree, so the same ties.
-struct Scene::Tracer {
-  RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
-  RTCScene scene = rtcNewScene(device);
-  ~Tracer() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-};
+namespace {
 
+// Unit normals per vertex, weighted by the triangles' areas.
 std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
   std::vector<Eigen::Vector3f> normals(mesh.vertices.size(), Eigen::Vector3f::Zero());
   for (const auto& t : mesh.triangles) {
@@ -27,6 +20,18 @@ std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh) {
   for (Eigen::Vector3f& n : normals) n.normalize();
   return normals;
 }
+
+}  // namespace
+
+// Embree, Wald et al., SIGGRAPH 2014. One building thread: the same tree, so the same ties.
+struct Scene::Tracer {
+  RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
+  RTCScene scene = rtcNewScene(device);
+  ~Tracer() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+};
 
 Scene::Scene(const std::vector<vessels::VirtualSherd>& sherds,
              const std::vector<Eigen::Isometry3d>& plate_from_model, std::vector<Prop> props)

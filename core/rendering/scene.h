@@ -59,7 +59,4 @@ class Scene {
   std::unique_ptr<Tracer> tracer_;
 };
 
-/// Unit normals per vertex, weighted by the triangles' areas.
-std::vector<Eigen::Vector3f> vertexNormals(const TriangleMesh& mesh);
-
 }  // namespace ostraka::rendering

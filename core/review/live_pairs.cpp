@@ -39,7 +39,7 @@ constexpr std::size_t kLeastOfAPart = 200;  // points; fewer make no outline
 
 /// A scan with all that is made from it; each part is made when it is first asked for.
 struct Opened {
-  std::mutex mutex;
+  std::recursive_mutex mutex;
   std::optional<Result<scan::Scan>> scan;
   std::optional<Result<Strip>> strip;
   std::optional<std::vector<Eigen::Vector3d>> outline;  ///< on the outermost surface, plate frame
@@ -51,21 +51,10 @@ struct Photograph {
   rig::PosedImage image;
 };
 
-// The view from highest above: there the sherds hide each other least.
-const rig::PosedImage* highest(const std::vector<rig::PosedImage>& images, Side side) {
-  const rig::PosedImage* best = nullptr;
-  for (const rig::PosedImage& image : images) {
-    if (image.side != side) continue;
-    const double up = image.centre().normalized().z();
-    if (best == nullptr || up > best->centre().normalized().z() + 1e-3) best = &image;
-  }
-  return best;
-}
-
-std::optional<std::vector<Eigen::Vector3d>> outlined(const PointCloud& cloud,
-                                                     const Eigen::Vector3d& up) {
+// Empty where it has none.
+std::vector<Eigen::Vector3d> outlined(const PointCloud& cloud, const Eigen::Vector3d& up) {
   const Result<pairing::Contour> contour = pairing::traceContour(cloud, up);
-  if (!contour) return std::nullopt;
+  if (!contour) return {};
   const Isometry3d scan_from_plane = contour->plane_from_scan.inverse();
   std::vector<Eigen::Vector3d> outline;
   for (std::size_t i = 0; i < contour->points.size(); ++i)
@@ -120,17 +109,6 @@ void addTurns(PairView& view) {
   view.turns_difference = std::sqrt(sum / kTurnSamples);
 }
 
-LiveFit fitOf(const registration::Registration& r) {
-  LiveFit fit;
-  fit.front_from_back = r.front_from_back;
-  fit.fracture_rms_mm = r.fracture_rms_mm;
-  fit.fracture_overlap = r.fracture_overlap;
-  fit.uncertainty_mm = r.uncertainty_mm;
-  fit.check_failed = r.check_failed;
-  fit.failed_check = r.failed_check;
-  return fit;
-}
-
 // As one figure after the other is shown, all must be measured alike.
 LiveFit shownAt(const Strip& front, const Strip& back, const Isometry3d& pose) {
   const registration::PoseFigures figures = registration::figuresAt(front, back, pose);
@@ -151,64 +129,62 @@ struct LivePairs::State {
   mutable std::mutex photographs_mutex;
   mutable std::map<Side, Result<Photograph>> photographs;
 
-  Opened& at(Side side, int scan) const { return opened.at({side, scan}); }
-
-  /// Both with the lock of `slot` held.
-  const Result<scan::Scan>& read(Opened& slot, Side side, int scan) const {
-    if (slot.scan) return *slot.scan;
+  Result<scan::Scan> read(Side side, int scan) const {
     const std::size_t i = static_cast<std::size_t>(scan);
     const bool front = side == Side::Front;
     Result<PointCloud> cloud =
         readPlyCloud(output / "work" / (front ? table.front_files[i] : table.back_files[i]));
-    if (!cloud) {
-      slot.scan = Result<scan::Scan>(cloud.error());
-      return *slot.scan;
-    }
+    if (!cloud) return cloud.error();
     scan::Scan read{(front ? table.fronts[i] : table.backs[i]).id,
                     std::move(*cloud),
                     {},
                     Eigen::Vector3d::UnitZ()};
     read.fracture = scan::findFracture(read.cloud, read.up);
     if (!front && table.back_scale != 1) read = pairing::scaled(read, table.back_scale);
-    slot.scan = Result<scan::Scan>(std::move(read));
-    return *slot.scan;
-  }
-  const Result<Strip>& prepared(Opened& slot, Side side, int scan) const {
-    if (slot.strip) return *slot.strip;
-    const Result<scan::Scan>& points = read(slot, side, scan);
-    slot.strip = points ? registration::prepareStrip(*points, {}) : Result<Strip>(points.error());
-    return *slot.strip;
-  }
-  const std::vector<Eigen::Vector3d>& traced(Opened& slot, Side side, int scan) const {
-    if (slot.outline) return *slot.outline;
-    slot.outline.emplace();
-    const Result<scan::Scan>& points = read(slot, side, scan);
-    if (!points) return *slot.outline;
-    if (auto outline = outlined(points->cloud, points->up)) *slot.outline = std::move(*outline);
-    return *slot.outline;
+    return read;
   }
 
   /// The scan stays where it is until this object dies: what is made is never made again.
   Result<const scan::Scan*> scanOf(Side side, int scan) const {
-    Opened& slot = at(side, scan);
+    Opened& slot = opened.at({side, scan});
     const std::lock_guard lock(slot.mutex);
-    const Result<scan::Scan>& found = read(slot, side, scan);
-    if (!found) return found.error();
-    return &*found;
+    if (!slot.scan) slot.scan = read(side, scan);
+    if (!*slot.scan) return slot.scan->error();
+    return &**slot.scan;
   }
   Result<const Strip*> stripOf(Side side, int scan) const {
-    Opened& slot = at(side, scan);
+    Opened& slot = opened.at({side, scan});
     const std::lock_guard lock(slot.mutex);
-    const Result<Strip>& found = prepared(slot, side, scan);
-    if (!found) return found.error();
-    return &*found;
+    if (!slot.strip) {
+      const Result<const scan::Scan*> points = scanOf(side, scan);
+      slot.strip = points ? registration::prepareStrip(**points, {}) : points.error();
+    }
+    if (!*slot.strip) return slot.strip->error();
+    return &**slot.strip;
   }
   const std::vector<Eigen::Vector3d>& outlineOf(Side side, int scan) const {
-    Opened& slot = at(side, scan);
+    Opened& slot = opened.at({side, scan});
     const std::lock_guard lock(slot.mutex);
-    return traced(slot, side, scan);
+    if (!slot.outline) {
+      slot.outline.emplace();
+      if (const Result<const scan::Scan*> points = scanOf(side, scan))
+        slot.outline = outlined((*points)->cloud, (*points)->up);
+    }
+    return *slot.outline;
   }
 
+  /// The view from highest above: there the sherds hide each other least.
+  Result<rig::PosedImage> highest(Side side) const {
+    const rig::PosedImage* best = nullptr;
+    for (const rig::PosedImage& image : images) {
+      if (image.side != side) continue;
+      const double up = image.centre().normalized().z();
+      if (best == nullptr || up > best->centre().normalized().z() + 1e-3) best = &image;
+    }
+    if (best == nullptr)
+      return Error::missing(message("There is no photograph of this side."), output.string());
+    return *best;
+  }
   Result<const Photograph*> photographOf(Side side) const {
     const std::lock_guard lock(photographs_mutex);
     auto found = photographs.find(side);
@@ -217,10 +193,8 @@ struct LivePairs::State {
     return &*found->second;
   }
   Result<Photograph> readPhotographOf(Side side) const {
-    const rig::PosedImage* image = highest(images, side);
-    if (image == nullptr)
-      return Error{ErrorCode::Missing, message("There is no photograph of this side."),
-                   output.string()};
+    const Result<rig::PosedImage> image = highest(side);
+    if (!image) return image.error();
     Result<cv::Mat> picture = batch::readPhotograph(image->file);
     if (!picture) return picture.error();
     Photograph photograph{std::move(*picture), {}, *image};
@@ -289,7 +263,9 @@ Result<LiveFit> LivePairs::settled(int front, int back, const Isometry3d& start,
       registration::registerSides(**f, **b, {&start, 1}, constraints, options, quiet, stop);
   if (!found) return found.error();
   if (on_way) on_way(shownAt(**f, **b, found->front_from_back));
-  return fitOf(*found);
+  LiveFit fit;
+  static_cast<registration::Registration&>(fit) = *found;
+  return fit;
 }
 
 Result<LiveFit> LivePairs::measured(int front, int back, const Isometry3d& pose) const {
@@ -330,8 +306,7 @@ Result<decisions::RegisteredCandidate> LivePairs::compared(int front, int back,
       {*f, 1}, {*b, 1}, {{}, {}, supports[0], supports[1]}, options, quiet, stop);
   if (!table) return table.error();
   if (table->candidates.empty())
-    return Error{
-        ErrorCode::NotEnough, message("The outlines of these two sides cannot be overlaid."), {}};
+    return Error::notEnough(message("The outlines of these two sides cannot be overlaid."));
   decisions::RegisteredCandidate found = std::move(table->candidates.front());
   found.evidence.front = front;
   found.evidence.back = back;
@@ -413,11 +388,7 @@ Result<Picture> LivePairs::picture(Side side, int scan, double px_mm) const {
 }
 
 Result<rig::PosedImage> LivePairs::photographed(Side side) const {
-  const rig::PosedImage* image = highest(state_->images, side);
-  if (image == nullptr)
-    return Error{ErrorCode::Missing, message("There is no photograph of this side."),
-                 state_->output.string()};
-  return *image;
+  return state_->highest(side);
 }
 
 Result<std::vector<std::vector<Eigen::Vector2d>>> LivePairs::outlinesIn(
@@ -435,10 +406,10 @@ Result<std::vector<std::vector<Eigen::Vector2d>>> LivePairs::outlinesIn(
   PointCloud rest = outsideOf(largest, cloud);
   while (rest.size() >= kLeastOfAPart) {
     const auto part = outlined(rest, (*found)->up);
-    if (!part) break;
+    if (part.empty()) break;
     outlines.emplace_back();
-    for (const Eigen::Vector3d& p : *part) outlines.back().push_back(photograph.project(p));
-    PointCloud left = outsideOf(*part, rest);
+    for (const Eigen::Vector3d& p : part) outlines.back().push_back(photograph.project(p));
+    PointCloud left = outsideOf(part, rest);
     if (left.size() == rest.size()) break;
     rest = std::move(left);
   }

@@ -14,15 +14,11 @@
 
 namespace ostraka::review {
 
-/// Two sides at a pose, with its figures.
-struct LiveFit {
-  Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
-  double fracture_rms_mm = 0, fracture_overlap = 0;
-  double uncertainty_mm = 0;  ///< 0: nothing was estimated, the pose is as it was given
+/// Two sides at a pose, with its figures; of one that was only measured, those of its fracture.
+/// uncertainty_mm 0: nothing was estimated, the pose is as it was given.
+struct LiveFit : registration::Registration {
   double contour_rms_mm = 0;  ///< 0: not asked
-  bool check_failed = false;
-  registration::FailedCheck failed_check = registration::FailedCheck::None;
-  int shift = -1;  ///< start point on the back's contour, of 200; -1: not known
+  int shift = -1;             ///< start point on the back's contour, of 200; -1: not known
 
   /// So little of the fractures lies together that nothing is shown by it: sides that were seen
   /// well meet along 0.15 and more.

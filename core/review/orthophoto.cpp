@@ -5,6 +5,8 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "cloud/bounds.h"
+
 namespace ostraka::review {
 namespace {
 
@@ -90,11 +92,8 @@ PictureFrame frameAround(std::span<const Eigen::Vector3f> points, double px_mm, 
   PictureFrame frame;
   frame.px_mm = px_mm;
   if (points.empty()) return frame;
-  Eigen::Vector2f low = points[0].head<2>(), high = low;
-  for (const Eigen::Vector3f& p : points) {
-    low = low.cwiseMin(p.head<2>());
-    high = high.cwiseMax(p.head<2>());
-  }
+  const auto [lowest, highest] = boundsOf(points);
+  const Eigen::Vector2f low = lowest.head<2>(), high = highest.head<2>();
   frame.low_mm = low.cast<double>().array() - margin_mm;
   const Eigen::Vector2d size = (high - low).cast<double>().array() + 2 * margin_mm;
   // A metre is no sherd: a flying point must not cost all memory.

@@ -134,19 +134,13 @@ void nameDecision(ReviewCard& card, const decisions::CandidateTable& table,
 
 ReviewCandidate candidateOf(const decisions::RegisteredCandidate& c) {
   ReviewCandidate out;
-  const Registration& r = c.registration;
+  static_cast<Registration&>(out) = c.registration;
   out.back = c.evidence.back;
-  out.fracture_rms_mm = r.fracture_rms_mm;
-  out.fracture_overlap = r.fracture_overlap;
-  out.uncertainty_mm = r.uncertainty_mm;
   out.contour_rms_mm = c.start().contour_rms_mm;
-  out.front_from_back = r.front_from_back;
   out.shift = c.start().shift;
   for (const pairing::StartPose& start : c.starts) out.shifts.push_back(start.shift);
   std::sort(out.shifts.begin(), out.shifts.end());
-  out.check_failed = r.check_failed;
-  out.failed_check = r.failed_check;
-  out.check_value = valueOf(r);
+  out.check_value = valueOf(out);
   return out;
 }
 
@@ -243,10 +237,9 @@ bool onlyConfirm(const decisions::CandidateTable& table, const decisions::Decisi
 Result<void> computedToItsEnd(const std::filesystem::path& output) {
   std::error_code failed;
   if (std::filesystem::exists(output / "report.json", failed)) return {};
-  return Error{
-      ErrorCode::Missing,
+  return Error::missing(
       message("The batch is not fully processed; let the queue process it, then review its pairs."),
-      output.string()};
+      output.string());
 }
 
 ReviewCounts countsOf(const Review& review) {

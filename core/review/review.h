@@ -20,17 +20,13 @@ enum class CardState {
 };
 
 /// One back that may belong to a front, with its fractures compared.
-struct ReviewCandidate {
+struct ReviewCandidate : registration::Registration {
   int back = 0;
   std::optional<double> score = 0;  ///< probability by the program, 0..1; none: it states none
-  double fracture_rms_mm = 0, fracture_overlap = 0, uncertainty_mm = 0;
   double contour_rms_mm = 0;
-  Eigen::Isometry3d front_from_back = Eigen::Isometry3d::Identity();
   int shift = 0;            ///< start point on the back's contour, of 200
   std::vector<int> shifts;  ///< the good start points, rising
-  bool check_failed = false;
-  registration::FailedCheck failed_check = registration::FailedCheck::None;
-  double check_value = 0;  ///< what the failed check is about, in the unit of its field
+  double check_value = 0;   ///< what the failed check is about, in the unit of its field
 };
 
 /// One front: what was found for it, what was decided, why it is doubtful.

@@ -74,15 +74,17 @@ Result<PosedImage> imageFromJson(const nlohmann::json& value, const std::string&
 
 }  // namespace
 
-Eigen::Vector3d rotationVector(const Eigen::Isometry3d& pose) {
+PoseBlock toBlock(const Eigen::Isometry3d& pose) {
   const Eigen::AngleAxisd turn(pose.linear());
-  return turn.angle() * turn.axis();
+  const Eigen::Vector3d w = turn.angle() * turn.axis(), t = pose.translation();
+  return {w.x(), w.y(), w.z(), t.x(), t.y(), t.z()};
 }
 
-Eigen::Isometry3d poseFrom(const Eigen::Vector3d& w, const Eigen::Vector3d& shift) {
+Eigen::Isometry3d poseFrom(const PoseBlock& block) {
+  const Eigen::Vector3d w(block.data());
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   if (w.norm() > 0) pose.linear() = Eigen::AngleAxisd(w.norm(), w.normalized()).toRotationMatrix();
-  pose.translation() = shift;
+  pose.translation() = Eigen::Vector3d(block.data() + 3);
   return pose;
 }
 

@@ -30,9 +30,10 @@ Intrinsics reduced(const Intrinsics& camera, int width, int height);
 /// The same for pictures of so many millions of pixels; itself where it has no more.
 Intrinsics reducedTo(const Intrinsics& camera, double megapixels);
 
-/// A rotation as its axis times its angle, radians, and back; with a shift, a pose.
-Eigen::Vector3d rotationVector(const Eigen::Isometry3d& pose);
-Eigen::Isometry3d poseFrom(const Eigen::Vector3d& rotation_vector, const Eigen::Vector3d& shift);
+/// A rotation as its axis times its angle, radians, then the shift: what adjustments turn.
+using PoseBlock = std::array<double, 6>;
+PoseBlock toBlock(const Eigen::Isometry3d& pose);
+Eigen::Isometry3d poseFrom(const PoseBlock& block);
 
 /// A photograph with its camera and pose: x_camera = camera_from_plate * x_plate.
 struct PosedImage {

@@ -19,7 +19,6 @@ constexpr double kSheetLoss_px = 2;    // px; what is farther off counts less an
 constexpr double kSheetSd_px = 0.5;    // paper is not flat, and edges are fitted to 0.06 px
 
 using Lens = std::array<double, 5>;  // focal length and principal point by the longer side, k1, k2
-using Pose = std::array<double, 6>;
 
 struct MarkerCost {
   Quad seen;
@@ -80,11 +79,6 @@ struct LensCost {
   }
 };
 
-Pose toPose(const Eigen::Isometry3d& pose) {
-  const Eigen::Vector3d w = rotationVector(pose), t = pose.translation();
-  return {w.x(), w.y(), w.z(), t.x(), t.y(), t.z()};
-}
-
 MarkerCost costOf(const SheetView& view, const SeenMarker& seen, double side_mm) {
   return {seen.corners, static_cast<double>(view.width), static_cast<double>(view.height),
           0.5 * side_mm};
@@ -104,11 +98,11 @@ std::array<Eigen::Vector2d, 4> cornersOf(const FlatMarker& marker, double side_m
 SheetFit fitSheet(SheetBundle& sheet) {
   std::map<std::pair<int, int>, Lens> lenses;
   std::vector<double> focus(sheet.views.size(), 0);
-  std::vector<Pose> poses;
+  std::vector<PoseBlock> poses;
   double inset_px = 0;
   for (const SheetView& view : sheet.views) {
     lenses[{view.width, view.height}] = {sheet.focal_px_per_width, 0, 0, 0, 0};
-    poses.push_back(toPose(view.camera_from_sheet));
+    poses.push_back(toBlock(view.camera_from_sheet));
   }
   ceres::Problem problem;
   const auto lensOf = [&lenses](const SheetView& view) {
@@ -145,8 +139,7 @@ SheetFit fitSheet(SheetBundle& sheet) {
   std::map<int, std::pair<double, std::size_t>> by_marker;
   for (std::size_t i = 0; i < sheet.views.size(); ++i) {
     SheetView& view = sheet.views[i];
-    view.camera_from_sheet =
-        poseFrom(Eigen::Vector3d(poses[i].data()), Eigen::Vector3d(poses[i].data() + 3));
+    view.camera_from_sheet = poseFrom(poses[i]);
     for (const SeenMarker& seen : view.markers) {
       const auto at = sheet.markers.find(seen.id);
       if (at == sheet.markers.end()) continue;

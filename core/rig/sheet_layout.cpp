@@ -327,13 +327,10 @@ batch::Plate plateOf(const SheetBundle& sheet, const std::string& dictionary) {
 }
 
 Error unread(std::size_t photographs) {
-  return {
-      ErrorCode::NotEnough,
-      message(
-          "No sheet with at least %1 markers of OpenCV's dictionaries was found in these %2 "
-          "photographs; take photographs that show more of the sheet, or specify its plate.json.",
-          kLeastMarkers, photographs),
-      {}};
+  return Error::notEnough(message(
+      "No sheet with at least %1 markers of OpenCV's dictionaries was found in these %2 "
+      "photographs; take photographs that show more of the sheet, or specify its plate.json.",
+      kLeastMarkers, photographs));
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ std::vector<char> agreeing(const std::vector<cv::Point3f>& points,
 
 Eigen::Isometry3d toIsometry(const cv::Mat& turn, const cv::Mat& shift) {
   const auto at = [](const cv::Mat& values, int k) { return rounded(values.at<double>(k), 1e-7); };
-  return poseFrom({at(turn, 0), at(turn, 1), at(turn, 2)},
-                  {at(shift, 0), at(shift, 1), at(shift, 2)});
+  return poseFrom(
+      {at(turn, 0), at(turn, 1), at(turn, 2), at(shift, 0), at(shift, 1), at(shift, 2)});
 }
 
 }  // namespace

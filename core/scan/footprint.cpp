@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 #include <set>
 #include <utility>
+
+#include "cloud/bounds.h"
 
 namespace ostraka::scan {
 
@@ -15,17 +18,16 @@ double areaFromAbove_mm2(const PointCloud& piece) {
 }
 
 Footprint::Footprint(std::span<const Eigen::Vector2d> points, double cell_mm) : cell_mm_(cell_mm) {
-  low_ = points[0];
-  Eigen::Vector2d high = points[0];
-  for (const Eigen::Vector2d& p : points) low_ = low_.cwiseMin(p), high = high.cwiseMax(p);
-  low_.array() -= 2.5 * cell_mm;
+  const auto [low, high] = boundsOf(points);
+  low_ = low.array() - 2.5 * cell_mm;
   columns_ = static_cast<int>((high.x() - low_.x()) / cell_mm) + 4;
   rows_ = static_cast<int>((high.y() - low_.y()) / cell_mm) + 4;
-  const std::size_t cells = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
-  std::vector<std::uint8_t> filled(cells, 0);
-  for (const Eigen::Vector2d& p : points) filled[cellOf(p)] = 1;
-  depth_.assign(cells, 1e9);
-  markOutside(filled);
+  cv::Mat1b cells(rows_, columns_, uchar{0});
+  for (const Eigen::Vector2d& p : points) cells.data[cellOf(p)] = 1;
+  // Empty cells reached from the corner: holes inside are no outside.
+  constexpr uchar kOutside = 2;
+  cv::floodFill(cells, {0, 0}, kOutside);
+  for (const uchar cell : cells) depth_.push_back(cell == kOutside ? 0 : 1e9);
   sweep();
 }
 
@@ -34,26 +36,6 @@ std::size_t Footprint::cellOf(const Eigen::Vector2d& p) const {
   const int r = std::clamp(static_cast<int>((p.y() - low_.y()) / cell_mm_), 0, rows_ - 1);
   return static_cast<std::size_t>(r) * static_cast<std::size_t>(columns_) +
          static_cast<std::size_t>(c);
-}
-
-/// Empty cells reached from the corner: holes inside are no outside.
-void Footprint::markOutside(const std::vector<std::uint8_t>& filled) {
-  std::vector<std::size_t> stack{0};
-  depth_[0] = 0;
-  while (!stack.empty()) {
-    const std::size_t cell = stack.back();
-    stack.pop_back();
-    const int r = static_cast<int>(cell) / columns_, c = static_cast<int>(cell) % columns_;
-    const auto visit = [&](int row, int column) {
-      if (row < 0 || column < 0 || row >= rows_ || column >= columns_) return;
-      const std::size_t next = static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
-                               static_cast<std::size_t>(column);
-      if (filled[next] || depth_[next] == 0) return;
-      depth_[next] = 0;
-      stack.push_back(next);
-    };
-    visit(r - 1, c), visit(r + 1, c), visit(r, c - 1), visit(r, c + 1);
-  }
 }
 
 void Footprint::sweep() {

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,7 +23,6 @@ class Footprint {
   std::size_t cellOf(const Eigen::Vector2d& p) const;
 
  private:
-  void markOutside(const std::vector<std::uint8_t>& filled);
   void sweep();
 
   double cell_mm_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/bounds.h"
 #include "cloud/nearest.h"
 #include "scan/footprint.h"
 
@@ -22,8 +23,7 @@ constexpr double kFractureReach_mm = 12.0;
 Eigen::Vector3d estimateUp(const PointCloud& cloud) {
   if (cloud.size() < 3) return Eigen::Vector3d::UnitZ();
   // About 60 cubes along the longest side: even weights, whatever the density of the points.
-  Eigen::Vector3f low = cloud.points[0], high = cloud.points[0];
-  for (const Eigen::Vector3f& p : cloud.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const auto [low, high] = boundsOf(cloud.points);
   const double edge = std::max(1e-6, static_cast<double>((high - low).maxCoeff()) / 60);
   const PointCloud even = thinned(cloud, edge);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero(), facing = Eigen::Vector3d::Zero();

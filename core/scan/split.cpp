@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "base/plate_order.h"
 #include "base/text.h"
+#include "cloud/bounds.h"
 #include "cloud/nearest.h"
 #include "scan/footprint.h"
 #include "scan/fracture.h"
@@ -127,8 +128,7 @@ double heightOf(const PointCloud& piece, const rig::SheetBend& ground) {
 }
 
 Extent extentOf(const PointCloud& piece, const rig::SheetBend& ground) {
-  Eigen::Vector3f low = piece.points[0], high = low;
-  for (const Eigen::Vector3f& p : piece.points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  const auto [low, high] = boundsOf(piece.points);
   return {(low + high).head<2>().cast<double>() / 2,
           static_cast<double>((high - low).head<2>().norm()), heightOf(piece, ground)};
 }
@@ -290,13 +290,12 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
   for (PointCloud& piece : joinedByOutlines(above, std::move(large), limits.options, flying))
     if (isSherd(piece, limits, result)) addParts(std::move(piece), limits, result);
   if (result.scans.empty())
-    return Error{ErrorCode::NotEnough,
-                 side == batch::Side::Front
-                     ? message("No sherd was found on the front side; check its masks and "
-                               "photographs.")
-                     : message("No sherd was found on the back side; check its masks and "
-                               "photographs."),
-                 {}};
+    return Error::notEnough(
+        side == batch::Side::Front
+            ? message("No sherd was found on the front side; check its masks and "
+                      "photographs.")
+            : message("No sherd was found on the back side; check its masks and "
+                      "photographs."));
   std::stable_sort(result.scans.begin(), result.scans.end(), [&](const Scan& a, const Scan& b) {
     return comesBefore(extentOf(a.cloud, options.ground).middle,
                        extentOf(b.cloud, options.ground).middle);

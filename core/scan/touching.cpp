@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "cloud/bounds.h"
 #include "scan/seam.h"
 
 namespace ostraka::scan {
@@ -13,9 +14,8 @@ namespace {
 constexpr double kSeamBroken = 0.8;  // of the line between two parts, or it is no seam
 
 Plan planOf(const PointCloud& piece) {
-  Eigen::Vector2f low = piece.points[0].head<2>(), high = low;
-  for (const Eigen::Vector3f& p : piece.points)
-    low = low.cwiseMin(p.head<2>()), high = high.cwiseMax(p.head<2>());
+  const auto [lowest, highest] = boundsOf(piece.points);
+  const Eigen::Vector2f low = lowest.head<2>(), high = highest.head<2>();
   constexpr int kBorder = 4;
   Plan print;
   print.origin = low.cast<double>() - Eigen::Vector2d::Constant(kBorder * kPlanCell_mm);

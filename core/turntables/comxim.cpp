@@ -1,7 +1,6 @@
 #include "turntables/comxim.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -20,12 +19,9 @@ constexpr double kTolerance_deg = 0.3;  // they turn to about a tenth
 constexpr int kMostTurns = 3;           // a first one and two corrections
 
 std::optional<double> numberIn(std::string_view text) {
-  double value = 0;
   if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failed != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
+  const auto value = wholeText<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 class ComXimTurntable final : public LineTurntable {
@@ -50,11 +46,10 @@ class ComXimTurntable final : public LineTurntable {
       answered = answered || reply->kind != Kind::Other || heard_;
     }
     if (!answered)
-      return Error{
-          ErrorCode::Missing,
+      return Error::missing(
           message("The turntable does not answer like a ComXim; check that it is switched on and "
                   "of this type."),
-          where_};
+          where_);
     if (brackets()) {
       // Two spellings are about. An argument that is no number moves nothing: error 71 means that
       // the name was understood.
@@ -115,19 +110,17 @@ class ComXimTurntable final : public LineTurntable {
     }
     if (std::abs(degrees - *position_deg()) <= kTolerance_deg) return {};
     setPosition(std::nullopt);
-    return Error{ErrorCode::Failed,
-                 message("The turntable does not reach its angle; check that nothing blocks it."),
-                 where_};
+    return Error::failed(
+        message("The turntable does not reach its angle; check that nothing blocks it."), where_);
   }
 
  private:
   bool brackets() const { return dialect_ == ComXimDialect::Brackets; }
   Error refused(const ComXimReply& reply) const {
-    return {
-        ErrorCode::Failed,
+    return Error::failed(
         message("The turntable rejected a command (error %1): wrong turntable type or bad cable.",
                 reply.error),
-        where_};
+        where_);
   }
   // Sends it and gives the first reply of one of these kinds; Other: none came in time.
   Result<ComXimReply> ask(const std::string& text, std::initializer_list<Kind> wanted,
@@ -164,8 +157,7 @@ class ComXimTurntable final : public LineTurntable {
       if (reply.kind == Kind::Arrived) return true;
       if (reply.kind == Kind::Paused) {
         setPosition(std::nullopt);
-        return Error{ErrorCode::Failed, message("The turntable was paused with its own button."),
-                     where_};
+        return Error::failed(message("The turntable was paused with its own button."), where_);
       }
     }
     return false;
@@ -213,11 +205,10 @@ class ComXimTurntable final : public LineTurntable {
     if (!arrived) return arrived.error();
     if (tells_angle_) return readPosition(start + by, stop);
     if (!*arrived || reply->kind != Kind::Accepted)
-      return Error{
-          ErrorCode::NotEnough,
+      return Error::notEnough(
           message("A reply from the turntable was lost, and it cannot report its position: home "
                   "it or align it."),
-          where_};
+          where_);
     setPosition(start + by);
     return {};
   }

@@ -1,7 +1,6 @@
 #include "turntables/grbl.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "base/message.h"
@@ -54,16 +53,14 @@ class GrblTurntable final : public LineTurntable {
         }
       }
     }
-    return Error{
-        ErrorCode::Missing,
+    return Error::missing(
         message("The turntable does not answer like a GRBL controller; check that it is switched "
                 "on and of this type."),
-        where_};
+        where_);
   }
 
   Result<void> home(std::stop_token stop) override {
-    if (!has_switch_)
-      return Error{ErrorCode::Missing, message("The turntable has no zero switch."), where_};
+    if (!has_switch_) return Error::missing(message("The turntable has no zero switch."), where_);
     setPosition(std::nullopt);
     // An old 'ok' would pass for the end of a homing that never began: the line must be quiet.
     for (int k = 0; k < 10; ++k) {
@@ -154,14 +151,12 @@ class GrblTurntable final : public LineTurntable {
   void readSetting(std::string_view line) {
     const std::size_t equals = line.find('=');
     if (line.empty() || line[0] != '$' || equals == std::string_view::npos) return;
-    double value = 0;
-    const std::string_view text = line.substr(equals + 1);
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failed != std::errc() || end != text.data() + text.size()) return;
-    if (line.starts_with("$22=")) has_switch_ = value > 0;
+    const auto value = wholeText<double>(line.substr(equals + 1));
+    if (!value) return;
+    if (line.starts_with("$22=")) has_switch_ = *value > 0;
     // Bounded, since a garbled number must not make every place look like the target.
-    if (line.starts_with("$100=") && value > 0)
-      tolerance_deg_ = std::clamp(1.5 / value, 0.005, 0.1);
+    if (line.starts_with("$100=") && *value > 0)
+      tolerance_deg_ = std::clamp(1.5 / *value, 0.005, 0.1);
   }
 
   void overhear(const std::string& line) override {
@@ -206,11 +201,10 @@ class GrblTurntable final : public LineTurntable {
       case Reply::Lost:
         return gone(when_lost);
       case Reply::Restarted:
-        return Error{ErrorCode::NotEnough,
-                     message("The controller restarted; the turntable's position is unknown."),
-                     where_};
+        return Error::notEnough(
+            message("The controller restarted; the turntable's position is unknown."), where_);
       default:
-        return Error{ErrorCode::Failed, answer.words, where_};
+        return Error::failed(answer.words, where_);
     }
   }
 
@@ -224,13 +218,12 @@ class GrblTurntable final : public LineTurntable {
       if (!*heard) return std::optional<GrblReport>();
       if (isBanner(**heard)) {
         setPosition(std::nullopt);
-        return Error{ErrorCode::NotEnough,
-                     message("The controller restarted; the turntable's position is unknown."),
-                     where_};
+        return Error::notEnough(
+            message("The controller restarted; the turntable's position is unknown."), where_);
       }
       if ((*heard)->starts_with("ALARM:")) {
         setPosition(std::nullopt);
-        return Error{ErrorCode::Failed, *grblTrouble(**heard), where_};
+        return Error::failed(*grblTrouble(**heard), where_);
       }
       if (auto report = parseGrblReport(**heard)) {
         if (report->offset) offset_ = *report->offset;
@@ -310,9 +303,8 @@ class GrblTurntable final : public LineTurntable {
     if (!place || (*report)->state != "Idle" || std::abs(*place - start) <= tolerance_deg_)
       return {};
     setPosition(std::nullopt);
-    return Error{ErrorCode::NotEnough,
-                 message("The controller reset its count; the turntable's position is unknown."),
-                 where_};
+    return Error::notEnough(
+        message("The controller reset its count; the turntable's position is unknown."), where_);
   }
 
   Result<void> turn(double start, double target, std::stop_token stop) {

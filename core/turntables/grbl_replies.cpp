@@ -1,26 +1,19 @@
-#include <charconv>
 #include <cmath>
 
+#include "base/text.h"
 #include "turntables/grbl.h"
 
 namespace ostraka::turntables {
 namespace {
 
 std::optional<double> firstNumber(std::string_view text) {
-  double value = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (failed != std::errc() || !std::isfinite(value)) return std::nullopt;
-  if (end != text.data() + text.size() && *end != ',') return std::nullopt;
-  return value;
+  const auto value = wholeText<double>(text.substr(0, text.find(',')));
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::optional<int> codeAfter(std::string_view line, std::string_view start) {
   if (!line.starts_with(start)) return std::nullopt;
-  line.remove_prefix(start.size());
-  int code = 0;
-  const auto [end, failed] = std::from_chars(line.data(), line.data() + line.size(), code);
-  if (failed != std::errc() || end != line.data() + line.size()) return std::nullopt;
-  return code;
+  return wholeText<int>(line.substr(start.size()));
 }
 
 Template<1> alarmWords(int code) {

@@ -27,8 +27,8 @@ double LineTurntable::patience_s(double by_deg) const {
 }
 
 Error LineTurntable::lost() const {
-  return {ErrorCode::NotEnough,
-          message("The turntable's position is unknown: home it or align it."), where_};
+  return Error::notEnough(message("The turntable's position is unknown: home it or align it."),
+                          where_);
 }
 
 Error LineTurntable::noSpeed() {

@@ -37,7 +37,7 @@ class LineTurntable : public devices::Turntable {
   double now_s() { return line_.clock().now_s(); }
   /// For how long a turn by this angle is waited for.
   double patience_s(double by_deg) const;
-  Error gone(const Message& what) const { return {ErrorCode::Missing, what, where_}; }
+  Error gone(const Message& what) const { return Error::missing(what, where_); }
   Error lost() const;
   void setPosition(std::optional<double> degrees);
   /// Where a move to this angle begins. Errors: no angle, position unknown.

@@ -162,11 +162,10 @@ class TextTurntable final : public LineTurntable {
 
   Error trouble(Answer answer) const {
     if (answer == Answer::Restarted)
-      return {ErrorCode::NotEnough,
-              message("The controller restarted; the turntable's position is unknown."), where_};
+      return Error::notEnough(
+          message("The controller restarted; the turntable's position is unknown."), where_);
     if (answer == Answer::Refused)
-      return {ErrorCode::Failed, message("The turntable rejects the command: %1.", complaint_),
-              where_};
+      return Error::failed(message("The turntable rejects the command: %1.", complaint_), where_);
     return gone(message("The turntable does not answer."));
   }
 

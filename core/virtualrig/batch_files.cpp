@@ -75,7 +75,7 @@ Result<void> writeJpeg(const std::filesystem::path& file, const cv::Mat& image,
 Result<void> writePng(const std::filesystem::path& file, const cv::Mat& image) {
   std::vector<unsigned char> bytes;
   if (!cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 6}))
-    return Error{ErrorCode::Failed, message("The picture could not be encoded."), file.string()};
+    return Error::failed(message("The picture could not be encoded."), file.string());
   return writeFileAtomically(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 

@@ -189,7 +189,7 @@ class VirtualCamera final : public Camera {
   bool fileIsOfItsTrigger() const override { return true; }
   Result<std::vector<CameraFile>> fetch(double, std::stop_token stop) override {
     if (!exposed_)
-      return Error{ErrorCode::Missing, message("The camera has taken no photograph."), id().serial};
+      return Error::missing(message("The camera has taken no photograph."), id().serial);
     const double degrees = *exposed_;
     exposed_.reset();
     std::string bytes = place_->picture(number_, degrees, false, stop);

@@ -226,8 +226,13 @@ void runSet(const Arguments& arguments, const std::string& set) {
     constraints.back = back_views;
     if (plates) constraints.front_support = constraints.back_support = rig::SheetBend{};
     QuietProgress quiet;
-    const auto found =
-        registration::registerSides(front, back, starts, constraints, options, quiet, {});
+    const auto front_strip = registration::prepareStrip(front, options.strip, front_views),
+               back_strip = registration::prepareStrip(back, options.strip, back_views);
+    const auto found = !front_strip ? Result<registration::Registration>(front_strip.error())
+                       : !back_strip
+                           ? back_strip.error()
+                           : registration::registerSides(*front_strip, *back_strip, starts,
+                                                         constraints, options, quiet, {});
     Row row;
     row.seconds = cpuSeconds() - before;
     if (!found) {

@@ -126,14 +126,14 @@ void PairReview::accept() {
   decision.settle =
       trial.made == Made::ByHand ? decisions::Settle::AsGiven : decisions::Settle::ByFractures;
   const QString front = batch_.nameOf(hand_.trial()), back = nameOf(batch_.back(trial.back));
-  const review::LiveFit fit =
-      hand_.isMeasured() ? hand_.fit() : review::LiveFit{.fracture_overlap = 1};
+  const bool hardly_meets = hand_.isMeasured() && hand_.fit().hardlyMeets();
+  const QString meeting = percent(hand_.fit().fracture_overlap);
   const std::size_t before = batch_.decisions().size();
   decide(decision, tr("pair %1 – %2").arg(front, back));
-  if (batch_.decisions().size() > before && fit.hardlyMeets())
+  if (batch_.decisions().size() > before && hardly_meets)
     emit failed(
         tr("Saved, with your name; but the fractures of %1 and %2 barely touch: %3 of them.")
-            .arg(front, back, percent(fit.fracture_overlap)));
+            .arg(front, back, meeting));
 }
 
 void PairReview::setAside() {

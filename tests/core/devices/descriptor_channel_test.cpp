@@ -1,4 +1,4 @@
-#include "devices/descriptor_channel.h"
+#include "devices/byte_channel.h"
 
 #include <arpa/inet.h>
 #include <gmock/gmock.h>

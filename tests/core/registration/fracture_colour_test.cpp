@@ -41,11 +41,12 @@ Isometry3d turned(const SimulatedSherd& sherd, double rad) {
   return Eigen::AngleAxisd(rad, Vector3d::UnitZ()) * sherd.truth;
 }
 
-Result<Registration> run(const SimulatedSherd& sherd, const Isometry3d& start) {
+Result<Registration> run(const SimulatedSherd& sherd, const std::vector<Isometry3d>& starts) {
   QuietProgress quiet;
   Constraints plates;
   plates.front_support = plates.back_support = rig::SheetBend{};
-  return registerSides(sherd.front, sherd.back, std::array{start}, plates, {}, quiet, {});
+  return registerSides(*prepareStrip(sherd.front, {}), *prepareStrip(sherd.back, {}), starts,
+                       plates, {}, quiet, {});
 }
 
 TEST(FractureColour, HoldsASmoothRoundSherdAlongItsContour) {
@@ -57,12 +58,12 @@ TEST(FractureColour, HoldsASmoothRoundSherdAlongItsContour) {
     return std::abs(off.x() -
                     (found->front_from_back * (sherd.truth.inverse() * Vector3d(0, 0, 2.5))).x());
   };
-  const auto plain = run(sherd, start);
+  const auto plain = run(sherd, {start});
   ASSERT_TRUE(plain.has_value());
   EXPECT_TRUE(plain->check_failed);  // the shape does not tell where it belongs
 
   paint(sherd, 0, 0);
-  const auto painted = run(sherd, start);
+  const auto painted = run(sherd, {start});
   ASSERT_TRUE(painted.has_value());
   // A quarter of the points' spacing of 0.4 mm; by shape alone it stays about where it began.
   EXPECT_LT(slipOf(painted), 0.1);
@@ -104,7 +105,7 @@ void paintLumps(SimulatedSherd& sherd) {
 TEST(FractureColour, FindsHowFarARoundSherdIsTurned) {
   SimulatedSherd sherd = simulatedSherd({.relief = 0});
   paintLumps(sherd);
-  const auto found = run(sherd, turned(sherd, 2.0));
+  const auto found = run(sherd, {turned(sherd, 2.0)});
   ASSERT_TRUE(found.has_value());
   EXPECT_LT(rms_mm(found->front_from_back, sherd.truth, sherd.back), 0.2);  // half their spacing
   EXPECT_FALSE(found->check_failed) << found->reason;
@@ -113,12 +114,7 @@ TEST(FractureColour, FindsHowFarARoundSherdIsTurned) {
 TEST(FractureColour, ChooseBetweenStartsThatFitAlike) {
   SimulatedSherd sherd = simulatedSherd({.relief = 0});
   paint(sherd, 0, 0);
-  QuietProgress quiet;
-  Constraints plates;
-  plates.front_support = plates.back_support = rig::SheetBend{};
-  const auto found =
-      registerSides(sherd.front, sherd.back, std::array{turned(sherd, 1.0), turned(sherd, 0.01)},
-                    plates, {}, quiet, {});
+  const auto found = run(sherd, {turned(sherd, 1.0), turned(sherd, 0.01)});
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->start, 1);
   EXPECT_LT(rms_mm(found->front_from_back, sherd.truth, sherd.back), 0.2);
@@ -127,7 +123,7 @@ TEST(FractureColour, ChooseBetweenStartsThatFitAlike) {
 TEST(FractureColour, OfAnotherClayFindsNoTurn) {
   SimulatedSherd sherd = simulatedSherd({.relief = 0});
   paint(sherd, 0, 1.7);
-  const auto found = run(sherd, turned(sherd, 2.0));
+  const auto found = run(sherd, {turned(sherd, 2.0)});
   ASSERT_TRUE(found.has_value());
   EXPECT_TRUE(found->check_failed);
 }
@@ -146,7 +142,7 @@ TEST(FractureColour, IsLikelierAtTheTruePoseThanBesideIt) {
 TEST(FractureColour, OfAnotherClayLeavesASmoothSherdUncertain) {
   SimulatedSherd sherd = simulatedSherd({.relief = 0});
   paint(sherd, 0, 1.7);
-  const auto found = run(sherd, turned(sherd, 0.02));
+  const auto found = run(sherd, {turned(sherd, 0.02)});
   ASSERT_TRUE(found.has_value());
   EXPECT_TRUE(found->check_failed);
 }
@@ -155,7 +151,7 @@ TEST(FractureColour, MovedByLightFromAboveHardlyMovesTheHeight) {
   SimulatedSherd still = simulatedSherd({}), lit = still;
   paint(still, 0, 0);
   paint(lit, 0, 0, 0.08);  // 0.16 mm between the two shots
-  const auto a = run(still, still.truth), b = run(lit, lit.truth);
+  const auto a = run(still, {still.truth}), b = run(lit, {lit.truth});
   ASSERT_TRUE(a.has_value() && b.has_value());
   // A quarter: clean strips and the plate hold the height four times as well as colours may.
   EXPECT_LT(rms_mm(a->front_from_back, b->front_from_back, lit.back), 0.04);

@@ -15,11 +15,15 @@ using Eigen::Isometry3d;
 
 Result<Registration> run(const scan::Scan& front, const scan::Scan& back,
                          const std::vector<Isometry3d>& starts, RegistrationOptions options = {},
-                         bool on_plate = true) {
+                         bool on_plate = true, std::stop_token stop = {}) {
+  const Result<Strip> front_strip = prepareStrip(front, options.strip);
+  if (!front_strip) return front_strip.error();
+  const Result<Strip> back_strip = prepareStrip(back, options.strip);
+  if (!back_strip) return back_strip.error();
   QuietProgress quiet;
   Constraints constraints;
   if (on_plate) constraints.front_support = constraints.back_support = rig::SheetBend{};
-  return registerSides(front, back, starts, constraints, options, quiet, {});
+  return registerSides(*front_strip, *back_strip, starts, constraints, options, quiet, stop);
 }
 
 // As scans are: they end a little above the plate that their sherd stands on.
@@ -218,10 +222,7 @@ TEST(RegisterSides, StopsOnRequest) {
   const SimulatedSherd sherd = simulatedSherd({});
   std::stop_source stop;
   stop.request_stop();
-  QuietProgress quiet;
-  const std::array starts = {sherd.truth};
-  const auto found =
-      registerSides(sherd.front, sherd.back, starts, {}, {}, quiet, stop.get_token());
+  const auto found = run(sherd.front, sherd.back, {sherd.truth}, {}, false, stop.get_token());
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(found.error().code, ErrorCode::Cancelled);
 }
@@ -231,11 +232,7 @@ TEST(RegisterSides, ASmoothRoundSherdThatSlidIsCalledSlipped) {
   for (const double slid_mm : {1.0, 3.0, 8.0}) {
     Isometry3d start = sherd.truth;
     start.prerotate(Eigen::AngleAxisd(slid_mm / 20, Eigen::Vector3d::UnitZ()));
-    QuietProgress progress;
-    Constraints constraints;
-    constraints.front_support = constraints.back_support = rig::SheetBend{};
-    const auto found = registerSides(sherd.front, sherd.back, std::vector<Isometry3d>{start},
-                                     constraints, {}, progress, {});
+    const auto found = run(sherd.front, sherd.back, {start});
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->check_failed) << slid_mm << " mm: uncertain by " << found->uncertainty_mm
                                      << ", rival " << found->runner_up_gap << " below";

@@ -7294,16 +7294,6 @@
       <translation>Diese Datei wurde nach dem Export verändert; nichts wurde eingelesen.</translation>
     </message>
     <message>
-      <source>There is no context %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einen Befund %1 gibt es nicht; ihn anlegen oder beim Import anlegen lassen.</translation>
-    </message>
-    <message>
-      <source>There is no bag %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Einen Beutel %1 gibt es nicht; ihn anlegen oder beim Import anlegen lassen.</translation>
-    </message>
-    <message>
       <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>In der Spalte closed steht yes oder no.</translation>

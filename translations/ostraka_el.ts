@@ -7294,16 +7294,6 @@
       <translation>Αυτό το αρχείο άλλαξε μετά την εξαγωγή· δεν διαβάστηκε τίποτα.</translation>
     </message>
     <message>
-      <source>There is no context %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν υπάρχει πλαίσιο %1· δημιουργήστε το ή αφήστε την εισαγωγή να το δημιουργήσει.</translation>
-    </message>
-    <message>
-      <source>There is no bag %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Δεν υπάρχει σακούλα %1· δημιουργήστε την ή αφήστε την εισαγωγή να τη δημιουργήσει.</translation>
-    </message>
-    <message>
       <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η στήλη closed δέχεται yes ή no.</translation>

@@ -7294,16 +7294,6 @@
       <translation>Este archivo se modificó después de la exportación; no se leyó nada.</translation>
     </message>
     <message>
-      <source>There is no context %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No hay ningún contexto %1; créelo o deje que lo cree la importación.</translation>
-    </message>
-    <message>
-      <source>There is no bag %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>No hay ninguna bolsa %1; créela o deje que la cree la importación.</translation>
-    </message>
-    <message>
       <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La columna closed admite yes o no.</translation>

@@ -7294,16 +7294,6 @@
       <translation>Ce fichier a été modifié après l’exportation ; rien n’a été lu.</translation>
     </message>
     <message>
-      <source>There is no context %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il n’y a pas de contexte %1 ; créez-le, ou laissez l’importation le créer.</translation>
-    </message>
-    <message>
-      <source>There is no bag %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Il n’y a pas de sac %1 ; créez-le, ou laissez l’importation le créer.</translation>
-    </message>
-    <message>
       <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La colonne closed accepte yes ou no.</translation>

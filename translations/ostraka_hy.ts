@@ -7294,16 +7294,6 @@
       <translation>Այս ֆայլը փոխվել է արտահանումից հետո. ոչինչ չի կարդացվել։</translation>
     </message>
     <message>
-      <source>There is no context %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 համատեքստ չկա. ստեղծեք այն կամ թողեք, որ ներմուծումը ստեղծի։</translation>
-    </message>
-    <message>
-      <source>There is no bag %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 տոպրակ չկա. ստեղծեք այն կամ թողեք, որ ներմուծումը ստեղծի։</translation>
-    </message>
-    <message>
       <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>closed սյունակում գրվում է yes կամ no։</translation>

@@ -7249,16 +7249,6 @@
       <translation>Bu dosya dışa aktarmadan sonra değiştirilmiş; hiçbir şey okunmadı.</translation>
     </message>
     <message>
-      <source>There is no context %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 konteksti yok; onu oluşturun ya da içe aktarma sırasında oluşturulmasına izin verin.</translation>
-    </message>
-    <message>
-      <source>There is no bag %1; create it or let the import create it.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 torbası yok; onu oluşturun ya da içe aktarma sırasında oluşturulmasına izin verin.</translation>
-    </message>
-    <message>
       <source>The column &apos;closed&apos; accepts only yes or no.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>closed sütununa yes ya da no yazılır.</translation>

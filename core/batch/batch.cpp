@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <tuple>
@@ -256,9 +257,8 @@ class Reader {
       }
     if (absent.empty()) return;
     constexpr std::size_t kNamed = 6;
-    std::string names;
-    for (std::size_t i = 0; i < std::min(absent.size(), kNamed); ++i)
-      names += (i == 0 ? "" : ", ") + absent[i];
+    const std::string names =
+        joined(std::span(absent).first(std::min(absent.size(), kNamed)), ", ");
     warn(batch_.folder / layout.folder[side == Side::Front ? 0 : 1],
          absent.size() > kNamed
              ? message("Photographs are missing: %1 and %2 more. Surfaces that only they show are "

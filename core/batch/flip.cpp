@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/median.h"
 #include "batch/exif.h"
 #include "batch/photographs.h"
 
@@ -54,9 +55,7 @@ std::optional<std::size_t> flipIn(const std::vector<std::int64_t>& taken_ms, std
   std::int64_t next = 0;
   for (std::size_t i = least_side; i + least_side <= taken_ms.size(); ++i)
     if (i != longest) next = std::max(next, all[i - 1]);
-  std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2),
-                   all.end());
-  const auto usual = static_cast<double>(all[all.size() / 2]);
+  const auto usual = static_cast<double>(medianOf(all));
   if (pause <= 0 || pause < pauses * usual || pause < 2 * static_cast<double>(next)) return {};
   return longest;
 }
@@ -79,9 +78,7 @@ Series seriesOf(std::vector<fs::path> files) {
     series.first_back = flip.value_or(proposal(series.files));
     return series;
   }
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return inNaturalOrder(a.filename().string(), b.filename().string());
-  });
+  std::ranges::sort(files, inOrderOfNames);
   series.first_back = proposal(files);
   series.files = std::move(files);
   return series;

@@ -88,9 +88,7 @@ bool isHeif(std::string_view bytes) {
 }
 
 Result<ImageSize> heifSize(std::string_view bytes, const std::string& where) {
-  if (!reachesItsEnd(bytes))
-    return Error::unusable(message("The image file is truncated; copy it from the camera again."),
-                           where);
+  if (!reachesItsEnd(bytes)) return cutOffImage(where);
   const Opened file = opened(bytes);
   if (!file.handle) return damagedHeif(where);
   return checkedSize(heif_image_handle_get_ispe_width(file.handle.get()),

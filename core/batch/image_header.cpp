@@ -36,11 +36,6 @@ class Bytes {
   std::string_view bytes_;
 };
 
-Error cutOff(const std::string& where) {
-  return Error::unusable(message("The image file is truncated; copy it from the camera again."),
-                         where);
-}
-
 bool isStartOfFrame(std::uint32_t marker) {
   return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
@@ -68,9 +63,8 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
   while (true) {
     const auto lead = bytes.at(offset, 1, true);
     const auto marker = bytes.at(offset + 1, 1, true);
-    if (!lead || !marker) return cutOff(where);
-    if (*lead != 0xFF)
-      return Error::unusable(message("The JPEG image is damaged; copy it again."), where);
+    if (!lead || !marker) return cutOffImage(where);
+    if (*lead != 0xFF) return damagedJpeg(where);
     if (*marker == 0xFF) {  // filler
       ++offset;
       continue;
@@ -81,21 +75,19 @@ Result<ImageSize> jpegSize(const Bytes& bytes, const std::string& where) {
       continue;
     }
     const auto length = bytes.at(offset + 2, 2, true);
-    if (!length) return cutOff(where);
-    if (*length < 2)
-      return Error::unusable(message("The JPEG image is damaged; copy it again."), where);
+    if (!length) return cutOffImage(where);
+    if (*length < 2) return damagedJpeg(where);
     if (isStartOfFrame(*marker) && !size) {
       const auto height = bytes.at(offset + 5, 2, true);
       const auto width = bytes.at(offset + 7, 2, true);
-      if (!height || !width) return cutOff(where);
+      if (!height || !width) return cutOffImage(where);
       const Result<ImageSize> found = checkedSize(*width, *height, where);
       if (!found) return found.error();
       size = *found;
     }
     offset += 2 + *length;
     if (*marker != 0xDA) continue;
-    if (++scans > limits::kJpegScans.most)
-      return Error::unusable(message("The JPEG image is damaged; copy it again."), where);
+    if (++scans > limits::kJpegScans.most) return damagedJpeg(where);
     offset = afterScan(bytes, offset);
   }
   if (!size) return Error::unusable(message("The JPEG file contains no image."), where);
@@ -106,7 +98,7 @@ Result<ImageSize> pngSize(const Bytes& bytes, const std::string& where) {
   constexpr std::uint32_t kHeader = 0x49484452, kEnd = 0x49454E44;  // IHDR, IEND
   const auto first = bytes.at(12, 4, true), width = bytes.at(16, 4, true);
   const auto height = bytes.at(20, 4, true);
-  if (!first || !width || !height) return cutOff(where);
+  if (!first || !width || !height) return cutOffImage(where);
   if (*first != kHeader)
     return Error::unusable(message("The PNG image is damaged; copy it again."), where);
   const Result<ImageSize> size = checkedSize(*width, *height, where);
@@ -114,9 +106,9 @@ Result<ImageSize> pngSize(const Bytes& bytes, const std::string& where) {
   std::size_t offset = 8;
   while (true) {
     const auto length = bytes.at(offset, 4, true), type = bytes.at(offset + 4, 4, true);
-    if (!length || !type) return cutOff(where);
+    if (!length || !type) return cutOffImage(where);
     offset += std::size_t{12} + *length;  // length, type, content, checksum
-    if (offset > bytes.size()) return cutOff(where);
+    if (offset > bytes.size()) return cutOffImage(where);
     if (*type == kEnd) return *size;
   }
 }
@@ -149,13 +141,13 @@ bool reachesItsEnd(const Bytes& bytes, const TiffEntry& starts, const TiffEntry&
 Result<ImageSize> tiffSize(const Bytes& bytes, bool big, const std::string& where) {
   const auto directory = bytes.at(4, 4, big);
   const auto count = directory ? bytes.at(*directory, 2, big) : std::nullopt;
-  if (!count) return cutOff(where);
+  if (!count) return cutOffImage(where);
   TiffEntry width, height, starts, lengths;
   for (std::uint32_t i = 0; i < *count; ++i) {
     const std::size_t at = std::size_t{*directory} + 2 + std::size_t{12} * i;
     const auto tag = bytes.at(at, 2, big), type = bytes.at(at + 2, 2, big);
     const auto entries = bytes.at(at + 4, 4, big), value = bytes.at(at + 8, 4, big);
-    if (!tag || !type || !entries || !value) return cutOff(where);
+    if (!tag || !type || !entries || !value) return cutOffImage(where);
     TiffEntry entry{*type, *entries, at + 8};
     if (std::size_t{*entries} * entry.bytesEach() > 4) entry.offset = *value;
     if (*tag == 256) width = entry;
@@ -167,11 +159,22 @@ Result<ImageSize> tiffSize(const Bytes& bytes, bool big, const std::string& wher
   if (!w || !h)
     return Error::unusable(message("The TIFF file does not state the image's size."), where);
   const Result<ImageSize> size = checkedSize(*w, *h, where);
-  if (size && !reachesItsEnd(bytes, starts, lengths, big)) return cutOff(where);
+  if (size && !reachesItsEnd(bytes, starts, lengths, big)) return cutOffImage(where);
   return size;
 }
 
 }  // namespace
+
+Error cutOffImage(const std::string& where) {
+  return Error::unusable(message("The image file is truncated; copy it from the camera again."),
+                         where);
+}
+Error damagedJpeg(const std::string& where) {
+  return Error::unusable(message("The JPEG image is damaged; copy it again."), where);
+}
+Error undecodableImage(const std::string& where) {
+  return Error::unusable(message("The image cannot be decoded; copy it again."), where);
+}
 
 Result<ImageSize> checkedSize(std::int64_t width, std::int64_t height, const std::string& where) {
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide ||

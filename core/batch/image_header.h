@@ -23,6 +23,11 @@ Result<ImageSize> imageSize(std::string_view bytes, const std::string& where);
 /// The same for a file.
 Result<ImageSize> readImageSize(const std::filesystem::path& file);
 
+// What is wrong with a file, in one sentence.
+Error cutOffImage(const std::string& where);
+Error damagedJpeg(const std::string& where);
+Error undecodableImage(const std::string& where);
+
 /// A size as a file claims it, unless no image has it. Error: UnusableInput.
 Result<ImageSize> checkedSize(std::int64_t width, std::int64_t height, const std::string& where);
 

@@ -58,7 +58,7 @@ class JpegReader {
   bool losesData() const { return loses_data_; }
   Error failure(const std::string& where) const {
     if (errors_.msg_code == JERR_OUT_OF_MEMORY) throw std::bad_alloc();
-    return Error::unusable(message("The image cannot be decoded; copy it again."), where);
+    return undecodableImage(where);
   }
 
  private:
@@ -115,8 +115,7 @@ Result<cv::Mat> decodeJpeg(std::string_view bytes, const ImageSize& size, int ch
   cv::Mat image(size.height, size.width, CV_8UC(channels));
   if (!reader.readRows(channels == 1 ? JCS_GRAYSCALE : JCS_EXT_BGR, image.data, image.step))
     return reader.failure(where);
-  if (reader.losesData())
-    return Error::unusable(message("The JPEG image is damaged; copy it again."), where);
+  if (reader.losesData()) return damagedJpeg(where);
   return image;
 }
 

@@ -38,7 +38,7 @@ Result<cv::Mat1b> readLabelMask(const std::filesystem::path& file) {
   if (!size) return size.error();
   const cv::Mat labels = decodedByOpenCv(*bytes, cv::IMREAD_UNCHANGED);
   if (labels.cols != size->width || labels.rows != size->height)
-    return Error::unusable(message("The image cannot be decoded; copy it again."), file.string());
+    return undecodableImage(file.string());
   const bool jpeg = bytes->starts_with("\xFF\xD8");
   const cv::Mat planes = withoutAlpha(labels);
   cv::Mat1b inside(planes.rows, planes.cols, uchar{0});

@@ -29,7 +29,7 @@ Result<cv::Mat> decoded(std::string_view bytes, const std::string& where, int fl
                       : Result<cv::Mat>(decodedByOpenCv(bytes, flags));
   if (!image) return image.error();
   if (image->empty() || image->cols != size->width || image->rows != size->height)
-    return Error::unusable(message("The image cannot be decoded; copy it again."), where);
+    return undecodableImage(where);
   return *image;
 }
 

@@ -125,9 +125,7 @@ std::vector<Shot> thinned(std::vector<Shot> shots, std::size_t most) {
       if (detailOf(shots[i]) > detailOf(shots[best])) best = i;
     chosen.push_back(std::move(shots[best]));
   }
-  std::sort(chosen.begin(), chosen.end(), [](const Shot& a, const Shot& b) {
-    return inNaturalOrder(a.file.filename().string(), b.file.filename().string());
-  });
+  std::ranges::sort(chosen, inOrderOfNames, &Shot::file);
   return chosen;
 }
 
@@ -186,6 +184,10 @@ bool inNaturalOrder(std::string_view a, std::string_view b) {
   return a.empty() != b.empty() ? a.empty() : whole_a < whole_b;
 }
 
+bool inOrderOfNames(const fs::path& a, const fs::path& b) {
+  return inNaturalOrder(a.filename().string(), b.filename().string());
+}
+
 std::vector<fs::path> photographsIn(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code failed;
@@ -199,9 +201,7 @@ std::vector<fs::path> photographsIn(const fs::path& folder) {
   std::erase_if(files, [&developed](const fs::path& file) {
     return hasRawEnding(file) && developed.contains(stemOf(file));
   });
-  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-    return inNaturalOrder(a.filename().string(), b.filename().string());
-  });
+  std::ranges::sort(files, inOrderOfNames);
   return files;
 }
 

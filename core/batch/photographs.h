@@ -15,6 +15,9 @@ namespace ostraka::batch {
 /// capitals as small letters. Equal names in that sense are ordered by their bytes.
 bool inNaturalOrder(std::string_view a, std::string_view b);
 
+/// The same of files by their names, wherever they lie.
+bool inOrderOfNames(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// Files of the folder whose names end like a photograph's, in natural order; not hidden ones, not
 /// RAW files beside a developed picture with the same stem, and not those in subfolders.
 /// Empty where the folder cannot be read.

@@ -39,9 +39,7 @@ Result<std::unique_ptr<LibRaw>> unpacked(std::string_view bytes, const std::stri
   if (const auto good = checkedSize(sizes.raw_width, sizes.raw_height, where); !good)
     return good.error();
   const int status = raw->unpack();
-  if (status == LIBRAW_IO_ERROR || raw->error_count() > 0)
-    return Error::unusable(message("The image file is truncated; copy it from the camera again."),
-                           where);
+  if (status == LIBRAW_IO_ERROR || raw->error_count() > 0) return cutOffImage(where);
   if (status != LIBRAW_SUCCESS) return damagedRaw(where);
   return raw;
 }

@@ -90,12 +90,20 @@ void checkBatch(const records::BatchRecord& b) {
 }
 
 // Of what a record may change.
-constexpr const char* kBatchColumns =
-    "operator counted state started_ms ended_ms reprojection_px scale_error_pct scale scale_doubts "
-    "rig_sha256 program settings_sha256 note";
-
-std::string scaleText(const records::BatchRecord& b) {
-  return b.scale.empty() ? std::string() : textOf({b.scale});
+std::vector<Column> columnsOf(const records::BatchRecord& b) {
+  return {{"operator", b.operator_},
+          {"counted", b.counted},
+          {"state", records::wordOf(b.state)},
+          {"started_ms", b.started_ms},
+          {"ended_ms", b.ended_ms},
+          {"reprojection_px", b.reprojection_px},
+          {"scale_error_pct", b.scale_error_pct},
+          {"scale", b.scale.empty() ? std::string() : textOf({b.scale})},
+          {"scale_doubts", textOf(b.scale_doubts)},
+          {"rig_sha256", b.rig_sha256},
+          {"program", b.program},
+          {"settings_sha256", b.settings_sha256},
+          {"note", b.note}};
 }
 
 constexpr const char* kBatches =
@@ -104,13 +112,12 @@ constexpr const char* kBatches =
 
 records::BatchRecord readBatchRow(store::Database& database, store::Statement& row) {
   records::BatchRecord b;
-  std::string state, scale, doubts;
-  row >> b.row >> b.id >> b.number >> b.operator_ >> b.counted >> state >> b.started_ms >>
+  std::string scale, doubts;
+  row >> b.row >> b.id >> b.number >> b.operator_ >> b.counted >> b.state >> b.started_ms >>
       b.ended_ms >> b.reprojection_px >> b.scale_error_pct >> scale >> doubts >> b.rig_sha256 >>
       b.program >> b.settings_sha256 >> b.note;
   for (Message& source : messagesFromText(scale, b.number)) b.scale = std::move(source);
   b.scale_doubts = messagesFromText(doubts, b.number);
-  b.state = records::fromWord<records::BatchState>(state);
   b.bags = bagsOf(database, b.row);
   return b;
 }
@@ -141,11 +148,9 @@ Result<store::BatchRow> Batches::add(const records::BatchRecord& wanted,
       store::refuse(message("The uuid of a batch is not well formed."), b.id);
     store::Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?", b.number);
     if (same.next()) store::refuse(message("The batch %1 already exists.", b.number));
-    const store::BatchRow row{
-        addRow(catalogue_, provenance, "batch", b.id, std::string("number ") + kBatchColumns,
-               b.number, b.operator_, b.counted, records::wordOf(b.state), b.started_ms, b.ended_ms,
-               b.reprojection_px, b.scale_error_pct, scaleText(b), textOf(b.scale_doubts),
-               b.rig_sha256, b.program, b.settings_sha256, b.note)};
+    std::vector<Column> columns = columnsOf(b);
+    columns.push_back({"number", b.number});
+    const store::BatchRow row{saveRow(catalogue_, provenance, "batch", 0, b.id, columns)};
     setBags(*database_, row, b.bags);
     remember(catalogue_, provenance, "batch", row.value, "", "", b.number);
     remember(catalogue_, provenance, "batch", row.value, "bags", "", bagsText(b.bags));
@@ -157,41 +162,23 @@ Result<void> Batches::save(const records::BatchRecord& b, const records::Provena
   return database_->inTransaction([&] {
     checkBatch(b);
     const std::string old_bags = bagsText(bagsOf(*database_, b.row));
-    bool changed =
-        rememberDifferences(catalogue_, provenance, "batch", b.row.value,
-                            {{"operator", b.operator_ ? std::to_string(b.operator_.value) : ""},
-                             {"counted", std::to_string(b.counted)},
-                             {"state", records::wordOf(b.state)},
-                             {"started_ms", optionalText(b.started_ms)},
-                             {"ended_ms", optionalText(b.ended_ms)},
-                             {"reprojection_px", optionalText(b.reprojection_px)},
-                             {"scale_error_pct", optionalText(b.scale_error_pct)},
-                             {"scale", scaleText(b)},
-                             {"scale_doubts", textOf(b.scale_doubts)},
-                             {"rig_sha256", b.rig_sha256},
-                             {"program", b.program},
-                             {"settings_sha256", b.settings_sha256},
-                             {"note", b.note}});
+    bool changed = rememberDifferences(catalogue_, provenance, "batch", b.row.value, columnsOf(b));
     if (old_bags != bagsText(b.bags)) {
       remember(catalogue_, provenance, "batch", b.row.value, "bags", old_bags, bagsText(b.bags));
       setBags(*database_, b.row, b.bags);
       changed = true;
     }
     if (!changed) return;
-    changeRow(catalogue_, provenance, "batch", b.row.value, kBatchColumns, b.operator_, b.counted,
-              records::wordOf(b.state), b.started_ms, b.ended_ms, b.reprojection_px,
-              b.scale_error_pct, scaleText(b), textOf(b.scale_doubts), b.rig_sha256, b.program,
-              b.settings_sha256, b.note);
+    changeRow(catalogue_, provenance, "batch", b.row.value, columnsOf(b));
   });
 }
 
 Result<void> Batches::setState(store::BatchRow row, records::BatchState state,
                                const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    if (!rememberDifferences(catalogue_, provenance, "batch", row.value,
-                             {{"state", records::wordOf(state)}}))
-      return;
-    changeRow(catalogue_, provenance, "batch", row.value, "state", records::wordOf(state));
+    const std::vector<Column> columns = {{"state", records::wordOf(state)}};
+    if (rememberDifferences(catalogue_, provenance, "batch", row.value, columns))
+      changeRow(catalogue_, provenance, "batch", row.value, columns);
   });
 }
 
@@ -231,118 +218,85 @@ Result<std::optional<records::BatchRecord>> Batches::byId(const std::string& id)
 Result<store::PhotographRow> Batches::save(const records::PhotographRecord& p,
                                            const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const Result<std::string> path = store::checkedPath(p.path);
-    if (!path) throw store::Refused(path.error());
+    const std::string path = store::valueOrThrow(store::checkedPath(p.path));
     const std::string camera(1, p.camera), exif = p.exif_json.empty() ? "{}" : p.exif_json;
-    std::int64_t row = p.row.value;
-    if (row == 0) {
-      store::Statement same = database_->sql(
-          "SELECT row FROM photograph WHERE batch = ? AND side = ? AND camera = ? AND stop = ? AND "
-          "take = ?",
-          p.batch, records::wordOf(p.side), camera, p.stop, p.take);
-      same.read(row);
-    }
-    if (row == 0) {
-      return store::PhotographRow{
-          addRow(catalogue_, provenance, "photograph", {},
-                 "batch side camera stop take path serial exif angle_deg sharpness used reason",
-                 p.batch, records::wordOf(p.side), camera, p.stop, p.take, *path, p.serial, exif,
-                 p.angle_deg, p.sharpness, p.used, p.reason)};
-    }
-    if (rememberDifferences(catalogue_, provenance, "photograph", row,
-                            {{"path", *path},
-                             {"serial", p.serial},
-                             {"exif", exif},
-                             {"angle_deg", optionalText(p.angle_deg)},
-                             {"sharpness", optionalText(p.sharpness)},
-                             {"used", p.used ? "1" : "0"},
-                             {"reason", p.reason}}))
-      changeRow(catalogue_, provenance, "photograph", row,
-                "path serial exif angle_deg sharpness used reason", *path, p.serial, exif,
-                p.angle_deg, p.sharpness, p.used, p.reason);
-    return store::PhotographRow{row};
+    const std::int64_t row =
+        p.row ? p.row.value
+              : database_
+                    ->sql(
+                        "SELECT row FROM photograph WHERE batch = ? AND side = ? AND camera = ? "
+                        "AND stop = ? AND take = ?",
+                        p.batch, records::wordOf(p.side), camera, p.stop, p.take)
+                    .one<std::int64_t>();
+    constexpr auto kKey = Column::Changes::Never;
+    return store::PhotographRow{saveRow(catalogue_, provenance, "photograph", row, p.id,
+                                        {{"batch", p.batch, kKey},
+                                         {"side", records::wordOf(p.side), kKey},
+                                         {"camera", camera, kKey},
+                                         {"stop", p.stop, kKey},
+                                         {"take", p.take, kKey},
+                                         {"path", path},
+                                         {"serial", p.serial},
+                                         {"exif", exif},
+                                         {"angle_deg", p.angle_deg},
+                                         {"sharpness", p.sharpness},
+                                         {"used", p.used},
+                                         {"reason", p.reason}})};
   });
 }
 
 Result<std::vector<records::PhotographRecord>> Batches::photographs(store::BatchRow batch) const {
   return database_->asResult([&] {
-    std::vector<records::PhotographRecord> all;
-    store::Statement rows = database_->sql(
-        "SELECT row, batch, side, camera, stop, take, path, serial, exif, angle_deg, sharpness, "
-        "used, reason FROM photograph WHERE batch = ? ORDER BY side DESC, camera, stop, take",
-        batch);
-    records::PhotographRecord p;
-    std::string side, camera;
-    while (rows.read(p.row, p.batch, side, camera, p.stop, p.take, p.path, p.serial, p.exif_json,
-                     p.angle_deg, p.sharpness, p.used, p.reason)) {
-      p.side = records::fromWord<batch::Side>(side);
-      p.camera = camera.empty() ? 'A' : camera[0];
-      all.push_back(p);
-    }
-    return all;
+    using P = records::PhotographRecord;
+    return database_
+        ->sql(
+            "SELECT row, id, batch, side, camera, stop, take, path, serial, exif, angle_deg, "
+            "sharpness, used, reason FROM photograph WHERE batch = ? ORDER BY side DESC, camera, "
+            "stop, take",
+            batch)
+        .all(&P::row, &P::id, &P::batch, &P::side, &P::camera, &P::stop, &P::take, &P::path,
+             &P::serial, &P::exif_json, &P::angle_deg, &P::sharpness, &P::used, &P::reason);
   });
 }
 
 Result<bool> Batches::isInvented(store::BatchRow batch) const {
-  return database_->asResult([&] {
-    bool invented = false;
-    database_
-        ->sql("SELECT EXISTS (SELECT 1 FROM photograph WHERE batch = ? AND serial GLOB ?)", batch,
-              std::string(batch::kVirtualSerial) + "*")
-        .read(invented);
-    return invented;
-  });
+  return firstOf<bool>("SELECT EXISTS (SELECT 1 FROM photograph WHERE batch = ? AND serial GLOB ?)",
+                       batch, std::string(batch::kVirtualSerial) + "*");
 }
 
 Result<store::ScanRow> Batches::save(const records::ScanRecord& s,
                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const Result<std::string> path = store::checkedPath(s.path);
-    if (!path) throw store::Refused(path.error());
-    std::int64_t row = s.row.value;
-    if (row == 0) {
-      store::Statement same =
-          database_->sql("SELECT row FROM scan WHERE batch = ? AND side = ? AND position = ?",
-                         s.batch, records::wordOf(s.side), s.index);
-      same.read(row);
-    }
-    if (row == 0) {
-      return store::ScanRow{
-          addRow(catalogue_, provenance, "scan", {},
-                 "batch side position name path points coverage_pct plate_x_mm plate_y_mm", s.batch,
-                 records::wordOf(s.side), s.index, s.name, *path, s.points, s.coverage_pct,
-                 s.plate_x_mm, s.plate_y_mm)};
-    }
-    if (rememberDifferences(catalogue_, provenance, "scan", row,
-                            {{"name", s.name},
-                             {"path", *path},
-                             {"points", optionalText(s.points)},
-                             {"coverage_pct", optionalText(s.coverage_pct)},
-                             {"plate_x_mm", optionalText(s.plate_x_mm)},
-                             {"plate_y_mm", optionalText(s.plate_y_mm)}}))
-      changeRow(catalogue_, provenance, "scan", row,
-                "position name path points coverage_pct plate_x_mm plate_y_mm", s.index, s.name,
-                *path, s.points, s.coverage_pct, s.plate_x_mm, s.plate_y_mm);
-    return store::ScanRow{row};
+    const std::string path = store::valueOrThrow(store::checkedPath(s.path));
+    const std::int64_t row =
+        s.row ? s.row.value
+              : database_
+                    ->sql("SELECT row FROM scan WHERE batch = ? AND side = ? AND position = ?",
+                          s.batch, records::wordOf(s.side), s.index)
+                    .one<std::int64_t>();
+    return store::ScanRow{saveRow(catalogue_, provenance, "scan", row, s.id,
+                                  {{"batch", s.batch, Column::Changes::Never},
+                                   {"side", records::wordOf(s.side), Column::Changes::Never},
+                                   {"position", s.index, Column::Changes::Untold},
+                                   {"name", s.name},
+                                   {"path", path},
+                                   {"points", s.points},
+                                   {"coverage_pct", s.coverage_pct},
+                                   {"plate_x_mm", s.plate_x_mm},
+                                   {"plate_y_mm", s.plate_y_mm}})};
   });
 }
 
 Result<std::vector<records::ScanRecord>> Batches::scans(store::BatchRow batch) const {
   return database_->asResult([&] {
-    std::vector<records::ScanRecord> all;
-    store::Statement rows = database_->sql(
-        "SELECT row, batch, side, position, name, path, points, coverage_pct, plate_x_mm, "
-        "plate_y_mm, state FROM scan WHERE batch = ? ORDER BY side DESC, position",
-        batch);
-    records::ScanRecord s;
-    std::string side, state;
-    while (rows.read(s.row, s.batch, side, s.index, s.name, s.path, s.points, s.coverage_pct,
-                     s.plate_x_mm, s.plate_y_mm, state)) {
-      s.side = records::fromWord<batch::Side>(side);
-      s.state = records::fromWord<records::ScanState>(state);
-      all.push_back(s);
-    }
-    return all;
+    using S = records::ScanRecord;
+    return database_
+        ->sql(
+            "SELECT row, id, batch, side, position, name, path, points, coverage_pct, plate_x_mm, "
+            "plate_y_mm, state FROM scan WHERE batch = ? ORDER BY side DESC, position",
+            batch)
+        .all(&S::row, &S::id, &S::batch, &S::side, &S::index, &S::name, &S::path, &S::points,
+             &S::coverage_pct, &S::plate_x_mm, &S::plate_y_mm, &S::state);
   });
 }
 

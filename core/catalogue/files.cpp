@@ -12,18 +12,11 @@ namespace {
 
 constexpr const char* kFiles =
     "SELECT row, id, path, sha256, media_type, role, bytes, state, sherd, batch FROM file ";
-constexpr const char* kColumns = "path sha256 bytes media_type role state sherd batch";
 
 std::vector<records::FileRecord> readFiles(store::Statement rows) {
-  std::vector<records::FileRecord> all;
-  records::FileRecord f;
-  std::string state;
-  while (rows.read(f.row, f.id, f.path, f.sha256, f.media_type, f.role, f.bytes, state, f.sherd,
-                   f.batch)) {
-    f.state = records::fromWord<records::FileState>(state);
-    all.push_back(f);
-  }
-  return all;
+  using F = records::FileRecord;
+  return rows.all(&F::row, &F::id, &F::path, &F::sha256, &F::media_type, &F::role, &F::bytes,
+                  &F::state, &F::sherd, &F::batch);
 }
 
 }  // namespace
@@ -31,30 +24,19 @@ std::vector<records::FileRecord> readFiles(store::Statement rows) {
 Result<store::FileRow> Files::save(const records::FileRecord& f,
                                    const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const Result<std::string> path = store::checkedPath(f.path);
-    if (!path) throw store::Refused(path.error());
-    std::int64_t row = f.row.value;
-    if (row == 0) {
-      store::Statement same = database_->sql("SELECT row FROM file WHERE path = ?", *path);
-      same.read(row);
-    }
-    if (row == 0) {
-      return store::FileRow{addRow(catalogue_, provenance, "file", f.id, kColumns, *path, f.sha256,
-                                   f.bytes, f.media_type, f.role, records::wordOf(f.state), f.sherd,
-                                   f.batch)};
-    }
-    if (rememberDifferences(catalogue_, provenance, "file", row,
-                            {{"path", *path},
-                             {"sha256", f.sha256},
-                             {"bytes", std::to_string(f.bytes)},
-                             {"media_type", f.media_type},
-                             {"role", f.role},
-                             {"state", records::wordOf(f.state)},
-                             {"sherd", rowText(f.sherd.value)},
-                             {"batch", rowText(f.batch.value)}}))
-      changeRow(catalogue_, provenance, "file", row, kColumns, *path, f.sha256, f.bytes,
-                f.media_type, f.role, records::wordOf(f.state), f.sherd, f.batch);
-    return store::FileRow{row};
+    const std::string path = store::valueOrThrow(store::checkedPath(f.path));
+    const std::int64_t row =
+        f.row ? f.row.value
+              : database_->sql("SELECT row FROM file WHERE path = ?", path).one<std::int64_t>();
+    return store::FileRow{saveRow(catalogue_, provenance, "file", row, f.id,
+                                  {{"path", path},
+                                   {"sha256", f.sha256},
+                                   {"bytes", f.bytes},
+                                   {"media_type", f.media_type},
+                                   {"role", f.role},
+                                   {"state", records::wordOf(f.state)},
+                                   {"sherd", f.sherd},
+                                   {"batch", f.batch}})};
   });
 }
 

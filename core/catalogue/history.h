@@ -7,7 +7,6 @@
 #include "catalogue/subject.h"
 #include "records/records.h"
 #include "records/sherd.h"
-#include "store/database.h"
 #include "store/values.h"
 
 namespace ostraka::catalogue {
@@ -28,20 +27,6 @@ void remember(const Catalogue& catalogue, const records::Provenance& provenance,
               std::int64_t row, const std::string& field, const std::string& old_value,
               const std::string& new_value);
 
-/// A field of a saved record, for the history of a table whose rows are saved whole.
-struct SavedField {
-  const char* name;
-  std::string value;
-};
-/// Compares with what the row holds and remembers each difference; returns whether there is one.
-bool rememberDifferences(const Catalogue& catalogue, const records::Provenance& provenance,
-                         const char* table, std::int64_t row,
-                         const std::vector<SavedField>& fields);
-
-/// A row as the history names it; nothing for no row.
-inline std::string rowText(std::int64_t row) {
-  return row > 0 ? std::to_string(row) : std::string();
-}
 /// A number as the history names it; nothing for none.
 template <class Number>
 std::string optionalText(const std::optional<Number>& value) {

@@ -107,12 +107,9 @@ Result<store::BagRow> bagAt(const Catalogue& catalogue, const BagPlace& place,
                             const records::Provenance& provenance) {
   return catalogue.database().inTransaction([&] {
     std::vector<std::string> made;
-    records::BagRecord bag;
-    bag.number = place.bag;
-    bag.context = store::valueOrThrow(
+    const store::ContextRow context = store::valueOrThrow(
         Places(catalogue).contextAt(place.site, place.trench, place.context, provenance, made));
-    const auto known = store::valueOrThrow(Places(catalogue).bagByNumber(bag.context, bag.number));
-    return known ? known : store::valueOrThrow(Places(catalogue).save(bag, provenance));
+    return store::valueOrThrow(Places(catalogue).bagAt(context, place.bag, provenance));
   });
 }
 

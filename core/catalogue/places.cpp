@@ -45,11 +45,10 @@ constexpr NeededText kBagNumber{
     translatable<0>("The number of a bag must have at most 200 characters.")};
 
 std::string needed(const std::string& text, const NeededText& words) {
-  const Result<std::string> checked = store::checkedText(text);
-  if (!checked) throw store::Refused(checked.error());
-  if (checked->empty()) store::refuse(message(words.empty));
-  if (checked->size() > 200) store::refuse(message(words.too_long), *checked);
-  return *checked;
+  std::string checked = store::valueOrThrow(store::checkedText(text));
+  if (checked.empty()) store::refuse(message(words.empty));
+  if (checked.size() > 200) store::refuse(message(words.too_long), checked);
+  return checked;
 }
 
 // What two places are told apart by; a person's name may need such letters.
@@ -76,35 +75,19 @@ void refuseDouble(store::Statement rows, std::int64_t own, const Message& what) 
     if (row != own) store::refuse(what);
 }
 
-// Adds an empty row with what every table has, or changes the stamp of the row that is there.
-class Saving {
- public:
-  Saving(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
-         std::int64_t row, const std::string& id)
-      : catalogue_(catalogue), provenance_(provenance), table_(table), row_(row), id_(id) {
-    if (!id.empty() && !isUuid(id)) store::refuse(message("The uuid is not well formed."), id);
-  }
-
-  template <class... Values>
-  std::int64_t done(const char* columns, const std::string& label,
-                    const std::vector<SavedField>& fields, const Values&... values) {
-    for (const SavedField& field : fields) checked(store::checkedText(field.value), field.name);
-    if (row_ == 0) {
-      row_ = addRow(catalogue_, provenance_, table_, id_, columns, values...);
-      remember(catalogue_, provenance_, table_, row_, "", "", label);
-    } else if (rememberDifferences(catalogue_, provenance_, table_, row_, fields)) {
-      changeRow(catalogue_, provenance_, table_, row_, columns, values...);
-    }
-    return row_;
-  }
-
- private:
-  const Catalogue& catalogue_;
-  const records::Provenance& provenance_;
-  const char* table_;
-  std::int64_t row_;
-  std::string id_;
-};
+// Adds a row, which the history calls by its label, or changes the one that is there.
+template <class Row>
+Row saved(const Catalogue& catalogue, const records::Provenance& provenance, const char* table,
+          Row row, const std::string& id, const std::string& label,
+          const std::vector<Column>& columns) {
+  if (!id.empty() && !isUuid(id)) store::refuse(message("The uuid is not well formed."), id);
+  for (const Column& column : columns)
+    checked(store::checkedText(column.value.told()), column.name);
+  const Row now{saveRow(catalogue, provenance, table, row.value, id, columns)};
+  if (!row) remember(catalogue, provenance, table, now.value, "", "", label);
+  return now;
+}
+constexpr auto kFollows = Column::Changes::Untold;  // of keys: from the code or number
 
 constexpr const char* kContexts =
     "SELECT context.row, context.site, context.trench, context.id, context.number, kind, "
@@ -112,11 +95,11 @@ constexpr const char* kContexts =
     "context "
     "JOIN site ON site.row = context.site LEFT JOIN trench ON trench.row = context.trench";
 
-records::ContextRecord readContext(store::Statement& row) {
-  records::ContextRecord c;
-  row >> c.row >> c.site >> c.trench >> c.id >> c.number >> c.kind >> c.excavated_on >> c.period >>
-      c.date_edtf >> c.note >> c.closed >> c.extra_json >> c.site_code >> c.trench_code;
-  return c;
+std::vector<records::ContextRecord> readContexts(store::Statement rows) {
+  using C = records::ContextRecord;
+  return rows.all(&C::row, &C::site, &C::trench, &C::id, &C::number, &C::kind, &C::excavated_on,
+                  &C::period, &C::date_edtf, &C::note, &C::closed, &C::extra_json, &C::site_code,
+                  &C::trench_code);
 }
 
 // After a place was renamed, the sherds in it are found by the new name.
@@ -133,12 +116,9 @@ void searchAnew(store::Database& database, const char* which, std::int64_t row) 
 
 Result<std::vector<records::PersonRecord>> People::all() const {
   return database_->asResult([&] {
-    std::vector<records::PersonRecord> all;
-    store::Statement rows =
-        database_->sql("SELECT row, id, name, initials, orcid FROM person ORDER BY initials_key");
-    for (records::PersonRecord p; rows.read(p.row, p.id, p.name, p.initials, p.orcid);)
-      all.push_back(p);
-    return all;
+    using P = records::PersonRecord;
+    return database_->sql("SELECT row, id, name, initials, orcid FROM person ORDER BY initials_key")
+        .all(&P::row, &P::id, &P::name, &P::initials, &P::orcid);
   });
 }
 
@@ -150,33 +130,31 @@ Result<store::PersonRow> People::save(const records::PersonRecord& p,
     const std::string key = store::uniqueKey(initials);
     refuseDouble(database_->sql("SELECT row FROM person WHERE initials_key = ?", key), p.row.value,
                  message("The initials %1 already belong to another person.", initials));
-    return store::PersonRow{Saving(catalogue_, provenance, "person", p.row.value, p.id)
-                                .done("name initials initials_key orcid", initials,
-                                      {{"name", name}, {"initials", initials}, {"orcid", p.orcid}},
-                                      name, initials, key, p.orcid)};
+    return saved(catalogue_, provenance, "person", p.row, p.id, initials,
+                 {{"name", name},
+                  {"initials", initials},
+                  {"initials_key", key, kFollows},
+                  {"orcid", p.orcid}});
   });
 }
 
 Result<store::PersonRow> People::byInitials(const std::string& initials,
                                             const records::Provenance& provenance) {
-  const Result<store::PersonRow> known = database_->asResult([&] {
-    return database_->sql("SELECT row FROM person WHERE initials_key = ?", typedKey(initials))
-        .one<store::PersonRow>();
-  });
+  const auto known = firstOf<store::PersonRow>("SELECT row FROM person WHERE initials_key = ?",
+                                               typedKey(initials));
   if (!known || *known) return known;
   return save(records::PersonRecord{{}, {}, initials, initials, {}}, provenance);
 }
 
 Result<std::vector<records::SiteRecord>> Places::sites() const {
   return database_->asResult([&] {
-    std::vector<records::SiteRecord> all;
-    store::Statement rows = database_->sql(
-        "SELECT row, id, code, name, gazetteer, latitude_deg, longitude_deg, location_public FROM "
-        "site ORDER BY code_key");
-    for (records::SiteRecord s; rows.read(s.row, s.id, s.code, s.name, s.gazetteer, s.latitude_deg,
-                                          s.longitude_deg, s.location_public);)
-      all.push_back(s);
-    return all;
+    using S = records::SiteRecord;
+    return database_
+        ->sql(
+            "SELECT row, id, code, name, gazetteer, latitude_deg, longitude_deg, location_public "
+            "FROM site ORDER BY code_key")
+        .all(&S::row, &S::id, &S::code, &S::name, &S::gazetteer, &S::latitude_deg,
+             &S::longitude_deg, &S::location_public);
   });
 }
 
@@ -190,17 +168,14 @@ Result<store::SiteRow> Places::save(const records::SiteRecord& s,
       store::refuse(message("The longitude must be between -180 and 180 degrees."), code);
     refuseDouble(database_->sql("SELECT row FROM site WHERE code_key = ?", key), s.row.value,
                  message("The site %1 already exists.", code));
-    const store::SiteRow row{
-        Saving(catalogue_, provenance, "site", s.row.value, s.id)
-            .done("code code_key name latitude_deg longitude_deg location_public gazetteer", code,
-                  {{"code", code},
-                   {"name", s.name},
-                   {"latitude_deg", optionalText(s.latitude_deg)},
-                   {"longitude_deg", optionalText(s.longitude_deg)},
-                   {"location_public", s.location_public ? "1" : "0"},
-                   {"gazetteer", s.gazetteer}},
-                  code, key, s.name, s.latitude_deg, s.longitude_deg, s.location_public,
-                  s.gazetteer)};
+    const store::SiteRow row = saved(catalogue_, provenance, "site", s.row, s.id, code,
+                                     {{"code", code},
+                                      {"code_key", key, kFollows},
+                                      {"name", s.name},
+                                      {"latitude_deg", s.latitude_deg},
+                                      {"longitude_deg", s.longitude_deg},
+                                      {"location_public", s.location_public},
+                                      {"gazetteer", s.gazetteer}});
     if (s.row) searchAnew(*database_, "site", row.value);
     return row;
   });
@@ -208,12 +183,10 @@ Result<store::SiteRow> Places::save(const records::SiteRecord& s,
 
 Result<std::vector<records::TrenchRecord>> Places::trenches() const {
   return database_->asResult([&] {
-    std::vector<records::TrenchRecord> all;
-    store::Statement rows = database_->sql(
-        "SELECT row, site, id, code, name, parent FROM trench ORDER BY site, code_key");
-    for (records::TrenchRecord t; rows.read(t.row, t.site, t.id, t.code, t.name, t.parent);)
-      all.push_back(t);
-    return all;
+    using T = records::TrenchRecord;
+    return database_
+        ->sql("SELECT row, site, id, code, name, parent FROM trench ORDER BY site, code_key")
+        .all(&T::row, &T::site, &T::id, &T::code, &T::name, &T::parent);
   });
 }
 
@@ -227,13 +200,12 @@ Result<store::TrenchRow> Places::save(const records::TrenchRecord& t,
     refuseDouble(
         database_->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?", t.site, key),
         t.row.value, message("The trench %1 already exists in this site.", code));
-    const store::TrenchRow row{Saving(catalogue_, provenance, "trench", t.row.value, t.id)
-                                   .done("site code code_key name parent", code,
-                                         {{"site", rowText(t.site.value)},
-                                          {"code", code},
-                                          {"name", t.name},
-                                          {"parent", rowText(t.parent.value)}},
-                                         t.site, code, key, t.name, t.parent)};
+    const store::TrenchRow row = saved(catalogue_, provenance, "trench", t.row, t.id, code,
+                                       {{"site", t.site},
+                                        {"code", code},
+                                        {"code_key", key, kFollows},
+                                        {"name", t.name},
+                                        {"parent", t.parent}});
     if (t.row) searchAnew(*database_, "trench", row.value);
     return row;
   });
@@ -241,34 +213,27 @@ Result<store::TrenchRow> Places::save(const records::TrenchRecord& t,
 
 Result<std::vector<records::ContextRecord>> Places::contexts() const {
   return database_->asResult([&] {
-    std::vector<records::ContextRecord> all;
-    store::Statement rows = database_->sql(
-        std::string(kContexts) + " ORDER BY site.code_key, trench.code_key, context.number_key");
-    while (rows.next()) all.push_back(readContext(rows));
-    return all;
+    return readContexts(database_->sql(
+        std::string(kContexts) + " ORDER BY site.code_key, trench.code_key, context.number_key"));
   });
 }
 
 Result<records::ContextRecord> Places::context(store::ContextRow row) const {
   return database_->asResult([&] {
-    store::Statement rows = database_->sql(std::string(kContexts) + " WHERE context.row = ?", row);
-    if (!rows.next()) store::refuse(message("This context is no longer in the catalogue."));
-    return readContext(rows);
+    const auto found =
+        readContexts(database_->sql(std::string(kContexts) + " WHERE context.row = ?", row));
+    if (found.empty()) store::refuse(message("This context is no longer in the catalogue."));
+    return found.front();
   });
 }
 
 Result<store::ContextRow> Places::contextByPlace(const std::string& site, const std::string& trench,
                                                  const std::string& number) const {
-  return database_->asResult([&] {
-    return database_
-        ->sql(
-            "SELECT context.row FROM context JOIN site ON site.row = context.site LEFT JOIN trench "
-            "ON "
-            "trench.row = context.trench WHERE context.number_key = ? AND site.code_key = ? AND "
-            "ifnull(trench.code_key, '') = ?",
-            store::uniqueKey(number), store::uniqueKey(site), store::uniqueKey(trench))
-        .one<store::ContextRow>();
-  });
+  return firstOf<store::ContextRow>(
+      "SELECT context.row FROM context JOIN site ON site.row = context.site LEFT JOIN trench ON "
+      "trench.row = context.trench WHERE context.number_key = ? AND site.code_key = ? AND "
+      "ifnull(trench.code_key, '') = ?",
+      store::uniqueKey(number), store::uniqueKey(site), store::uniqueKey(trench));
 }
 
 Result<store::ContextRow> Places::contextAt(const std::string& site, const std::string& trench,
@@ -310,11 +275,18 @@ Result<store::ContextRow> Places::contextAt(const std::string& site, const std::
 
 Result<store::BagRow> Places::bagByNumber(store::ContextRow context,
                                           const std::string& number) const {
-  return database_->asResult([&] {
-    return database_
-        ->sql("SELECT row FROM bag WHERE context = ? AND number_key = ?", context, typedKey(number))
-        .one<store::BagRow>();
-  });
+  return firstOf<store::BagRow>("SELECT row FROM bag WHERE context = ? AND number_key = ?", context,
+                                typedKey(number));
+}
+
+Result<store::BagRow> Places::bagAt(store::ContextRow context, const std::string& number,
+                                    const records::Provenance& provenance) {
+  const Result<store::BagRow> known = bagByNumber(context, number);
+  if (!known || *known) return known;
+  records::BagRecord bag;
+  bag.context = context;
+  bag.number = number;
+  return save(bag, provenance);
 }
 
 Result<store::ContextRow> Places::save(const records::ContextRecord& c,
@@ -340,22 +312,18 @@ Result<store::ContextRow> Places::save(const records::ContextRecord& c,
                                 "= ifnull(?, 0) AND number_key = ?",
                                 c.site, c.trench, key),
                  c.row.value, message("The context %1 already exists in this place.", number));
-    const store::ContextRow row{Saving(catalogue_, provenance, "context", c.row.value, c.id)
-                                    .done("site trench number number_key kind excavated_on period "
-                                          "date_edtf closed note extra",
-                                          number,
-                                          {{"site", rowText(c.site.value)},
-                                           {"trench", rowText(c.trench.value)},
-                                           {"number", number},
-                                           {"kind", c.kind},
-                                           {"excavated_on", day},
-                                           {"period", c.period},
-                                           {"date_edtf", edtf},
-                                           {"closed", c.closed ? (*c.closed ? "1" : "0") : ""},
-                                           {"note", c.note},
-                                           {"extra", c.extra_json}},
-                                          c.site, c.trench, number, key, c.kind, day, c.period,
-                                          edtf, c.closed, c.note, c.extra_json)};
+    const store::ContextRow row = saved(catalogue_, provenance, "context", c.row, c.id, number,
+                                        {{"site", c.site},
+                                         {"trench", c.trench},
+                                         {"number", number},
+                                         {"number_key", key, kFollows},
+                                         {"kind", c.kind},
+                                         {"excavated_on", day},
+                                         {"period", c.period},
+                                         {"date_edtf", edtf},
+                                         {"closed", c.closed},
+                                         {"note", c.note},
+                                         {"extra", c.extra_json}});
     if (c.row) searchAnew(*database_, "row", row.value);
     return row;
   });
@@ -367,18 +335,16 @@ Result<std::vector<records::BagRecord>> Places::bags() const {
 
 Result<std::vector<records::BagRecord>> Places::bags(store::ContextRow context) const {
   return database_->asResult([&] {
-    std::vector<records::BagRecord> all;
-    store::Statement rows = database_->sql(
-        "SELECT row, context, id, number, collected_on, storage, count_written, weight_g, (SELECT "
-        "count(*) FROM sherd WHERE sherd.bag = bag.row AND sherd.state <> 'void'), ifnull((SELECT "
-        "initials FROM person WHERE person.row = bag.created_by), '') FROM bag WHERE ?1 IS NULL OR "
-        "context = ?1 ORDER BY context, number_key",
-        context);
-    for (records::BagRecord b;
-         rows.read(b.row, b.context, b.id, b.number, b.collected_on, b.storage, b.count_written,
-                   b.weight_g, b.sherds, b.entered_by);)
-      all.push_back(b);
-    return all;
+    using B = records::BagRecord;
+    return database_
+        ->sql(
+            "SELECT row, context, id, number, collected_on, storage, count_written, weight_g, "
+            "(SELECT count(*) FROM sherd WHERE sherd.bag = bag.row AND sherd.state <> 'void'), "
+            "ifnull((SELECT initials FROM person WHERE person.row = bag.created_by), '') FROM bag "
+            "WHERE ?1 IS NULL OR context = ?1 ORDER BY context, number_key",
+            context)
+        .all(&B::row, &B::context, &B::id, &B::number, &B::collected_on, &B::storage,
+             &B::count_written, &B::weight_g, &B::sherds, &B::entered_by);
   });
 }
 
@@ -395,16 +361,14 @@ Result<store::BagRow> Places::save(const records::BagRecord& b,
     refuseDouble(
         database_->sql("SELECT row FROM bag WHERE context = ? AND number_key = ?", b.context, key),
         b.row.value, message("The bag %1 already exists in this context.", number));
-    return store::BagRow{
-        Saving(catalogue_, provenance, "bag", b.row.value, b.id)
-            .done("context number number_key collected_on storage count_written weight_g", number,
-                  {{"context", rowText(b.context.value)},
-                   {"number", number},
-                   {"collected_on", day},
-                   {"storage", b.storage},
-                   {"count_written", optionalText(b.count_written)},
-                   {"weight_g", optionalText(b.weight_g)}},
-                  b.context, number, key, day, b.storage, b.count_written, b.weight_g)};
+    return saved(catalogue_, provenance, "bag", b.row, b.id, number,
+                 {{"context", b.context},
+                  {"number", number},
+                  {"number_key", key, kFollows},
+                  {"collected_on", day},
+                  {"storage", b.storage},
+                  {"count_written", b.count_written},
+                  {"weight_g", b.weight_g}});
   });
 }
 

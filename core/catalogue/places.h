@@ -38,6 +38,9 @@ class Places : public Subject {
                                       std::vector<std::string>& made);
   /// None when there is no such bag. Capitals make no difference.
   Result<store::BagRow> bagByNumber(store::ContextRow, const std::string& number) const;
+  /// The same, made where it is new.
+  Result<store::BagRow> bagAt(store::ContextRow, const std::string& number,
+                              const records::Provenance&);
   Result<std::vector<records::BagRecord>> bags() const;
   Result<std::vector<records::BagRecord>> bags(store::ContextRow) const;
 

@@ -8,6 +8,7 @@
 #include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/history.h"
+#include "catalogue/stamped_rows.h"
 #include "files/json_text.h"
 #include "records/numbering.h"
 #include "records/sherd.h"
@@ -77,27 +78,20 @@ Result<void> Settings::setProject(const records::ProjectRecord& p,
                          nlohmann::json(vocabulary.terms[i].labels).dump(),
                          vocabulary.terms[i].uri);
     }
-    rememberDifferences(catalogue_, provenance, "project", 1,
-                        {{"code", p.code},
-                         {"title", p.title},
-                         {"institution", p.institution},
-                         {"licence", p.licence},
-                         {"rights_holder", p.rights_holder},
-                         {"numbering", p.numbering},
-                         {"word_for_context", p.word_for_context}});
-    database_->run(
-        "UPDATE project SET code = ?, title = ?, institution = ?, licence = ?, "
-        "rights_holder = ?, numbering = ?, word_for_context = ?, updated_at = ?, "
-        "updated_by = ?, revision = revision + 1",
-        p.code, p.title, p.institution, p.licence, p.rights_holder, p.numbering, p.word_for_context,
-        now(), provenance.person);
+    const std::vector<Column> columns = {{"code", p.code},
+                                         {"title", p.title},
+                                         {"institution", p.institution},
+                                         {"licence", p.licence},
+                                         {"rights_holder", p.rights_holder},
+                                         {"numbering", p.numbering},
+                                         {"word_for_context", p.word_for_context}};
+    rememberDifferences(catalogue_, provenance, "project", 1, columns);
+    changeRow(catalogue_, provenance, "project", 1, columns);
   });
 }
 
 Result<std::string> Settings::value(const std::string& key) const {
-  return database_->asResult([&] {
-    return database_->sql("SELECT value FROM setting WHERE key = ?", key).one<std::string>();
-  });
+  return firstOf<std::string>("SELECT value FROM setting WHERE key = ?", key);
 }
 
 Result<void> Settings::setValue(const std::string& key, const std::string& value,
@@ -175,14 +169,11 @@ Result<void> Settings::setVocabulary(const std::string& name,
 }
 
 Result<int> Settings::sherdsWith(const std::string& vocabulary, const std::string& term) const {
-  return database_->asResult([&] {
-    return database_
-        ->sql(
-            "SELECT count(*) FROM sherd_term WHERE term = ?1 AND (field = ?2 OR (?2 = 'surface' "
-            "AND field IN ('surface_out', 'surface_in')))",
-            term, vocabulary)
-        .one<int>();
-  });
+  return firstOf<int>(
+      "SELECT count(*) FROM sherd_term WHERE term = ?1 AND (field = ?2 OR (?2 = 'surface' AND "
+      "field "
+      "IN ('surface_out', 'surface_in')))",
+      term, vocabulary);
 }
 
 }  // namespace ostraka::catalogue

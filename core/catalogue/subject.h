@@ -1,5 +1,9 @@
 #pragma once
+#include <string_view>
+#include <vector>
+
 #include "catalogue/catalogue.h"
+#include "store/database.h"
 
 namespace ostraka::catalogue {
 
@@ -14,6 +18,17 @@ class Subject {
 
  protected:
   std::int64_t now() const { return catalogue_.now(); }
+  /// What a query finds: one column of its first row, Value() without one; and of all rows.
+  template <class Value, class... Values>
+  Result<Value> firstOf(std::string_view query, const Values&... values) const {
+    return database_->asResult(
+        [&] { return database_->sql(query, values...).template one<Value>(); });
+  }
+  template <class Value, class... Values>
+  Result<std::vector<Value>> allOf(std::string_view query, const Values&... values) const {
+    return database_->asResult(
+        [&] { return database_->sql(query, values...).template all<Value>(); });
+  }
 
   const Catalogue& catalogue_;
   store::Database* database_;

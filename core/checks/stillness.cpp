@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "base/median.h"
 #include "base/parallel.h"
 #include "base/text.h"
 
@@ -31,11 +32,10 @@ std::vector<Eigen::Vector3d> thinned(const scan::Scan& scan) {
   return points;
 }
 
-double middleHeight(std::vector<Eigen::Vector3d> points) {
-  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
-  std::nth_element(points.begin(), middle, points.end(),
-                   [](const auto& a, const auto& b) { return a.z() < b.z(); });
-  return middle->z();
+double middleHeight(const std::vector<Eigen::Vector3d>& points) {
+  std::vector<double> heights;
+  for (const Eigen::Vector3d& point : points) heights.push_back(point.z());
+  return medianOf(heights);
 }
 
 std::optional<Eigen::Vector2d> hullCentre(const std::vector<cv::Point2f>& pixels) {
@@ -177,7 +177,7 @@ std::vector<MovedSherd> findMoved(std::span<const rig::PosedImage> images,
   std::vector<double> heights;
   for (const scan::Scan& scan : scans) {
     points.push_back(thinned(scan));
-    heights.push_back(points.back().empty() ? 0.0 : middleHeight(points.back()));
+    heights.push_back(middleHeight(points.back()));
   }
   std::vector<std::vector<std::optional<Offset>>> found(images.size());
   parallelFor(images.size(), options.threads, [&](std::size_t i) {

@@ -13,7 +13,6 @@
 #include "files/checksum.h"
 #include "files/folder_lock.h"
 #include "metadata/metadata.h"
-#include "metadata/restored_rows.h"
 #include "metadata/sherd_json.h"
 #include "records/records.h"
 #include "records/sherd.h"

@@ -29,15 +29,14 @@ std::string labelsIn(const std::string& json) {
 void Merging::numberBatch(const Table& table, const Row& theirs, Values& values) {
   Value& number = values[table.column("number")];
   const std::string there = number.value_or("");
-  store::Statement same = database_.sql("SELECT 1 FROM batch WHERE number = ?");
-  bool taken = same.with(there).next();
+  bool taken = database_.sql("SELECT 1 FROM batch WHERE number = ?", there).next();
   for (const char* folder : kFoldersOfBatches) {
     std::error_code failed;
     taken |= fs::exists(fs::symlink_status(projects_.a_folder / folder / there, failed));
   }
   if (taken) number = store::valueOrThrow(catalogue::Batches(projects_.a).nextNumber());
   folder_of_[there] = *number;
-  if (*number != there) outcome_.batches[there] = *number;
+  if (*number != there) outcome_.renumbered[there] = *number;
   fresh_batches_.insert(theirs.id);
 }
 
@@ -72,9 +71,7 @@ void Merging::placeScan(const Table& table, const Row& theirs, Values& values) {
     computed_in_b_.insert(batch);
     return;
   }
-  std::int64_t row = 0;
-  store::Statement last = database_.sql("SELECT ifnull(max(row), 0) + 1 FROM scan");
-  if (last.next()) last >> row;
+  const auto row = database_.sql("SELECT ifnull(max(row), 0) + 1 FROM scan").one<std::int64_t>();
   const Table &batches = a_.table("batch"), &others = b_.table("batch");
   const Row* of_a = batches.find(batch);
   const Row* of_b = others.find(theirs.values[table.column("batch")].value_or(""));
@@ -111,11 +108,10 @@ void Merging::mergeBags() {
     const Said said{"bags",          id,     {"bags"},    version(mine),
                     version(theirs), "bags", words(mine), words(theirs)};
     if (!fresh_batches_.contains(id) && decide(&a_.table("batch"), said) != Take::B) continue;
-    database_.sql("DELETE FROM batch_bag WHERE batch = ?").with(rows_.at(id)).run();
+    database_.run("DELETE FROM batch_bag WHERE batch = ?", rows_.at(id));
     for (std::size_t i = 0; i < theirs.size(); ++i)
-      database_.sql("INSERT INTO batch_bag VALUES (?, ?, ?)")
-          .with(rows_.at(id), static_cast<std::int64_t>(i), rows_.at(theirs[i]))
-          .run();
+      database_.run("INSERT INTO batch_bag VALUES (?, ?, ?)", rows_.at(id),
+                    static_cast<std::int64_t>(i), rows_.at(theirs[i]));
   }
 }
 
@@ -165,23 +161,18 @@ void Merging::mergeTerms() {
       if (decide(nullptr,
                  {name, "vocabulary#0", {name}, version(own), version(term), name, a, b}) ==
           Take::B)
-        database_.sql("UPDATE vocabulary SET labels = ?, uri = ? WHERE name = ? AND term = ?")
-            .with(term[2], term[3], term[0], term[1])
-            .run();
+        database_.run("UPDATE vocabulary SET labels = ?, uri = ? WHERE name = ? AND term = ?",
+                      term[2], term[3], term[0], term[1]);
     } else if (!isGone(in_a, in_b, {term[0], term[1]}) || !isUnused({term[0], term[1]})) {
-      database_
-          .sql(
-              "INSERT INTO vocabulary SELECT ?1, ?2, ifnull(max(position), -1) + 1, ?3, ?4 FROM "
-              "vocabulary WHERE name = ?1")
-          .with(term[0], term[1], term[2], term[3])
-          .run();
+      database_.run(
+          "INSERT INTO vocabulary SELECT ?1, ?2, ifnull(max(position), -1) + 1, ?3, ?4 FROM "
+          "vocabulary WHERE name = ?1",
+          term[0], term[1], term[2], term[3]);
     }
   }
   for (const auto& [term, row] : mine)
     if (!theirs.contains(term) && isGone(in_b, in_a, term) && isUnused(term))
-      database_.sql("DELETE FROM vocabulary WHERE name = ? AND term = ?")
-          .with(term.first, term.second)
-          .run();
+      database_.run("DELETE FROM vocabulary WHERE name = ? AND term = ?", term.first, term.second);
 }
 
 void Merging::mergeProject() {
@@ -206,14 +197,7 @@ void Merging::mergeProject() {
         Field{"licence", &P::licence}, Field{"rights_holder", &P::rights_holder},
         Field{"numbering", &P::numbering}, Field{"word_for_context", &P::word_for_context}}) {
     const std::string &a = mine.*field.value, &b = theirs.*field.value;
-    if (a != b && decide(&project, {field.name,
-                                    "project#1",
-                                    {field.name},
-                                    {{{field.name, a}}},
-                                    {{{field.name, b}}},
-                                    field.name,
-                                    a,
-                                    b}) == Take::B) {
+    if (a != b && decide(&project, saidText(field.name, "project#1", a, b)) == Take::B) {
       merged.*field.value = b;
       differs = true;
     }
@@ -228,9 +212,7 @@ void Merging::mergeSettings() {
   for (const auto& [key, value] : b_.settings) {
     if (key.starts_with(kSameRow) && rows_.contains(canonicalId(value)) &&
         key != kSameRow + canonicalId(value))
-      database_.sql("INSERT OR IGNORE INTO setting VALUES (?, ?)")
-          .with(key, canonicalId(value))
-          .run();
+      database_.run("INSERT OR IGNORE INTO setting VALUES (?, ?)", key, canonicalId(value));
     if (!key.starts_with(typed)) continue;
     const auto batch = folder_of_.find(key.substr(typed.size()));
     if (batch == folder_of_.end()) continue;

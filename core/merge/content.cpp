@@ -42,21 +42,13 @@ Table describe(store::Database& database, const Known& known) {
   table.unique = known.unique;
   std::map<std::string, std::string> refers;
   store::Statement keys =
-      database.sql("SELECT \"from\", \"table\" FROM pragma_foreign_key_list(?)");
-  keys.with(table.name);
-  while (keys.next()) {
-    std::string from, to;
-    keys >> from >> to;
-    refers[from] = to;
-  }
-  store::Statement columns = database.sql("SELECT name FROM pragma_table_info(?)");
-  columns.with(table.name);
-  while (columns.next()) {
-    std::string name;
-    columns >> name;
+      database.sql("SELECT \"from\", \"table\" FROM pragma_foreign_key_list(?)", table.name);
+  for (std::string from, to; keys.read(from, to);) refers[from] = to;
+  store::Statement columns = database.sql("SELECT name FROM pragma_table_info(?)", table.name);
+  for (std::string name; columns.read(name);) {
     if (name == "row" || name == "id") continue;
     table.refers.push_back(refers.contains(name) ? refers[name] : std::string());
-    table.columns.push_back(std::move(name));
+    table.columns.push_back(name);
   }
   return table;
 }
@@ -128,11 +120,10 @@ void readEvents(store::Database& database, Content& content) {
       "SELECT at, person, table_name, row, field, old, new, why, source FROM history ORDER BY "
       "number");
   const Table& people = content.table("person");
-  while (rows.next()) {
-    Event event;
-    std::string person, row;
-    rows >> event.at >> person >> event.table >> row >> event.field >> event.old_value >>
-        event.new_value >> event.why >> event.source;
+  Event event;
+  for (std::string person, row;
+       rows.read(event.at, person, event.table, row, event.field, event.old_value, event.new_value,
+                 event.why, event.source);) {
     event.person = idOf(people, person);
     const auto table = by_name.find(event.table);
     event.row = table == by_name.end() ? "#" + row : idOf(*table->second, row);
@@ -141,7 +132,7 @@ void readEvents(store::Database& database, Content& content) {
     if (!event.refers.empty())
       for (std::string* value : {&event.old_value, &event.new_value})
         *value = idsIn(*by_name.at(event.refers), *value);
-    content.events.push_back(std::move(event));
+    content.events.push_back(event);
   }
 }
 
@@ -149,18 +140,14 @@ void readPairs(store::Database& database, Content& content) {
   store::Statement bags = database.sql(
       "SELECT batch.id, bag.id FROM batch_bag JOIN batch ON batch.row = batch JOIN bag ON bag.row "
       "= bag ORDER BY batch, position");
-  while (bags.next()) {
-    std::string batch, bag;
-    bags >> batch >> bag;
-    content.bags[batch].push_back(bag);
-  }
-  store::Statement joins = database.sql(
-      "SELECT a.id, b.id FROM sherd_join j JOIN sherd a ON a.row = j.sherd JOIN sherd b ON b.row = "
-      "j.other ORDER BY j.sherd, j.other");
-  while (joins.next()) {
-    content.joins.emplace_back();
-    joins >> content.joins.back().first >> content.joins.back().second;
-  }
+  for (std::string batch, bag; bags.read(batch, bag);) content.bags[batch].push_back(bag);
+  using Texts = std::pair<std::string, std::string>;
+  content.joins =
+      database
+          .sql(
+              "SELECT a.id, b.id FROM sherd_join j JOIN sherd a ON a.row = j.sherd JOIN sherd b ON "
+              "b.row = j.other ORDER BY j.sherd, j.other")
+          .all(&Texts::first, &Texts::second);
   store::Statement given = database.sql(
       "SELECT number_key, slug_key, g.number, s.id, at, counter, n FROM given_number g JOIN sherd "
       "s ON s.row = g.sherd ORDER BY number_key");
@@ -176,11 +163,8 @@ void readPairs(store::Database& database, Content& content) {
     for (std::string& value : row) terms >> value;
     content.terms.push_back(std::move(row));
   }
-  store::Statement settings = database.sql("SELECT key, value FROM setting ORDER BY key");
-  while (settings.next()) {
-    content.settings.emplace_back();
-    settings >> content.settings.back().first >> content.settings.back().second;
-  }
+  content.settings = database.sql("SELECT key, value FROM setting ORDER BY key")
+                         .all(&Texts::first, &Texts::second);
 }
 
 }  // namespace
@@ -206,8 +190,7 @@ const Table& Content::table(const std::string& name) const {
 
 Content readContent(store::Database& database) {
   Content content;
-  store::Statement project = database.sql("SELECT id FROM project");
-  if (project.next()) project >> content.project_id;
+  content.project_id = database.sql("SELECT id FROM project").one<std::string>();
   for (const Known& known : knownTables()) {
     content.tables.push_back(describe(database, known));
     readRows(database, content.tables.back());

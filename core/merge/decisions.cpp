@@ -158,18 +158,14 @@ void Merging::withdrawLosers() {
     const auto& [table, id] = loser;
     const std::string withdrawal = newId(projects_.a.now());
     const std::string extra = table == "piece_decision" ? ", side" : "";
-    std::string in_file;
-    store::Statement known = database_.sql("SELECT decision FROM " + table + " WHERE id = ?");
-    if (known.with(id).next()) known >> in_file;
-    database_
-        .sql("INSERT INTO " + table +
-             " (id, decision, came_alone, at, batch, verdict, replaces, note" + extra +
-             ") SELECT ?1, CASE decision WHEN '' THEN '' ELSE ?1 END, came_alone, ?2, batch, "
-             "'withdraw', row, "
-             "'settled when two projects were merged'" +
-             extra + " FROM " + table + " WHERE id = ?3")
-        .with(withdrawal, projects_.a.now(), id)
-        .run();
+    const auto in_file =
+        database_.sql("SELECT decision FROM " + table + " WHERE id = ?", id).one<std::string>();
+    database_.run("INSERT INTO " + table +
+                      " (id, decision, came_alone, at, batch, verdict, replaces, note" + extra +
+                      ") SELECT ?1, CASE decision WHEN '' THEN '' ELSE ?1 END, came_alone, ?2, "
+                      "batch, 'withdraw', row, 'settled when two projects were merged'" +
+                      extra + " FROM " + table + " WHERE id = ?3",
+                  withdrawal, projects_.a.now(), id);
     if (!in_file.empty()) outcome_.withdrawn[in_file] = withdrawal;
     ++outcome_.added;
   }

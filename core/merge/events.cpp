@@ -74,13 +74,11 @@ void Merging::copyEvents(const std::string& row) {
     const std::int64_t number = at != rows_.end()          ? at->second
                                 : event.table == "project" ? std::int64_t{1}
                                                            : std::int64_t{0};
-    database_
-        .sql(
-            "INSERT INTO history (at, person, table_name, row, field, old, new, why, source) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)")
-        .with(event.at, by, event.table, number, event.field, old_value, new_value, event.why,
-              event.source)
-        .run();
+    database_.run(
+        "INSERT INTO history (at, person, table_name, row, field, old, new, why, source) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        event.at, by, event.table, number, event.field, old_value, new_value, event.why,
+        event.source);
   }
   new_events_.erase(found);
 }

@@ -55,21 +55,6 @@ Result<void> checkProjects(const upkeep::Project& a, const fs::path& b) {
   return {};
 }
 
-MergeReport reportOf(const Outcome& outcome) {
-  MergeReport report;
-  report.added = outcome.added;
-  report.changed = outcome.changed;
-  report.conflicts = outcome.conflicts;
-  report.renumbered = outcome.batches;
-  const auto fresh = [&](const char* table) {
-    const auto found = outcome.new_rows.find(table);
-    return found == outcome.new_rows.end() ? 0 : found->second;
-  };
-  report.sherds = fresh("sherd");
-  report.batches = fresh("batch");
-  return report;
-}
-
 // What would be copied; a file of A at its place is the same one, or is refused on entering.
 Result<void> countFiles(const fs::path& a, const fs::path& b, const Outcome& outcome,
                         MergeReport& report) {
@@ -115,7 +100,7 @@ class Merge {
     Outcome outcome;
     const std::int64_t history = catalogue::History(a_.catalogue()).length();
     if (const Result<void> fits = pass(outcome, Keep::No, nullptr); !fits) return fits.error();
-    MergeReport report = reportOf(outcome);
+    MergeReport report = outcome;
     if (mode == MergeMode::Preview || outcome.unsettled()) {
       const Result<void> counted = countFiles(a_.folder(), b_folder_, outcome, report);
       return counted ? Result<MergeReport>(std::move(report)) : counted.error();
@@ -173,10 +158,7 @@ class Merge {
     const Result<void> done = a_.catalogue().together([&]() -> Result<void> {
       store::Database& database = a_.catalogue().database();
       const auto written = [&] {
-        std::int64_t rows = 0;
-        store::Statement changes = database.sql("SELECT total_changes()");
-        if (changes.next()) changes >> rows;
-        return rows;
+        return database.sql("SELECT total_changes()").one<std::int64_t>();
       };
       catalogue_before_ = catalogue::History(a_.catalogue()).length();
       const std::int64_t before = written();
@@ -203,11 +185,6 @@ class Merge {
 };
 
 }  // namespace
-
-bool MergeReport::unsettled() const {
-  return std::any_of(conflicts.begin(), conflicts.end(),
-                     [](const Conflict& conflict) { return !conflict.settled; });
-}
 
 Result<MergeReport> mergeInto(upkeep::Project& a, const fs::path& b, MergeMode mode,
                               const Settled& settled, const records::Provenance& provenance,

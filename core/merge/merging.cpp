@@ -59,7 +59,7 @@ bool sameIn(const Unit& unit, const std::vector<Value>& a, const std::vector<Val
 
 }  // namespace
 
-bool Outcome::unsettled() const {
+bool MergeReport::unsettled() const {
   return std::any_of(conflicts.begin(), conflicts.end(),
                      [](const Conflict& conflict) { return !conflict.settled; });
 }
@@ -148,9 +148,8 @@ void Merging::aliasRows(const Table& a, const Table& b) {
     if (!sameUnderAnotherId(a, *found->second, b, theirs, values)) continue;
     alias_[theirs.id] = found->second->id;
     if (a.name != "file" && a.name != "photograph")
-      database_.sql("INSERT OR IGNORE INTO setting VALUES (?, ?)")
-          .with(kSameRow + theirs.id, found->second->id)
-          .run();
+      database_.run("INSERT OR IGNORE INTO setting VALUES (?, ?)", kSameRow + theirs.id,
+                    found->second->id);
   }
 }
 
@@ -284,17 +283,9 @@ void Merging::mergeCustomFields(const Table& table, const Row& mine, const Value
     const std::string field = "extra." + name;
     const bool changed =
         touches(touched_a_, mine.id, {field}) || touches(touched_b_, mine.id, {field});
-    const std::string text_a = textOf(own), text_b = textOf(other);
     const Take take = !changed && (own.empty() || other.empty())
                           ? (own.empty() ? Take::B : Take::A)
-                          : decide(&table, {field,
-                                            mine.id,
-                                            {field},
-                                            {{{field, text_a}}},
-                                            {{{field, text_b}}},
-                                            field,
-                                            text_a,
-                                            text_b});
+                          : decide(&table, saidText(field, mine.id, textOf(own), textOf(other)));
     value = take == Take::B ? other : own;
   }
   std::erase_if(merged, [](const auto& field) { return field.second.empty(); });
@@ -363,14 +354,15 @@ void Merging::insertRow(const Table& table, const Row& theirs, const Values& giv
     deferred_.push_back(std::move(one));
   }
   ++outcome_.added;
-  ++outcome_.new_rows[table.name];
+  if (table.name == "sherd") ++outcome_.sherds;
+  if (table.name == "batch") ++outcome_.batches;
   copyEvents(theirs.id);
   if (!calling.empty())
     remember(table.name, row, calling, called_before, values[table.column(calling)].value_or(""));
   if (const auto scan = demoted_.find(theirs.id); scan != demoted_.end())
     remember("scan", row, "name", scan->second, labelOf(theirs.id));
   if (table.name == "sherd") {
-    database_.sql("INSERT INTO sherd_measure (sherd) VALUES (?)").with(row).run();
+    database_.run("INSERT INTO sherd_measure (sherd) VALUES (?)", row);
     changed_sherds_.insert(row);
     if (numbered) claimNumber(theirs.id, values[table.column("number")].value_or(""));
   }
@@ -421,21 +413,19 @@ void Merging::setDeferred() {
   for (const auto& [row, position] : scan_positions_) {
     store::Statement held = database_.sql(
         "SELECT 1 FROM scan a JOIN scan b ON b.batch = a.batch AND b.side = a.side WHERE a.row = ? "
-        "AND b.position = ?");
-    if (!held.with(row, position).next())
-      database_.sql("UPDATE scan SET position = ? WHERE row = ?").with(position, row).run();
+        "AND b.position = ?",
+        row, position);
+    if (!held.next()) database_.run("UPDATE scan SET position = ? WHERE row = ?", position, row);
   }
   for (const Deferred& one : deferred_) {
     const auto target = rows_.find(one.id);
     if (target == rows_.end()) continue;
     // A scan that another sherd has by now stays there: the decisions about its batch say whose.
-    if (one.table == "sherd") {
-      store::Statement held = database_.sql("SELECT 1 FROM sherd WHERE " + one.column + " = ?");
-      if (held.with(target->second).next()) continue;
-    }
-    database_.sql("UPDATE " + one.table + " SET " + one.column + " = ? WHERE row = ?")
-        .with(target->second, one.row)
-        .run();
+    if (one.table == "sherd" &&
+        database_.sql("SELECT 1 FROM sherd WHERE " + one.column + " = ?", target->second).next())
+      continue;
+    database_.run("UPDATE " + one.table + " SET " + one.column + " = ? WHERE row = ?",
+                  target->second, one.row);
   }
 }
 

@@ -208,11 +208,10 @@ void Merging::mergeMeasurements() {
                     {name, id, {name}, version(a), version(b), name, toldOf(a, b), toldOf(b, a)});
     if (take != Take::B) continue;
     const std::int64_t row = rows_.at(id);
-    if (a) database_.sql("UPDATE measurement SET current = 0 WHERE id = ?").with(a->id).run();
-    if (b) database_.sql("UPDATE measurement SET current = 1 WHERE id = ?").with(b->id).run();
-    database_.sql("UPDATE sherd_measure SET " + name + " = ? WHERE sherd = ?")
-        .with(b ? b->values[value] : Value(), row)
-        .run();
+    if (a) database_.run("UPDATE measurement SET current = 0 WHERE id = ?", a->id);
+    if (b) database_.run("UPDATE measurement SET current = 1 WHERE id = ?", b->id);
+    database_.run("UPDATE sherd_measure SET " + name + " = ? WHERE sherd = ?",
+                  b ? b->values[value] : Value(), row);
     changed_sherds_.insert(row);
   }
 }
@@ -245,17 +244,15 @@ void Merging::mergeJoins() {
       continue;
     const std::int64_t sherd = rows_.at(pair.first);
     if (!before.contains(sherd)) before[sherd] = joinsOf(sherd);
-    database_.sql("INSERT OR IGNORE INTO sherd_join VALUES (?, ?)")
-        .with(rows_.at(pair.first), rows_.at(pair.second))
-        .run();
+    database_.run("INSERT OR IGNORE INTO sherd_join VALUES (?, ?)", rows_.at(pair.first),
+                  rows_.at(pair.second));
   }
   for (const auto& pair : mine) {
     if (theirs.contains(pair) || !parted(in_b, in_a, pair)) continue;
     const std::int64_t sherd = rows_.at(pair.first);
     if (!before.contains(sherd)) before[sherd] = joinsOf(sherd);
-    database_.sql("DELETE FROM sherd_join WHERE sherd = ? AND other = ?")
-        .with(sherd, rows_.at(pair.second))
-        .run();
+    database_.run("DELETE FROM sherd_join WHERE sherd = ? AND other = ?", sherd,
+                  rows_.at(pair.second));
   }
   for (const auto& [sherd, joins] : before)
     catalogue::remember(projects_.a, {provenance_.person, kMergeSource, provenance_.why}, "sherd",
@@ -264,8 +261,8 @@ void Merging::mergeJoins() {
 
 void Merging::searchAnew() {
   if (places_changed_) {
-    store::Statement all = database_.sql("SELECT row FROM sherd");
-    for (std::int64_t row = 0; all.next(); changed_sherds_.insert(row)) all >> row;
+    const auto all = database_.sql("SELECT row FROM sherd").all<std::int64_t>();
+    changed_sherds_.insert(all.begin(), all.end());
   }
   for (const std::int64_t row : changed_sherds_)
     catalogue::searchAnew(database_, store::SherdRow{row});

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -16,6 +17,12 @@ struct Said {
   std::string field, told_a, told_b;  ///< for the history
 };
 
+/// The same of one text, which the history tells as it is.
+inline Said saidText(const std::string& field, const std::string& row, const std::string& a,
+                     const std::string& b) {
+  return {field, row, {field}, {{{field, a}}}, {{{field, b}}}, field, a, b};
+}
+
 /// A file of B that A gets.
 struct FileCopy {
   std::string from, to;  ///< relative to their projects
@@ -25,18 +32,25 @@ struct FileCopy {
   bool operator==(const FileCopy&) const = default;
 };
 
+struct MergeReport {
+  bool entered = false;
+  int added = 0, changed = 0;   ///< rows of A
+  int sherds = 0, batches = 0;  ///< of the added ones
+  int files = 0;                ///< copied, or to be copied where nothing is entered
+  std::int64_t bytes = 0;
+  std::vector<Conflict> conflicts;                ///< the settled ones, too
+  std::map<std::string, std::string> renumbered;  ///< batches: numbers of B that are others in A
+  std::vector<std::string> missing;               ///< files that B's catalogue names but B lacks
+  bool unsettled() const;
+};
+
 /// What one merge does, or would do.
-struct Outcome {
-  int added = 0, changed = 0;           ///< rows of A
-  std::map<std::string, int> new_rows;  ///< of the added ones, by table
-  std::vector<Conflict> conflicts;
+struct Outcome : MergeReport {
   std::map<std::string, std::string> files_of;  ///< folder of B -> folder of A, all of its files
   std::map<std::string, FileCopy> copies;       ///< by where they go: what B's catalogue names
-  std::map<std::string, std::string> batches;   ///< numbers of B that are others in A
   /// Of batches that both have, by place in A: what it becomes; none: as A has it.
   std::map<std::string, std::optional<std::string>> peoples_files;
   std::map<std::string, std::string> withdrawn;  ///< in decisions.json: what lost -> its withdrawal
-  bool unsettled() const;
 };
 
 }  // namespace ostraka::merge

@@ -150,9 +150,8 @@ Result<void> StagedFiles::finish(catalogue::Catalogue& catalogue) {
     if (const Result<void> moved = project->move(*from, *place); !moved) return moved;
   }
   if (!staged_.empty())
-    if (const Result<void> forgotten = catalogue.database().inTransaction([&] {
-          catalogue.database().sql("DELETE FROM setting WHERE key = ?").with(kJournal).run();
-        });
+    if (const Result<void> forgotten = catalogue.database().inTransaction(
+            [&] { catalogue.database().run("DELETE FROM setting WHERE key = ?", kJournal); });
         !forgotten)
       return forgotten;
   drop();

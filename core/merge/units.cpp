@@ -1,7 +1,6 @@
 #include "merge/units.h"
 
 #include <algorithm>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -13,56 +12,43 @@ namespace {
 const std::set<std::string> kStamps = {"created_at", "created_by", "updated_at",
                                        "updated_by", "revision",   "extra"};
 
+// Columns of a unit that is not called like them; without a name they belong to none.
+struct Named {
+  const char *table, *unit;
+  std::vector<std::string> columns;
+};
+
+const std::vector<Named>& namedUnits() {
+  static const std::vector<Named> kAll = {
+      {"person", "initials", {"initials_key"}},
+      {"site", "code", {"code_key"}},
+      {"site", "location", {"latitude_deg", "longitude_deg"}},
+      {"trench", "code", {"site", "code_key"}},
+      {"context", "number", {"site", "trench", "number_key"}},
+      {"bag", "number", {"context", "number_key"}},
+      {"batch", "", {"number"}},  // names its folders, in each project
+      {"batch",
+       "results",
+       {"state", "started_ms", "ended_ms", "reprojection_px", "scale_error_pct", "scale",
+        "scale_doubts", "rig_sha256", "program", "settings_sha256"}},
+      {"scan",
+       "place",
+       {"position", "side", "name", "path", "points", "coverage_pct", "plate_x_mm", "plate_y_mm",
+        "batch"}},
+      {"scan", "", {"state"}},
+      {"sherd", "number", {"number_sort", "state", "void_reason"}},
+      {"sherd", "place", {"context", "bag"}},
+      {"sherd", "model", {"model_path", "preview_path"}},
+      {"file", "content", {"path", "sha256", "bytes", "media_type", "role"}},
+      {"file", "", {"state"}}};
+  return kAll;
+}
+
 // Which unit a column belongs to; empty: none.
 std::string unitNamed(const std::string& table, const std::string& column) {
   if (kStamps.contains(column)) return {};
-  static const std::map<std::string, std::map<std::string, std::string>> kNamed = {
-      {"person", {{"initials_key", "initials"}}},
-      {"site", {{"code_key", "code"}, {"latitude_deg", "location"}, {"longitude_deg", "location"}}},
-      {"trench", {{"site", "code"}, {"code_key", "code"}}},
-      {"context", {{"site", "number"}, {"trench", "number"}, {"number_key", "number"}}},
-      {"bag", {{"context", "number"}, {"number_key", "number"}}},
-      {"batch",
-       {{"number", ""},  // names its folders, in each project
-        {"state", "results"},
-        {"started_ms", "results"},
-        {"ended_ms", "results"},
-        {"reprojection_px", "results"},
-        {"scale_error_pct", "results"},
-        {"scale", "results"},
-        {"scale_doubts", "results"},
-        {"rig_sha256", "results"},
-        {"program", "results"},
-        {"settings_sha256", "results"}}},
-      {"scan",
-       {{"position", "place"},
-        {"side", "place"},
-        {"name", "place"},
-        {"path", "place"},
-        {"points", "place"},
-        {"coverage_pct", "place"},
-        {"plate_x_mm", "place"},
-        {"plate_y_mm", "place"},
-        {"batch", "place"},
-        {"state", ""}}},
-      {"sherd",
-       {{"number_sort", "number"},
-        {"state", "number"},
-        {"void_reason", "number"},
-        {"context", "place"},
-        {"bag", "place"},
-        {"model_path", "model"},
-        {"preview_path", "model"}}},
-      {"file",
-       {{"path", "content"},
-        {"sha256", "content"},
-        {"bytes", "content"},
-        {"media_type", "content"},
-        {"role", "content"},
-        {"state", ""}}}};
-  if (const auto of_table = kNamed.find(table); of_table != kNamed.end())
-    if (const auto named = of_table->second.find(column); named != of_table->second.end())
-      return named->second;
+  for (const Named& named : namedUnits())
+    if (table == named.table && std::ranges::count(named.columns, column) > 0) return named.unit;
   return column;
 }
 

@@ -3,13 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "base/message.h"
+#include "base/uuid.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "catalogue/places.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
 #include "metadata/json_fields.h"
-#include "metadata/restored_rows.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "records/words.h"
@@ -25,10 +25,6 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using store::valueOrThrow;
 
-template <class T>
-void take(const json& object, const char* key, std::optional<T>& value) {
-  if (object.contains(key)) value = object.at(key).get<T>();
-}
 std::string text(const json& object, const char* key) {
   return object.value(key, "");
 }
@@ -45,115 +41,144 @@ std::string exportedAs(const std::string& path, const std::string& batch) {
   return "photographs/" + batch + "/" + inside;
 }
 
+// The fields of the records, as PutFields and TakenFields want them; in the order of the file.
+void photograph(auto&& fields, auto& p) {
+  fields.always("id", p.id);
+  fields.word("side", p.side);
+  fields.always("camera", p.camera);
+  fields.always("stop", p.stop);
+  fields.always("take", p.take);
+  fields.always("path", p.path);
+  fields.always("used", p.used);
+  fields("serial", p.serial);
+  if (p.exif_json != "{}") fields("exif", p.exif_json);
+  fields("angle_deg", p.angle_deg);
+  fields("sharpness", p.sharpness);
+  fields("reason", p.reason);
+}
+
+void scan(auto&& fields, auto& s) {
+  fields.always("id", s.id);
+  fields.word("side", s.side);
+  fields.always("index", s.index);
+  fields.always("name", s.name);
+  fields.always("path", s.path);
+  fields.word("state", s.state);
+  fields("points", s.points);
+  fields("coverage_pct", s.coverage_pct);
+  fields("plate_x_mm", s.plate_x_mm);
+  fields("plate_y_mm", s.plate_y_mm);
+}
+
+void decision(auto&& fields, auto& d) {
+  fields.always("id", d.id);
+  fields.always("at_ms", d.at_ms);
+  fields.word("verdict", d.verdict);
+  fields("decision", d.decision);
+  fields("by", d.by);
+  fields("front", d.front);
+  fields("back", d.back);
+  fields("replaces", d.replaces);
+  fields("T_front_from_back", d.front_from_back);
+  fields("score", d.score);
+  fields("margin", d.margin);
+  fields("fracture_rms_mm", d.fracture_rms_mm);
+  fields("fracture_overlap", d.fracture_overlap);
+  fields("ambiguous", d.ambiguous);
+  fields("note", d.note);
+}
+
+// A decision about pieces as its row has it, but for the id of what it replaces.
+struct Piece {
+  std::string id, decision, side, verdict, pieces, cut_mm, replaces, note;
+  store::PersonRow by;
+  std::int64_t at_ms = 0;
+};
+
+void piece(auto&& fields, auto& d) {
+  fields.always("id", d.id);
+  fields.always("at_ms", d.at_ms);
+  fields.always("side", d.side);
+  fields.always("verdict", d.verdict);
+  fields("decision", d.decision);
+  fields("by", d.by);
+  fields("pieces", d.pieces);
+  fields("cut_mm", d.cut_mm);
+  fields("replaces", d.replaces);
+  fields("note", d.note);
+}
+
+// Of a batch, what both ways list alike.
+void figures(auto&& fields, auto& b) {
+  fields("started_ms", b.started_ms);
+  fields("ended_ms", b.ended_ms);
+  fields("reprojection_px", b.reprojection_px);
+  fields("scale_error_pct", b.scale_error_pct);
+}
+void origins(auto&& fields, auto& b) {
+  fields("rig_sha256", b.rig_sha256);
+  fields("program", b.program);
+  fields("settings_sha256", b.settings_sha256);
+  fields("note", b.note);
+}
+
+const std::string& wellFormed(const std::string& id) {
+  if (!isUuid(id)) store::refuse(message("A uuid of the export is not well formed."), id);
+  return id;
+}
+
 class Writing {
  public:
   Writing(const Catalogue& catalogue, const std::vector<archive::BagFile>& exported)
       : catalogue_(catalogue) {
     for (const archive::BagFile& file : exported) exported_[file.path] = &file;
+    for (const auto& p : valueOrThrow(People(catalogue_).all())) ids_[p.row] = p.id;
+    for (const auto& bag : valueOrThrow(Places(catalogue_).bags())) ids_[bag.row] = bag.id;
   }
 
   ordered_json batch(store::BatchRow row) {
     const records::BatchRecord b = valueOrThrow(Batches(catalogue_).get(row));
-    if (persons_.empty()) {
-      for (const auto& p : valueOrThrow(People(catalogue_).all())) persons_[p.row] = p.id;
-      for (const auto& bag : valueOrThrow(Places(catalogue_).bags())) bag_ids_[bag.row] = bag.id;
-    }
     ordered_json one = {{"id", b.id},
                         {"number", b.number},
                         {"state", records::wordOf(b.state)},
                         {"counted", b.counted}};
-    put(one, "operator", persons_[b.operator_]);
-    for (const store::BagRow& bag : b.bags) one["bags"].push_back(bag_ids_[bag]);
-    put(one, "started_ms", b.started_ms);
-    put(one, "ended_ms", b.ended_ms);
-    put(one, "reprojection_px", b.reprojection_px);
-    put(one, "scale_error_pct", b.scale_error_pct);
+    PutFields fields{one, ids_};
+    fields("operator", b.operator_);
+    for (const store::BagRow& bag : b.bags) one["bags"].push_back(ids_[bag]);
+    figures(fields, b);
     put(one, "scale", b.scale.english());
     put(one, "scale_doubts", linesOf(b.scale_doubts));
-    put(one, "rig_sha256", b.rig_sha256);
-    put(one, "program", b.program);
-    put(one, "settings_sha256", b.settings_sha256);
-    put(one, "note", b.note);
-    ids_ = valueOrThrow(idsOf(catalogue_, row));
-    photographs(b, one);
-    scans(b, one);
-    decisions(b, one);
-    pieces(b, one);
+    origins(fields, b);
+    const auto add = [&](const char* list, const auto& records, const auto& write) {
+      for (const auto& record : records) {
+        ordered_json out;
+        write(PutFields{out, ids_}, record);
+        one[list].push_back(std::move(out));
+      }
+    };
+    add("photographs", valueOrThrow(Batches(catalogue_).photographs(row)),
+        [](auto&& to, auto& p) { photograph(to, p); });
+    const auto scans = valueOrThrow(Batches(catalogue_).scans(row));
+    for (const records::ScanRecord& s : scans) ids_[s.row] = s.id;
+    add("scans", scans, [](auto&& to, auto& s) { scan(to, s); });
+    const auto decisions = valueOrThrow(sherds::PairDecisions(catalogue_).all(row));
+    for (const records::PairDecision& d : decisions) ids_[d.row] = d.id;
+    add("decisions", decisions, [](auto&& to, auto& d) { decision(to, d); });
+    using P = Piece;
+    add("piece_decisions",
+        catalogue_.database()
+            .sql("SELECT d.id, d.decision, d.person, d.side, d.verdict, d.pieces, d.cut_mm, r.id, "
+                 "d.note, d.at FROM piece_decision d LEFT JOIN piece_decision r ON r.row = "
+                 "d.replaces WHERE d.batch = ? ORDER BY d.row",
+                 row)
+            .all(&P::id, &P::decision, &P::by, &P::side, &P::verdict, &P::pieces, &P::cut_mm,
+                 &P::replaces, &P::note, &P::at_ms),
+        [](auto&& to, auto& d) { piece(to, d); });
     files(b, one);
     return one;
   }
 
  private:
-  std::string scanId(store::ScanRow row) const { return row ? ids_.scans.at(row) : std::string(); }
-
-  void photographs(const records::BatchRecord& b, ordered_json& one) {
-    for (const records::PhotographRecord& p :
-         valueOrThrow(Batches(catalogue_).photographs(b.row))) {
-      ordered_json out = {{"id", ids_.photographs[p.row]},
-                          {"side", records::wordOf(p.side)},
-                          {"camera", std::string(1, p.camera)},
-                          {"stop", p.stop},
-                          {"take", p.take},
-                          {"path", p.path},
-                          {"used", p.used}};
-      put(out, "serial", p.serial);
-      if (p.exif_json != "{}") put(out, "exif", p.exif_json);
-      put(out, "angle_deg", p.angle_deg);
-      put(out, "sharpness", p.sharpness);
-      put(out, "reason", p.reason);
-      one["photographs"].push_back(std::move(out));
-    }
-  }
-
-  void scans(const records::BatchRecord& b, ordered_json& one) {
-    for (const records::ScanRecord& s : valueOrThrow(Batches(catalogue_).scans(b.row))) {
-      ordered_json out = {{"id", ids_.scans[s.row]}, {"side", records::wordOf(s.side)},
-                          {"index", s.index},        {"name", s.name},
-                          {"path", s.path},          {"state", records::wordOf(s.state)}};
-      put(out, "points", s.points);
-      put(out, "coverage_pct", s.coverage_pct);
-      put(out, "plate_x_mm", s.plate_x_mm);
-      put(out, "plate_y_mm", s.plate_y_mm);
-      one["scans"].push_back(std::move(out));
-    }
-  }
-
-  void decisions(const records::BatchRecord& b, ordered_json& one) {
-    for (const records::PairDecision& d :
-         valueOrThrow(sherds::PairDecisions(catalogue_).all(b.row))) {
-      ordered_json out = {{"id", ids_.decisions[d.row]},
-                          {"at_ms", d.at_ms},
-                          {"verdict", records::wordOf(d.verdict)}};
-      put(out, "decision", d.decision);
-      put(out, "by", persons_[d.by]);
-      put(out, "front", scanId(d.front));
-      put(out, "back", scanId(d.back));
-      if (d.replaces) put(out, "replaces", ids_.decisions[d.replaces]);
-      if (d.front_from_back) out["T_front_from_back"] = toJson(*d.front_from_back);
-      put(out, "score", d.score);
-      put(out, "margin", d.margin);
-      put(out, "fracture_rms_mm", d.fracture_rms_mm);
-      put(out, "fracture_overlap", d.fracture_overlap);
-      if (d.ambiguous) out["ambiguous"] = true;
-      put(out, "note", d.note);
-      one["decisions"].push_back(std::move(out));
-    }
-  }
-
-  void pieces(const records::BatchRecord& b, ordered_json& one) {
-    for (const PieceRow& d : valueOrThrow(pieceRows(catalogue_, b.row))) {
-      ordered_json out = {
-          {"id", d.id}, {"at_ms", d.at_ms}, {"side", d.side}, {"verdict", d.verdict}};
-      put(out, "decision", d.decision);
-      put(out, "by", d.by);
-      put(out, "pieces", d.pieces_json);
-      put(out, "cut_mm", d.cut_json);
-      put(out, "replaces", d.replaces);
-      put(out, "note", d.note);
-      one["piece_decisions"].push_back(std::move(out));
-    }
-  }
-
   void files(const records::BatchRecord& b, ordered_json& one) {
     for (const records::FileRecord& f : valueOrThrow(Files(catalogue_).of(b.row))) {
       const std::string at = exportedAs(f.path, b.number);
@@ -172,9 +197,7 @@ class Writing {
 
   const Catalogue& catalogue_;
   std::map<std::string, const archive::BagFile*> exported_;  ///< by their paths in the bag
-  std::map<store::PersonRow, std::string> persons_;
-  std::map<store::BagRow, std::string> bag_ids_;
-  BatchIds ids_;  ///< of the present batch
+  Ids ids_;
 };
 
 class Entering {
@@ -186,50 +209,52 @@ class Entering {
   void batch(const json& b) {
     records::BatchRecord batch;
     batch.id = text(b, "id");
-    batch.note = text(b, "note");
     batch.number = number_ = text(b, "number");
     if (const auto there = valueOrThrow(Batches(catalogue_).byId(batch.id))) {
       read.numbers[number_] = there->number;
       return;
     }
+    std::string note;  // behind its own
     if (Batches(catalogue_).byNumber(number_)) {
       // This import's own copies lie there already when the batch enters.
       batch.number = valueOrThrow(Batches(catalogue_).lowestFreeNumber());
-      batch.note += (batch.note.empty() ? "" : "\n") + ("Was " + number_ + " where it was made.");
+      note = (text(b, "note").empty() ? "" : "\n") + ("Was " + number_ + " where it was made.");
     }
     read.numbers[number_] = batch.number;
     batch.state = records::fromWord<records::BatchState>(text(b, "state"));
     // What was under way there is neither photographed on nor computed here by itself.
     if (batch.state < records::BatchState::Review) batch.state = records::BatchState::Failed;
     batch.counted = wholeOr(b, "counted", 0);
-    batch.operator_ = {row(b, "operator")};
+    TakenFields fields{b, rows_};
+    fields("operator", batch.operator_);
     for (const json& id : listOf(b, "bags")) {
       const auto bag = rows_.find(id.get<std::string>());
       if (bag != rows_.end()) batch.bags.push_back({bag->second});
     }
-    take(b, "started_ms", batch.started_ms);
-    take(b, "ended_ms", batch.ended_ms);
-    take(b, "reprojection_px", batch.reprojection_px);
-    take(b, "scale_error_pct", batch.scale_error_pct);
+    figures(fields, batch);
     if (const std::string scale = text(b, "scale"); !scale.empty()) batch.scale = Message(scale);
     if (const std::string doubts = text(b, "scale_doubts"); !doubts.empty())
       batch.scale_doubts.emplace_back(doubts);
-    batch.rig_sha256 = text(b, "rig_sha256");
-    batch.program = text(b, "program");
-    batch.settings_sha256 = text(b, "settings_sha256");
+    origins(fields, batch);
+    batch.note += note;
     const store::BatchRow added = valueOrThrow(Batches(catalogue_).add(batch, provenance_));
     read.fresh.insert(added);
-    for (const json& p : listOf(b, "photographs")) photograph(p, added);
-    for (const json& s : listOf(b, "scans")) scan(s, added);
-    for (const json& d : listOf(b, "decisions")) decision(d, added);
-    for (const json& d : listOf(b, "piece_decisions")) {
-      const PieceRow piece{text(d, "id"),      text(d, "decision"),
-                           text(d, "by"),      text(d, "side"),
-                           text(d, "verdict"), text(d, "pieces"),
-                           text(d, "cut_mm"),  text(d, "replaces"),
-                           text(d, "note"),    wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX)};
-      valueOrThrow(restorePieceRow(catalogue_, added, {row(d, "by")}, piece));
+    for (const json& p : listOf(b, "photographs")) {
+      records::PhotographRecord taken;
+      photograph(TakenFields{p, rows_}, taken);
+      taken.batch = added;
+      taken.path = here(taken.path);
+      wellFormed(taken.id);
+      valueOrThrow(Batches(catalogue_).save(taken, provenance_));
     }
+    for (const json& s : listOf(b, "scans")) scanOf(s, added);
+    for (const json& d : listOf(b, "decisions")) {
+      records::PairDecision taken;
+      decision(TakenFields{d, rows_}, taken);
+      taken.batch = added;
+      rows_[taken.id] = valueOrThrow(sherds::restoreDecision(catalogue_, taken)).value;
+    }
+    for (const json& d : listOf(b, "piece_decisions")) pieceOf(d, added);
     for (const json& f : listOf(b, "files")) file(f, added);
   }
 
@@ -243,70 +268,29 @@ class Entering {
         return folder + read.numbers.at(number_) + "/" + path.substr(old.size());
     return path;
   }
-  std::int64_t row(const json& object, const char* key) const {
-    const auto found = rows_.find(text(object, key));
-    return found == rows_.end() ? 0 : found->second;
-  }
-  std::int64_t own(const json& object, const char* key) const {
-    const auto found = own_.find(text(object, key));
-    return found == own_.end() ? 0 : found->second;
+
+  void scanOf(const json& s, store::BatchRow batch) {
+    records::ScanRecord taken;
+    scan(TakenFields{s, rows_}, taken);
+    taken.batch = batch;
+    taken.path = here(taken.path);
+    wellFormed(taken.id);
+    const store::ScanRow row = valueOrThrow(Batches(catalogue_).save(taken, provenance_));
+    catalogue_.database().run("UPDATE scan SET state = ? WHERE row = ?",
+                              records::wordOf(taken.state), row);
+    rows_[taken.id] = row.value;
   }
 
-  void photograph(const json& p, store::BatchRow batch) {
-    records::PhotographRecord photograph;
-    photograph.batch = batch;
-    photograph.side = records::fromWord<batch::Side>(text(p, "side"));
-    const std::string camera = text(p, "camera");
-    photograph.camera = camera.empty() ? 'A' : camera[0];
-    photograph.stop = wholeAt(p, "stop");
-    photograph.take = wholeAt(p, "take");
-    photograph.path = here(text(p, "path"));
-    photograph.serial = text(p, "serial");
-    photograph.exif_json = text(p, "exif");
-    take(p, "angle_deg", photograph.angle_deg);
-    take(p, "sharpness", photograph.sharpness);
-    photograph.used = p.value("used", true);
-    photograph.reason = text(p, "reason");
-    valueOrThrow(restorePhotograph(catalogue_, photograph, text(p, "id"), provenance_));
-  }
-
-  void scan(const json& s, store::BatchRow batch) {
-    records::ScanRecord scan;
-    scan.batch = batch;
-    scan.side = records::fromWord<batch::Side>(text(s, "side"));
-    scan.index = wholeAt(s, "index");
-    scan.name = text(s, "name");
-    scan.path = here(text(s, "path"));
-    take(s, "points", scan.points);
-    take(s, "coverage_pct", scan.coverage_pct);
-    take(s, "plate_x_mm", scan.plate_x_mm);
-    take(s, "plate_y_mm", scan.plate_y_mm);
-    scan.state = records::fromWord<records::ScanState>(text(s, "state"));
-    own_[text(s, "id")] =
-        valueOrThrow(restoreScan(catalogue_, scan, text(s, "id"), provenance_)).value;
-  }
-
-  void decision(const json& d, store::BatchRow batch) {
-    records::PairDecision decision;
-    decision.at_ms = wholeIn(d.at("at_ms"), "at_ms", 0, INT64_MAX);
-    decision.batch = batch;
-    decision.decision = text(d, "decision");
-    decision.by = {row(d, "by")};
-    decision.front = {own(d, "front")};
-    decision.back = {own(d, "back")};
-    decision.replaces = {own(d, "replaces")};
-    decision.verdict = records::fromWord<records::Verdict>(text(d, "verdict"));
-    if (d.contains("T_front_from_back"))
-      decision.front_from_back =
-          valueOrThrow(isometryFromJson(d.at("T_front_from_back"), "metadata/batches.json"));
-    take(d, "score", decision.score);
-    take(d, "margin", decision.margin);
-    take(d, "fracture_rms_mm", decision.fracture_rms_mm);
-    take(d, "fracture_overlap", decision.fracture_overlap);
-    decision.ambiguous = d.value("ambiguous", false);
-    decision.note = text(d, "note");
-    own_[text(d, "id")] =
-        valueOrThrow(sherds::restoreDecision(catalogue_, decision, text(d, "id"))).value;
+  void pieceOf(const json& d, store::BatchRow batch) {
+    Piece taken;
+    piece(TakenFields{d, rows_}, taken);
+    if (!taken.decision.empty()) wellFormed(taken.decision);
+    catalogue_.database().run(
+        "INSERT INTO piece_decision (id, decision, came_alone, at, person, batch, side, verdict, "
+        "pieces, cut_mm, replaces, note) VALUES (?, ?, 1, ?, ?, ?, ?, ?, ?, ?, (SELECT row FROM "
+        "piece_decision WHERE id = ?), ?)",
+        wellFormed(taken.id), taken.decision, taken.at_ms, taken.by, batch, taken.side,
+        taken.verdict, taken.pieces, taken.cut_mm, taken.replaces, taken.note);
   }
 
   void file(const json& f, store::BatchRow batch) {
@@ -328,10 +312,9 @@ class Entering {
 
   Catalogue& catalogue_;
   const archive::BagReader& bag_;
-  const std::map<std::string, std::int64_t>& rows_;
+  RowsById rows_;  ///< of persons and bags, and of the scans and decisions that entered
   const records::Provenance& provenance_;
-  std::map<std::string, std::int64_t> own_;  ///< id -> row of scans and decisions
-  std::string number_;                       ///< of the present batch in the export
+  std::string number_;  ///< of the present batch in the export
 };
 
 }  // namespace
@@ -344,6 +327,14 @@ Result<ordered_json> batchesJson(const Catalogue& catalogue,
     Writing writing(catalogue, exported);
     for (const store::BatchRow row : batches) list.push_back(writing.batch(row));
     return ordered_json{{"batches", list}};
+  });
+}
+
+Result<void> restoreScans(const Catalogue& catalogue, store::SherdRow sherd, store::ScanRow front,
+                          store::ScanRow back) {
+  return catalogue.database().inTransaction([&] {
+    catalogue.database().run("UPDATE sherd SET front = ?, back = ? WHERE row = ?", front, back,
+                             sherd);
   });
 }
 

@@ -42,4 +42,8 @@ Result<ReadBatches> readBatches(catalogue::Catalogue& catalogue, const archive::
                                 const std::map<std::string, std::int64_t>& rows,
                                 const records::Provenance& provenance);
 
+/// What a sherd was made from.
+Result<void> restoreScans(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
+                          store::ScanRow front, store::ScanRow back);
+
 }  // namespace ostraka::metadata

@@ -1,6 +1,7 @@
 #include "metadata/metadata.h"
 
 #include <algorithm>
+#include <concepts>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -143,86 +144,87 @@ std::string readMe(const Catalogue& catalogue, const std::set<store::BatchRow>& 
          doubts;
 }
 
-template <class Record, class Row>
-std::string idOf(const std::vector<Record>& records, Row row) {
-  for (const Record& record : records)
-    if (record.row == row) return record.id;
-  return {};
-}
+template <class T, class Record>
+concept Is = std::same_as<std::remove_const_t<T>, Record>;
 
-ordered_json personJson(const records::PersonRecord& p) {
-  ordered_json one = {{"id", p.id}, {"name", p.name}, {"initials", p.initials}};
-  put(one, "orcid", p.orcid);
-  return one;
-}
+// The fields of the records, as PutFields and TakenFields want them; in the order of the file.
+template <class Fields>
+struct Listing {
+  Fields fields;
 
-ordered_json siteJson(const records::SiteRecord& s) {
-  ordered_json one = {{"id", s.id}, {"code", s.code}, {"name", s.name}};
-  put(one, "gazetteer", s.gazetteer);
-  if (s.location_public) {  // else the place stays with the people of the project
-    one["location_public"] = true;
-    put(one, "latitude_deg", s.latitude_deg);
-    put(one, "longitude_deg", s.longitude_deg);
+  void operator()(auto& record) {
+    fields.always("id", record.id);
+    list(record);
   }
-  return one;
-}
 
-ordered_json trenchJson(const records::TrenchRecord& t, const std::string& site,
-                        const std::string& parent) {
-  ordered_json one = {{"id", t.id}, {"site", site}, {"code", t.code}, {"name", t.name}};
-  put(one, "parent", parent);
-  return one;
-}
-
-ordered_json contextJson(const records::ContextRecord& c, const std::string& site,
-                         const std::string& trench) {
-  ordered_json one = {{"id", c.id}, {"site", site}};
-  put(one, "trench", trench);
-  one["number"] = c.number;
-  put(one, "kind", c.kind);
-  put(one, "excavated_on", c.excavated_on);
-  put(one, "period", c.period);
-  put(one, "date_edtf", c.date_edtf);
-  put(one, "note", c.note);
-  if (c.closed) one["closed"] = *c.closed;
-  if (const auto own = orderedJsonOrDiscarded(c.extra_json); own.is_object() && !own.empty())
-    one["extra"] = own;
-  return one;
-}
-
-ordered_json bagJson(const records::BagRecord& b, const std::string& context) {
-  ordered_json one = {{"id", b.id}, {"context", context}, {"number", b.number}};
-  put(one, "collected_on", b.collected_on);
-  put(one, "storage", b.storage);
-  put(one, "count_written", b.count_written);
-  put(one, "weight_g", b.weight_g);
-  return one;
-}
+ private:
+  void list(Is<records::PersonRecord> auto& p) {
+    fields.always("name", p.name);
+    fields.always("initials", p.initials);
+    fields("orcid", p.orcid);
+  }
+  void list(Is<records::SiteRecord> auto& s) {
+    fields.always("code", s.code);
+    fields.always("name", s.name);
+    fields("gazetteer", s.gazetteer);
+    fields("location_public", s.location_public);
+    if (Fields::kWrites && !s.location_public) return;  // the place stays with the project's people
+    fields("latitude_deg", s.latitude_deg);
+    fields("longitude_deg", s.longitude_deg);
+  }
+  void list(Is<records::TrenchRecord> auto& t) {
+    fields("site", t.site);
+    fields.always("code", t.code);
+    fields.always("name", t.name);
+    fields("parent", t.parent);
+  }
+  void list(Is<records::ContextRecord> auto& c) {
+    fields("site", c.site);
+    fields("trench", c.trench);
+    fields.always("number", c.number);
+    fields("kind", c.kind);
+    fields("excavated_on", c.excavated_on);
+    fields("period", c.period);
+    fields("date_edtf", c.date_edtf);
+    fields("note", c.note);
+    fields("closed", c.closed);
+    fields.inner("extra", c.extra_json);
+  }
+  void list(Is<records::BagRecord> auto& b) {
+    fields("context", b.context);
+    fields.always("number", b.number);
+    fields("collected_on", b.collected_on);
+    fields("storage", b.storage);
+    fields("count_written", b.count_written);
+    fields("weight_g", b.weight_g);
+  }
+};
 
 ordered_json placesJson(const Catalogue& catalogue, const std::set<store::ContextRow>& wanted) {
   const auto sites = valueOrThrow(Places(catalogue).sites());
   const auto trenches = valueOrThrow(Places(catalogue).trenches());
   const auto contexts = valueOrThrow(Places(catalogue).contexts());
-  ordered_json out = {{"persons", ordered_json::array()},
-                      {"sites", ordered_json::array()},
-                      {"trenches", ordered_json::array()},
-                      {"contexts", ordered_json::array()},
-                      {"bags", ordered_json::array()}};
   std::set<store::SiteRow> used_sites;
   for (const records::ContextRecord& c : contexts)
     if (wanted.contains(c.row)) used_sites.insert(c.site);
-  for (const records::PersonRecord& p : valueOrThrow(People(catalogue).all()))
-    out["persons"].push_back(personJson(p));
-  for (const records::SiteRecord& s : sites)
-    if (used_sites.contains(s.row)) out["sites"].push_back(siteJson(s));
-  for (const records::TrenchRecord& t : trenches)
-    if (used_sites.contains(t.site))
-      out["trenches"].push_back(trenchJson(t, idOf(sites, t.site), idOf(trenches, t.parent)));
-  for (const records::ContextRecord& c : contexts)
-    if (wanted.contains(c.row))
-      out["contexts"].push_back(contextJson(c, idOf(sites, c.site), idOf(trenches, c.trench)));
-  for (const records::BagRecord& b : valueOrThrow(Places(catalogue).bags()))
-    if (wanted.contains(b.context)) out["bags"].push_back(bagJson(b, idOf(contexts, b.context)));
+  Ids ids;
+  ordered_json out;
+  const auto add = [&](const char* list, const auto& records, const auto& is_wanted) {
+    out[list] = ordered_json::array();
+    for (const auto& record : records) ids[record.row] = record.id;
+    for (const auto& record : records) {
+      if (!is_wanted(record)) continue;
+      ordered_json one;
+      Listing{PutFields{one, ids}}(record);
+      out[list].push_back(std::move(one));
+    }
+  };
+  add("persons", valueOrThrow(People(catalogue).all()), [](const auto&) { return true; });
+  add("sites", sites, [&](const auto& s) { return used_sites.contains(s.row); });
+  add("trenches", trenches, [&](const auto& t) { return used_sites.contains(t.site); });
+  add("contexts", contexts, [&](const auto& c) { return wanted.contains(c.row); });
+  add("bags", valueOrThrow(Places(catalogue).bags()),
+      [&](const auto& b) { return wanted.contains(b.context); });
   return out;
 }
 
@@ -240,69 +242,28 @@ class Reading {
   }
 
   void places(const json& places) {
-    for (const json& p : places.at("persons"))
-      add(records::PersonRecord{
-          {}, text(p, "id"), text(p, "name"), text(p, "initials"), text(p, "orcid")});
-    for (const json& s : places.at("sites")) {
-      records::SiteRecord site;
-      site.id = text(s, "id");
-      site.code = text(s, "code");
-      site.name = text(s, "name");
-      site.gazetteer = text(s, "gazetteer");
-      site.location_public = s.value("location_public", false);
-      if (s.contains("latitude_deg")) site.latitude_deg = numberAt(s, "latitude_deg");
-      if (s.contains("longitude_deg")) site.longitude_deg = numberAt(s, "longitude_deg");
-      add(site);
-    }
-    for (const json& t : places.at("trenches")) {
-      records::TrenchRecord trench;
-      trench.id = text(t, "id");
-      trench.site = {row(t, "site")};
-      trench.parent = {row(t, "parent")};
-      trench.code = text(t, "code");
-      trench.name = text(t, "name");
-      add(trench);
-    }
-    for (const json& c : places.at("contexts")) {
-      records::ContextRecord context;
-      context.id = text(c, "id");
-      context.site = {row(c, "site")};
-      context.trench = {row(c, "trench")};
-      context.number = text(c, "number");
-      context.kind = text(c, "kind");
-      context.excavated_on = text(c, "excavated_on");
-      context.period = text(c, "period");
-      context.date_edtf = text(c, "date_edtf");
-      context.note = text(c, "note");
-      if (c.contains("closed")) context.closed = c.at("closed").get<bool>();
-      if (c.contains("extra")) context.extra_json = c.at("extra").dump();
-      add(context);
-    }
-    for (const json& b : places.at("bags")) {
-      records::BagRecord bag;
-      bag.id = text(b, "id");
-      bag.context = {row(b, "context")};
-      bag.number = text(b, "number");
-      bag.collected_on = text(b, "collected_on");
-      bag.storage = text(b, "storage");
-      if (b.contains("count_written")) bag.count_written = wholeAt(b, "count_written");
-      if (b.contains("weight_g")) bag.weight_g = numberAt(b, "weight_g");
-      add(bag);
-    }
+    enter<records::PersonRecord>(places.at("persons"));
+    enter<records::SiteRecord>(places.at("sites"));
+    enter<records::TrenchRecord>(places.at("trenches"));
+    enter<records::ContextRecord>(places.at("contexts"));
+    enter<records::BagRecord>(places.at("bags"));
   }
 
   /// id -> row of everything that is there now.
-  const std::map<std::string, std::int64_t>& rows() const { return known_; }
+  const RowsById& rows() const { return known_; }
 
  private:
   template <class T>
   static std::vector<T> orEmpty(Result<std::vector<T>> list) {
     return list ? std::move(*list) : std::vector<T>();
   }
-  static std::string text(const json& object, const char* key) { return object.value(key, ""); }
-  std::int64_t row(const json& object, const char* key) const {
-    const auto found = known_.find(text(object, key));
-    return found == known_.end() ? 0 : found->second;
+  template <class Record>
+  void enter(const json& list) {
+    for (const json& one : list) {
+      Record record;
+      Listing{TakenFields{one, known_}}(record);
+      add(record);
+    }
   }
   static std::string key(const char* kind, std::int64_t in, std::int64_t also,
                          const std::string& name) {
@@ -344,7 +305,7 @@ class Reading {
 
   Catalogue& catalogue_;
   const records::Provenance& provenance_;
-  std::map<std::string, std::int64_t> known_, named_;
+  RowsById known_, named_;
 };
 
 json jsonOf(const archive::BagReader& bag, const std::string& path) {

@@ -113,10 +113,8 @@ void putTexts(ordered_json& out, const SherdRecord& sherd) {
     if (std::string_view(field) == "batch") continue;
     const std::string text = sherds::textOf(sherd, field);
     if (text.empty()) continue;
-    const bool list = std::string_view(field) == "part" ||
-                      std::string_view(field) == "decoration" ||
-                      std::string_view(field) == "condition" || std::string_view(field) == "joins";
-    if (list)
+    const records::FieldKind kind = sherds::sherdField(field)->kind;
+    if (kind == records::FieldKind::Terms || kind == records::FieldKind::Joins)
       out[path] = store::splitTerms(text);
     else
       out[path] = text;

@@ -87,6 +87,7 @@ struct BatchRecord {
 
 struct PhotographRecord {
   store::PhotographRow row;
+  std::string id = {};
   store::BatchRow batch;
   batch::Side side = batch::Side::Front;
   char camera = 'A';       ///< place A, B, C, ...
@@ -102,6 +103,7 @@ enum class ScanState { Open, Paired, Aside };
 
 struct ScanRecord {
   store::ScanRow row;
+  std::string id = {};
   store::BatchRow batch;
   batch::Side side = batch::Side::Front;
   int index = 0;     ///< 3 for f003; below 0: of an earlier computation, gone since
@@ -119,6 +121,7 @@ enum class Verdict { Accept, Reject, Aside, Reshoot, Withdraw };
 /// One row of the append-only list. front or back may be none for Aside and Reshoot.
 struct PairDecision {
   store::DecisionRow row;
+  std::string id = {};
   std::string decision = {};  ///< its id in the batch's decisions.json; empty: the program's own
   store::BatchRow batch;
   store::ScanRow front, back;

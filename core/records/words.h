@@ -5,6 +5,7 @@
 
 #include "records/records.h"
 #include "records/sherd.h"
+#include "store/statement.h"
 
 namespace ostraka::records {
 
@@ -51,3 +52,19 @@ Enum fromWord(std::string_view word) {
 }
 
 }  // namespace ostraka::records
+
+namespace ostraka::store {
+
+/// A column that holds the word of an enumeration's value.
+template <class Enum>
+requires requires {
+  records::Words<Enum>::all;
+}
+Statement& operator>>(Statement& row, Enum& value) {
+  std::string word;
+  row >> word;
+  value = records::fromWord<Enum>(word);
+  return row;
+}
+
+}  // namespace ostraka::store

@@ -119,9 +119,8 @@ std::string emptySql(const SherdColumn& column) {
 std::string equalSql(Query& query, const SherdColumn& column, const std::string& value) {
   const std::string name = column.field.name;
   const std::string key = store::uniqueKey(value);
-  if (name == "site") return inContext("site.code_key = " + query.mark(key));
-  if (name == "trench") return inContext("trench.code_key = " + query.mark(key));
-  if (name == "context") return inContext("context.number_key = " + query.mark(key));
+  if (name == "site" || name == "trench" || name == "context")
+    return inContext(std::string(column.sql) + " = " + query.mark(key));
   if (name == "bag")
     return "s.bag IN (SELECT row FROM bag WHERE number_key = " + query.mark(key) + ")";
   if (name == "batch")

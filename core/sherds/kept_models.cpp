@@ -26,6 +26,13 @@ fs::path folderOf(const std::string& batch) {
   return fs::path("models") / batch;
 }
 
+Result<void> checkFolderOf(const std::string& batch) {
+  if (store::isFolderName(batch)) return {};
+  return Error::unusable(
+      message("The number of a batch is also the name of its folder; use letters and digits."),
+      batch);
+}
+
 // Unfinished models lie in here, each in a folder of its own; archives leave such names out.
 constexpr const char* kUnfinished = "new.partial";
 
@@ -67,10 +74,7 @@ Result<std::string> nameOf(const fs::path& folder, ModelHashes& hashes) {
 
 Result<FolderLock> holdModels(const fs::path& project, const std::string& batch, Progress& progress,
                               const std::stop_token& stop) {
-  if (!store::isFolderName(batch))
-    return Error::unusable(
-        message("The number of a batch is also the name of its folder; use letters and digits."),
-        batch);
+  if (const Result<void> good = checkFolderOf(batch); !good) return good.error();
   const std::string folder = folderOf(batch).generic_string();
   const std::string_view names[] = {"models", folder};
   if (const Result<void> own = checkNoLinkedFolder(project, names, LinkedFolders::OfTheseNames);
@@ -126,10 +130,7 @@ Result<std::string> keepModel(const fs::path& project, const std::string& batch,
 
 Result<void> dropUnusedModels(const catalogue::Catalogue& catalogue, const fs::path& project,
                               const std::string& batch, const std::set<std::string>& kept) {
-  if (!store::isFolderName(batch))
-    return Error::unusable(
-        message("The number of a batch is also the name of its folder; use letters and digits."),
-        batch);
+  if (const Result<void> good = checkFolderOf(batch); !good) return good.error();
   std::set<std::string> unused;
   std::error_code failed;
   for (const fs::directory_entry& entry : fs::directory_iterator(project / folderOf(batch), failed))

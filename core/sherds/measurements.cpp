@@ -36,11 +36,9 @@ constexpr const char* kCurrent =
     "WHERE current = 1 ";
 
 std::vector<records::Measurement> readAll(store::Statement rows) {
-  std::vector<records::Measurement> all;
-  for (records::Measurement m;
-       rows.read(m.sherd, m.kind, m.unit, m.value, m.uncertainty, m.method, m.by, m.model_sha256);)
-    all.push_back(m);
-  return all;
+  using M = records::Measurement;
+  return rows.all(&M::sherd, &M::kind, &M::unit, &M::value, &M::uncertainty, &M::method, &M::by,
+                  &M::model_sha256);
 }
 
 void show(store::Database& database, store::SherdRow sherd, const std::string& kind,
@@ -170,15 +168,10 @@ Result<std::vector<records::Measurement>> Measurements::byHand(
 
 Result<std::vector<double>> Measurements::everComputed(store::SherdRow sherd,
                                                        const std::string& kind) const {
-  return database_->asResult([&] {
-    return database_
-        ->sql(
-            "SELECT value FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND "
-            "method "
-            "= 'program'",
-            sherd, kind)
-        .all<double>();
-  });
+  return allOf<double>(
+      "SELECT value FROM measurement WHERE sherd = ? AND kind = ? AND person IS NULL AND method = "
+      "'program'",
+      sherd, kind);
 }
 
 }  // namespace ostraka::sherds

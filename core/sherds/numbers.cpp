@@ -16,6 +16,11 @@
 
 namespace ostraka::sherds {
 
+records::Numbering schemeOf(const catalogue::Catalogue& catalogue) {
+  return store::valueOrThrow(records::Numbering::parse(
+      store::valueOrThrow(catalogue::Settings(catalogue).project()).numbering));
+}
+
 std::map<std::string, std::string> numberTokens(const catalogue::Catalogue& catalogue,
                                                 const records::SherdRecord& sherd) {
   std::int64_t at = catalogue.now();
@@ -56,11 +61,6 @@ Counted countedIn(const catalogue::Catalogue& catalogue, const records::Numberin
       number.substr(before.size(), number.size() - before.size() - after.size());
   if (digits.size() > 12 || digits.find_first_not_of("0123456789") != std::string::npos) return {};
   return {*counter, std::stoll(digits)};
-}
-
-records::Numbering schemeOf(const catalogue::Catalogue& catalogue) {
-  return store::valueOrThrow(records::Numbering::parse(
-      store::valueOrThrow(catalogue::Settings(catalogue).project()).numbering));
 }
 
 // The block of numbers of this computer (settings numbering.first and numbering.last), so that two

@@ -46,15 +46,15 @@ void checkSide(store::Database& database, store::BatchRow batch, store::ScanRow 
 enum class DecisionsFile { HasIt, CameWithoutIt };
 
 store::DecisionRow insertDecision(store::Database& database, const records::PairDecision& d,
-                                  const std::string& id, DecisionsFile file) {
+                                  DecisionsFile file) {
   database.run(
       "INSERT INTO pair_decision (id, decision, came_alone, at, person, batch, front, back, "
       "front_from_back, "
       "score, margin, ambiguous, fracture_rms_mm, fracture_overlap, verdict, replaces, note) "
       "VALUES "
       "(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-      id, d.decision, file == DecisionsFile::CameWithoutIt, d.at_ms, d.by, d.batch, d.front, d.back,
-      poseText(d.front_from_back), d.score, d.margin, d.ambiguous, d.fracture_rms_mm,
+      d.id, d.decision, file == DecisionsFile::CameWithoutIt, d.at_ms, d.by, d.batch, d.front,
+      d.back, poseText(d.front_from_back), d.score, d.margin, d.ambiguous, d.fracture_rms_mm,
       d.fracture_overlap, records::wordOf(d.verdict), d.replaces, d.note);
   return {database.lastRow()};
 }
@@ -128,18 +128,13 @@ struct Followed {
 };
 
 std::vector<Followed> sherdsOf(store::Database& database, store::BatchRow batch) {
-  std::vector<Followed> all;
-  store::Statement rows = database.sql(
-      "SELECT row, front, back, state, number, void_reason FROM sherd WHERE batch = ? AND front IS "
-      "NOT NULL",
-      batch);
-  Followed sherd;
-  std::string state;
-  while (rows.read(sherd.row, sherd.front, sherd.back, state, sherd.number, sherd.void_reason)) {
-    sherd.state = records::fromWord<records::SherdState>(state);
-    all.push_back(sherd);
-  }
-  return all;
+  using F = Followed;
+  return database
+      .sql(
+          "SELECT row, front, back, state, number, void_reason FROM sherd WHERE batch = ? AND "
+          "front IS NOT NULL",
+          batch)
+      .all(&F::row, &F::front, &F::back, &F::state, &F::number, &F::void_reason);
 }
 
 constexpr auto kNoPartner = translatable<0>("its front no longer has a back");
@@ -227,25 +222,25 @@ Result<store::DecisionRow> PairDecisions::add(const records::PairDecision& d,
       store::refuse(message("A decision needs a front, a back or both."));
     }
     records::PairDecision decided = d;
+    decided.id = newId(now());
     decided.at_ms = now();
     decided.by = provenance.person;
-    const store::DecisionRow row =
-        insertDecision(*database_, decided, newId(now()), DecisionsFile::HasIt);
+    const store::DecisionRow row = insertDecision(*database_, decided, DecisionsFile::HasIt);
     settleSherds(catalogue_, d.batch, provenance);
     return row;
   });
 }
 
 Result<store::DecisionRow> restoreDecision(const catalogue::Catalogue& catalogue,
-                                           const records::PairDecision& d, const std::string& id) {
+                                           const records::PairDecision& d) {
   store::Database& database = catalogue.database();
   return database.inTransaction([&] {
     checkSide(database, d.batch, d.front, "front");
     checkSide(database, d.batch, d.back, "back");
-    for (const std::string& given : {id, d.decision.empty() ? id : d.decision})
+    for (const std::string& given : {d.id, d.decision.empty() ? d.id : d.decision})
       if (!isUuid(given))
         store::refuse(message("The uuid of a decision is not well formed."), given);
-    return insertDecision(database, d, id, DecisionsFile::CameWithoutIt);
+    return insertDecision(database, d, DecisionsFile::CameWithoutIt);
   });
 }
 
@@ -253,20 +248,16 @@ Result<std::vector<records::PairDecision>> PairDecisions::all(store::BatchRow ba
   return database_->asResult([&] {
     std::vector<records::PairDecision> all;
     store::Statement rows = database_->sql(
-        "SELECT row, decision, batch, front, back, front_from_back, score, margin, "
-        "fracture_rms_mm, "
-        "fracture_overlap, "
-        "ambiguous, person, verdict, replaces, note, at FROM pair_decision WHERE batch = ? "
-        "ORDER "
-        "BY row",
+        "SELECT row, id, decision, batch, front, back, front_from_back, score, margin, "
+        "fracture_rms_mm, fracture_overlap, ambiguous, person, verdict, replaces, note, at FROM "
+        "pair_decision WHERE batch = ? ORDER BY row",
         batch);
-    records::PairDecision d;
-    std::string pose, verdict;
-    while (rows.read(d.row, d.decision, d.batch, d.front, d.back, pose, d.score, d.margin,
-                     d.fracture_rms_mm, d.fracture_overlap, d.ambiguous, d.by, verdict, d.replaces,
-                     d.note, d.at_ms)) {
+    std::string pose;
+    for (records::PairDecision d;
+         rows.read(d.row, d.id, d.decision, d.batch, d.front, d.back, pose, d.score, d.margin,
+                   d.fracture_rms_mm, d.fracture_overlap, d.ambiguous, d.by, d.verdict, d.replaces,
+                   d.note, d.at_ms);) {
       d.front_from_back = poseFromText(pose);
-      d.verdict = records::fromWord<records::Verdict>(verdict);
       all.push_back(d);
     }
     return all;

@@ -23,8 +23,7 @@ class PairDecisions : public catalogue::Subject {
 /// For reading back what another catalogue exported: with its id, time and person; sherds and scans
 /// do not follow it, and no decisions.json here has it.
 Result<store::DecisionRow> restoreDecision(const catalogue::Catalogue& catalogue,
-                                           const records::PairDecision& decision,
-                                           const std::string& id);
+                                           const records::PairDecision& decision);
 
 /// Why a sherd is void, for a person: the program's own reason is translated, a typed one is not.
 Message voidReason(const std::string& reason);

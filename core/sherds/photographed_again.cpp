@@ -106,18 +106,17 @@ Result<std::vector<records::SherdRecord>> toPhotographAgain(const catalogue::Cat
 Result<std::vector<PhotographedAgain>> photographedAgain(const catalogue::Catalogue& catalogue,
                                                          store::BatchRow batch) {
   return catalogue.database().asResult([&] {
-    std::vector<PhotographedAgain> all;
-    store::Statement moved = catalogue.database().sql(
-        "SELECT DISTINCT scan.row, s.number, b.number FROM scan "
-        "JOIN history h ON h.table_name = 'sherd' AND h.field = 'front' AND h.old = CAST(scan.row "
-        "AS TEXT) "
-        "JOIN sherd s ON s.row = h.row JOIN batch b ON b.row = s.batch "
-        "WHERE scan.batch = ?1 AND s.batch <> ?1 AND s.state <> 'void' AND s.number <> '' "
-        "ORDER BY h.number",
-        batch);
-    for (PhotographedAgain one; moved.read(one.front, one.number, one.batch_number);)
-      all.push_back(one);
-    return all;
+    using P = PhotographedAgain;
+    return catalogue.database()
+        .sql(
+            "SELECT DISTINCT scan.row, s.number, b.number FROM scan "
+            "JOIN history h ON h.table_name = 'sherd' AND h.field = 'front' AND h.old = "
+            "CAST(scan.row AS TEXT) "
+            "JOIN sherd s ON s.row = h.row JOIN batch b ON b.row = s.batch "
+            "WHERE scan.batch = ?1 AND s.batch <> ?1 AND s.state <> 'void' AND s.number <> '' "
+            "ORDER BY h.number",
+            batch)
+        .all(&P::front, &P::number, &P::batch_number);
   });
 }
 

@@ -176,14 +176,7 @@ class Examination {
 
   void measure(store::SherdRow sherd, Examined& change) {
     const std::string unit = records::unitOf(change.column->measure);
-    std::string value = change.shown.new_value;
-    std::optional<std::string> half;
-    for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
-      if (const std::size_t at = value.find(sign); at != std::string::npos) {
-        half = value.substr(at + sign.size());
-        value.resize(at);
-        break;
-      }
+    const auto [value, half] = store::splitPlusMinus(change.shown.new_value);
     change.number = store::valueOrThrow(store::parsedNumber(value));
     if (half) change.uncertainty = store::valueOrThrow(store::parsedNumber(*half));
     if (change.uncertainty.value_or(0) < 0)

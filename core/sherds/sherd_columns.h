@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "catalogue/catalogue.h"
+#include "records/numbering.h"
 #include "records/sherd.h"
 #include "store/database.h"
 
@@ -61,6 +62,8 @@ void setJoins(const catalogue::Catalogue& catalogue, store::SherdRow sherd,
 void setExtra(const catalogue::Catalogue& catalogue, store::SherdRow sherd, const std::string& name,
               const std::string& value);
 
+/// How the project numbers its sherds. Throws Refused.
+records::Numbering schemeOf(const catalogue::Catalogue& catalogue);
 /// Values of the numbering scheme's tokens for a sherd, by its codes of places and batch.
 std::map<std::string, std::string> numberTokens(const catalogue::Catalogue& catalogue,
                                                 const records::SherdRecord& sherd);

@@ -90,16 +90,12 @@ Values valuesOf(store::Database& database, const std::string& field) {
     return sweep<double>(database, "SELECT " + measure + ", sherd FROM sherd_measure WHERE " +
                                        measure + " IS NOT NULL ORDER BY " + measure);
   }
-  const std::string place = "SELECT context.row, ";
-  if (name == "site")
+  if (name == "site" || name == "trench" || name == "context")
     return sweepThrough(database, "context",
-                        place + "site.code_key FROM context JOIN site ON site.row = context.site");
-  if (name == "trench")
-    return sweepThrough(
-        database, "context",
-        place + "trench.code_key FROM context JOIN trench ON trench.row = context.trench");
-  if (name == "context")
-    return sweepThrough(database, "context", "SELECT row, number_key FROM context");
+                        "SELECT context.row, " + std::string(column->sql) +
+                            " FROM context JOIN site ON site.row = context.site LEFT JOIN trench "
+                            "ON trench.row = context.trench WHERE " +
+                            column->sql + " IS NOT NULL");
   if (name == "bag") return sweepThrough(database, "bag", "SELECT row, number_key FROM bag");
   if (name == "batch") return sweepThrough(database, "batch", "SELECT row, number FROM batch");
   if (name == "scale")

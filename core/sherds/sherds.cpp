@@ -40,14 +40,13 @@ constexpr const char* kSherds =
 
 records::SherdRecord readSherd(store::Statement& row) {
   records::SherdRecord s;
-  std::string state, part, decoration, condition;
-  row >> s.row >> s.id >> s.number >> state >> s.void_reason >> s.context >> s.bag >> s.batch >>
+  std::string part, decoration, condition;
+  row >> s.row >> s.id >> s.number >> s.state >> s.void_reason >> s.context >> s.bag >> s.batch >>
       s.front >> s.back >> part >> decoration >> condition >> s.ware >> s.fabric >> s.inclusions >>
       s.manufacture >> s.firing >> s.surface_out >> s.surface_in >> s.munsell_out >> s.munsell_in >>
       s.munsell_core >> s.period >> s.date_edtf >> s.vessel >> s.note >> s.extra_json >>
       s.revision >> s.site >> s.trench >> s.context_number >> s.bag_number >> s.batch_number >>
       s.scale_doubtful >> s.preview_path >> s.model_path >> s.piece;
-  s.state = records::fromWord<records::SherdState>(state);
   s.part = store::termsFromJson(part);
   s.decoration = store::termsFromJson(decoration);
   s.condition = store::termsFromJson(condition);
@@ -141,22 +140,15 @@ Result<records::SherdRecord> Sherds::get(store::SherdRow row) const {
 }
 
 Result<store::SherdRow> Sherds::byNumber(const std::string& number) const {
-  return database_->asResult([&] {
-    return database_
-        ->sql(
-            "SELECT g.sherd FROM given_number g JOIN sherd s ON s.row = g.sherd AND s.number = "
-            "g.number WHERE g.number_key = ?",
-            store::uniqueKey(store::trimmed(number)))
-        .one<store::SherdRow>();
-  });
+  return firstOf<store::SherdRow>(
+      "SELECT g.sherd FROM given_number g JOIN sherd s ON s.row = g.sherd AND s.number = g.number "
+      "WHERE g.number_key = ?",
+      store::uniqueKey(store::trimmed(number)));
 }
 
 Result<store::SherdRow> Sherds::byId(const std::string& id) const {
-  return database_->asResult([&] {
-    return database_
-        ->sql("SELECT row FROM sherd WHERE id = ?", store::uniqueKey(store::trimmed(id)))
-        .one<store::SherdRow>();
-  });
+  return firstOf<store::SherdRow>("SELECT row FROM sherd WHERE id = ?",
+                                  store::uniqueKey(store::trimmed(id)));
 }
 
 Result<std::vector<store::SherdRow>> Sherds::rows(const Filter& filter,
@@ -165,26 +157,16 @@ Result<std::vector<store::SherdRow>> Sherds::rows(const Filter& filter,
 }
 
 Result<std::vector<store::SherdRow>> Sherds::rows(store::BatchRow batch) const {
-  return database_->asResult([&] {
-    return database_
-        ->sql(
-            "SELECT row FROM sherd WHERE batch = ? AND NOT (state = 'void' AND number = '') ORDER "
-            "BY "
-            "number_sort, row",
-            batch)
-        .all<store::SherdRow>();
-  });
+  return allOf<store::SherdRow>(
+      "SELECT row FROM sherd WHERE batch = ? AND NOT (state = 'void' AND number = '') ORDER BY "
+      "number_sort, row",
+      batch);
 }
 
 Result<std::vector<std::string>> Sherds::customFields() const {
-  return database_->asResult([&] {
-    return database_
-        ->sql(
-            "SELECT DISTINCT 'extra.' || key FROM sherd, json_each(sherd.extra) "
-            "WHERE json_type(sherd.extra) = 'object' AND sherd.extra <> '{}' AND key <> '' "
-            "ORDER BY 1")
-        .all<std::string>();
-  });
+  return allOf<std::string>(
+      "SELECT DISTINCT 'extra.' || key FROM sherd, json_each(sherd.extra) WHERE "
+      "json_type(sherd.extra) = 'object' AND sherd.extra <> '{}' AND key <> '' ORDER BY 1");
 }
 
 Result<store::SherdRow> Sherds::add(const records::SherdRecord& s,
@@ -194,9 +176,14 @@ Result<store::SherdRow> Sherds::add(const records::SherdRecord& s,
     if (!isUuid(id)) store::refuse(message("The uuid of a sherd is not well formed."), id);
     store::Statement same = database_->sql("SELECT 1 FROM sherd WHERE id = ?", id);
     if (same.next()) store::refuse(message("A sherd with this uuid already exists."), id);
-    const store::SherdRow row{catalogue::addRow(
-        catalogue_, provenance, "sherd", id, "number_sort context bag batch front back extra",
-        kBehindAllNumbers, s.context, s.bag, s.batch, s.front, s.back, s.extra_json)};
+    const store::SherdRow row{catalogue::saveRow(catalogue_, provenance, "sherd", 0, id,
+                                                 {{"number_sort", kBehindAllNumbers},
+                                                  {"context", s.context},
+                                                  {"bag", s.bag},
+                                                  {"batch", s.batch},
+                                                  {"front", s.front},
+                                                  {"back", s.back},
+                                                  {"extra", s.extra_json}})};
     database_->run("INSERT INTO sherd_measure (sherd) VALUES (?)", row);
     catalogue::remember(catalogue_, provenance, "sherd", row.value, "", "", id);
     std::vector<records::FieldChange> changes;

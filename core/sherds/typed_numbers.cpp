@@ -74,10 +74,8 @@ bool namesNoNumber(const catalogue::Catalogue& catalogue, const catalogue::Label
   const std::string batch = label.number.substr(0, dash), year = batch.substr(1);
   const std::string n = label.number.substr(dash + 1);
   if (n.size() > kMostDigits) return false;
-  const records::Numbering scheme = store::valueOrThrow(records::Numbering::parse(
-      store::valueOrThrow(catalogue::Settings(catalogue).project()).numbering));
   const Result<std::string> given =
-      scheme.number({{"batch", batch}, {"yyyy", year}, {"yy", year}}, std::stoi(n));
+      schemeOf(catalogue).number({{"batch", batch}, {"yyyy", year}, {"yy", year}}, std::stoi(n));
   return !given || store::uniqueKey(*given) != store::uniqueKey(label.number);
 }
 
@@ -126,9 +124,8 @@ std::string wholeOf(const catalogue::Catalogue& catalogue, const records::SherdR
   if (text.empty() || text.size() > kMostDigits ||
       text.find_first_not_of("0123456789") != std::string::npos)
     return text;
-  const records::Numbering scheme = store::valueOrThrow(records::Numbering::parse(
-      store::valueOrThrow(catalogue::Settings(catalogue).project()).numbering));
-  return store::valueOrThrow(scheme.number(numberTokens(catalogue, place), std::stoi(text)));
+  return store::valueOrThrow(
+      schemeOf(catalogue).number(numberTokens(catalogue, place), std::stoi(text)));
 }
 
 }  // namespace

@@ -86,6 +86,12 @@ Statement& Statement::operator>>(std::string& value) {
   ++column_;
   return *this;
 }
+Statement& Statement::operator>>(char& value) {
+  std::string text;
+  *this >> text;
+  if (!text.empty()) value = text[0];
+  return *this;
+}
 Statement& Statement::operator>>(std::int64_t& value) {
   value = sqlite3_column_int64(handle_, column_++);
   return *this;
@@ -358,23 +364,18 @@ static bool isFullBeside(const fs::path& catalogue) {
 static Error errorAt(const SqlFailure& failure, const fs::path& file) {
   if (failure.code == SQLITE_IOERR_DATA)
     return damagedCatalogue(message("a page was changed"), file);
-  // A repair has put another file in its place.
-  if (failure.code == SQLITE_READONLY_DBMOVED)
+  const int kind = failure.code & 0xFF;
+  // Moved: a repair has put another file in its place.
+  if (failure.code == SQLITE_READONLY_DBMOVED || kind == SQLITE_BUSY || kind == SQLITE_LOCKED)
     return {ErrorCode::Failed,
             message("Another program is using the catalogue; close it, then try again."),
             file.string()};
-  const int kind = failure.code & 0xFF;
   if (kind == SQLITE_FULL ||
       ((kind == SQLITE_CANTOPEN || kind == SQLITE_IOERR) && isFullBeside(file)))
     return {ErrorCode::CannotWrite,
             message("The disk is full; free some space, then try again. No data was lost."),
             file.string()};
   switch (kind) {
-    case SQLITE_BUSY:
-    case SQLITE_LOCKED:
-      return {ErrorCode::Failed,
-              message("Another program is using the catalogue; close it, then try again."),
-              file.string()};
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_CANTOPEN:

@@ -22,12 +22,6 @@ constexpr std::size_t kPageSize = 16, kWriteVersion = 18, kReadVersion = 19, kRe
                       kVersion = 60, kApplication = 68;
 constexpr std::uint32_t kOstraka = 1330861138;  // OSTR
 
-std::uint32_t bigEndianAt(const Header& header, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | header[at + i];
-  return value;
-}
-
 struct Beginning {
   int code = 0;  ///< of SQLite, which could not read it
   std::int64_t bytes = 0;
@@ -90,9 +84,9 @@ Result<void> checkHeader(const fs::path& file) {
   if (found.bytes == 0) return damagedCatalogue(message("the file is empty"), file);
   if (std::memcmp(header.data(), kMagic.data(), kMagic.size()) != 0)
     return damagedCatalogue(message("the file is not a database"), file);
-  if (bigEndianAt(header, kApplication) != kOstraka)
+  if (bigEndian(header.data() + kApplication) != kOstraka)
     return damagedCatalogue(message("the file belongs to another program"), file);
-  if (bigEndianAt(header, kVersion) == 0)
+  if (bigEndian(header.data() + kVersion) == 0)
     return damagedCatalogue(message("the file contains no catalogue"), file);
   const std::size_t page_bytes = std::size_t{header[kPageSize]} << 8 | header[kPageSize + 1];
   if (page_bytes != kPageBytes || header[kReserved] != kReservedBytes)

@@ -1,13 +1,12 @@
 #pragma once
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace ostraka::store {
 
 /// The kind of network share that the folder lies on (nfs4, cifs, fuse.sshfs, ...), empty when it
-/// lies on a disk of this computer. mount_info: as /proc/self/mountinfo.
-std::string networkShareOf(const std::filesystem::path& folder, std::string_view mount_info);
-std::string networkShareOf(const std::filesystem::path& folder);
+/// lies on a disk of this computer. mounts: a table of mounted file systems, as in fstab(5).
+std::string networkShareOf(const std::filesystem::path& folder,
+                           const std::filesystem::path& mounts = "/proc/self/mounts");
 
 }  // namespace ostraka::store

@@ -50,11 +50,6 @@ const sqlite3_io_methods& methodsOf(sqlite3_file* file) {
   return *file->pMethods;
 }
 
-std::uint32_t bigEndian(const unsigned char* at) {
-  std::uint32_t value = 0;
-  std::memcpy(&value, at, 4);
-  return be32toh(value);
-}
 void putBigEndian(unsigned char* at, std::uint32_t value) {
   value = htobe32(value);
   std::memcpy(at, &value, 4);
@@ -208,6 +203,12 @@ int openFile(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int*
 }
 
 }  // namespace
+
+std::uint32_t bigEndian(const unsigned char* at) {
+  std::uint32_t value = 0;
+  std::memcpy(&value, at, 4);
+  return be32toh(value);
+}
 
 // Four sums side by side, which the processor adds at once.
 std::uint64_t pageChecksum(const unsigned char* page, std::uint32_t number) {

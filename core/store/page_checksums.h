@@ -9,6 +9,9 @@ namespace ostraka::store {
 /// pages whose checksums are wrong, as a failing disk does.
 constexpr std::size_t kPageBytes = 4096, kReservedBytes = 8;
 
+/// The number in these 4 bytes, as SQLite's files have it.
+std::uint32_t bigEndian(const unsigned char* at);
+
 /// Of the page's first kPageBytes - kReservedBytes bytes. No single changed bit keeps it; of other
 /// changes one in 2^64 does. number: from 1.
 std::uint64_t pageChecksum(const unsigned char* page, std::uint32_t number);

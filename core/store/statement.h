@@ -69,12 +69,23 @@ class Statement {
     for (Value value{}; read(value);) values.push_back(value);
     return values;
   }
+  /// Of all rows that follow, the columns into these members.
+  template <class Record, class... Members>
+  std::vector<Record> all(Members Record::*... members) {
+    std::vector<Record> records;
+    while (next()) {
+      Record& record = records.emplace_back();
+      (*this >> ... >> (record.*members));
+    }
+    return records;
+  }
   void run() {
     while (next()) {
     }
   }
 
   Statement& operator>>(std::string& value);  ///< NULL reads as empty
+  Statement& operator>>(char& value);         ///< the first letter; stays as it is if there is none
   Statement& operator>>(std::int64_t& value);
   Statement& operator>>(int& value);
   Statement& operator>>(bool& value);

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <unordered_set>
 
 #include "base/message.h"
@@ -16,59 +17,41 @@
 namespace ostraka::store {
 namespace {
 
-bool digits(std::string_view text, std::size_t from, std::size_t count) {
-  if (from + count > text.size()) return false;
-  return std::all_of(text.begin() + static_cast<std::ptrdiff_t>(from),
-                     text.begin() + static_cast<std::ptrdiff_t>(from + count),
-                     [](char c) { return c >= '0' && c <= '9'; });
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
 }
 
-int number(std::string_view text) {
-  int value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
+// No form has so many letters, and the library recurses with each.
+bool matches(std::string_view text, const std::regex& form) {
+  return text.size() < 100 && std::regex_match(text.begin(), text.end(), form);
 }
 
-bool isDay(std::string_view year, std::string_view month, std::string_view day) {
+// 2026-07-14, with the digits of year, month and day at these places.
+bool isDay(std::string_view text) {
+  const auto number = [&](std::size_t from, std::size_t count) {
+    int value = 0;
+    std::from_chars(text.data() + from, text.data() + from + count, value);
+    return value;
+  };
   using namespace std::chrono;
-  const auto part = [](std::string_view text) { return static_cast<unsigned>(number(text)); };
-  return year_month_day(std::chrono::year(number(year)), std::chrono::month(part(month)),
-                        std::chrono::day(part(day)))
+  return year_month_day(year(number(0, 4)), month(static_cast<unsigned>(number(5, 2))),
+                        day(static_cast<unsigned>(number(8, 2))))
       .ok();
+}
+
+bool looksLikeADay(std::string_view text) {
+  static const std::regex kForm("[0-9]{4}-[0-9]{2}-[0-9]{2}");
+  return matches(text, kForm);
 }
 
 // One end of an EDTF interval: -0599, 2026-07, 19XX, Y-12000, 2026-21 (a season), with ? ~ or %.
 bool isEdtfDate(std::string_view text) {
-  if (!text.empty() && (text.back() == '?' || text.back() == '~' || text.back() == '%'))
-    text.remove_suffix(1);
-  if (text.starts_with('Y')) {
-    text.remove_prefix(1);
-    if (text.starts_with('-')) text.remove_prefix(1);
-    return text.size() > 4 && text.size() < 10 && digits(text, 0, text.size());
-  }
-  if (text.starts_with('-')) text.remove_prefix(1);
-  if (text.size() < 4) return false;
-  const std::string_view year = text.substr(0, 4);
-  const std::size_t known = std::min<std::size_t>(year.find('X'), 4);
-  if (known < 2 || !digits(year, 0, known) ||
-      year.substr(known).find_first_not_of('X') != std::string_view::npos)
-    return false;
-  if (text.size() == 4) return true;
-  const auto isPart = [&](std::size_t at) {
-    return text[at] == '-' && (digits(text, at + 1, 2) || text.substr(at + 1, 2) == "XX");
-  };
-  if (text.size() != 7 && text.size() != 10) return false;
-  if (!isPart(4)) return false;
-  const bool month_known = digits(text, 5, 2);
-  const int month = month_known ? number(text.substr(5, 2)) : 1;
-  const bool season = text.size() == 7 && month >= 21 && month <= 24;
-  if (!season && (month < 1 || month > 12)) return false;
-  if (text.size() == 7) return true;
-  if (!isPart(7)) return false;
-  if (!digits(text, 8, 2)) return true;
-  const int day = number(text.substr(8, 2));
-  if (known == 4 && month_known) return isDay(year, text.substr(5, 2), text.substr(8, 2));
-  return day >= 1 && day <= 31;
+  static const std::regex kForm(
+      "(Y-?[0-9]{5,9}|-?[0-9]{2}([0-9]{2}|[0-9]X|XX)"
+      "(-(0[1-9]|1[0-2]|2[1-4]|XX)|-(0[1-9]|1[0-2]|XX)-(0[1-9]|[12][0-9]|3[01]|XX))?)[?~%]?");
+  if (!matches(text, kForm)) return false;
+  const std::string_view day = text.substr(text[0] == '-' ? 1 : 0, 10);
+  return !looksLikeADay(day) || isDay(day);
 }
 
 }  // namespace
@@ -85,9 +68,7 @@ bool holdsSystemNames(std::string_view table) {
 Result<std::string> checkedDay(std::string_view typed) {
   const std::string text = trimmed(typed);
   if (text.empty()) return text;
-  const bool shape = text.size() == 10 && text[4] == '-' && text[7] == '-' && digits(text, 0, 4) &&
-                     digits(text, 5, 2) && digits(text, 8, 2);
-  if (shape && isDay(text.substr(0, 4), text.substr(5, 2), text.substr(8, 2))) return text;
+  if (looksLikeADay(text) && isDay(text)) return text;
   return Error::unusable(message("Write the day as 2026-07-14 (year-month-day)."));
 }
 
@@ -117,28 +98,12 @@ Result<std::string> checkedMunsell(std::string_view typed) {
   if (text.empty()) return text;
   for (char& c : text)
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  const auto numeric = [](std::string_view part) {
-    return part.find_first_not_of("0123456789.") == std::string_view::npos;
-  };
-  const std::size_t space = text.find(' '), slash = text.find('/');
-  if (space != std::string::npos && slash != std::string::npos && slash > space + 1) {
-    const std::string_view hue = std::string_view(text).substr(0, space);
-    const std::string_view value = std::string_view(text).substr(space + 1, slash - space - 1);
-    const std::string_view chroma = std::string_view(text).substr(slash + 1);
-    const std::size_t letters = std::min(hue.find_first_not_of("0123456789."), hue.size());
-    const std::string_view name = hue.substr(letters);
-    constexpr std::string_view kHues[] = {"R", "YR", "Y", "GY", "G", "BG", "B", "PB", "P", "RP"};
-    const bool known = std::find(std::begin(kHues), std::end(kHues), name) != std::end(kHues);
-    if ((hue == "N" || (letters > 0 && known)) && numeric(value) && numeric(chroma)) return text;
-  }
+  static const std::regex kForm("(N|[0-9.]+(R|YR|Y|GY|G|BG|B|PB|P|RP)) [0-9.]+/[0-9.]*");
+  if (matches(text, kForm)) return text;
   return Error::unusable(message("Write the Munsell colour as 10YR 3/1 or N 4/."));
 }
 
 namespace {
-
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // 1.204,5 and 1,204.5: the mark that the other one follows stands between groups of three digits.
 // One mark alone is the decimal one: 1.204 is not 1204.
@@ -196,6 +161,13 @@ Result<double> parsedNumber(std::string_view typed) {
     return Error::unusable(
         message("'%1' is not a number; write 12.5 or 12,5, without a unit.", whole));
   return value;
+}
+
+std::pair<std::string, std::optional<std::string>> splitPlusMinus(std::string_view text) {
+  for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
+    if (const std::size_t at = text.find(sign); at != std::string_view::npos)
+      return {trimmed(text.substr(0, at)), trimmed(text.substr(at + sign.size()))};
+  return {trimmed(text), std::nullopt};
 }
 
 std::string numberText(double value) {

@@ -1,6 +1,8 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/result.h"
@@ -23,6 +25,8 @@ Result<std::string> checkedMunsell(std::string_view text);
 /// 12.5 or 12,5; finite. Groups of three digits, as in 1 204,5 or 1.204,5; of 1.204 alone, which is
 /// 1.204 here, readsOneWay says the doubt.
 Result<double> parsedNumber(std::string_view text);
+/// 12.5 ± 0.4, 12.5 +- 0.4 or 12.5+/-0.4 -> the trimmed text before the sign, and that behind it.
+std::pair<std::string, std::optional<std::string>> splitPlusMinus(std::string_view text);
 /// Shortest text that reads back as the same number, with a point.
 std::string numberText(double value);
 /// Refuses the infinite and what is not a number.

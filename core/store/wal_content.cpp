@@ -17,25 +17,19 @@ constexpr std::size_t kSizeAt = 4, kFrameSaltsAt = 8, kHeaderSaltsAt = 16, kSalt
 // A file that was written to do harm is not tried bit by bit, which takes 10 ms a page.
 constexpr int kMostFramesTried = 100;
 
-std::uint32_t wordOfWal(const unsigned char* at) {
-  std::uint32_t value = 0;
-  std::memcpy(&value, at, 4);
-  return be32toh(value);
-}
-
 struct WalSums {
   std::uint32_t s0 = 0, s1 = 0;
   bool operator==(const WalSums&) const = default;
 };
 WalSums walSumsAt(const unsigned char* at) {
-  return {wordOfWal(at), wordOfWal(at + 4)};
+  return {bigEndian(at), bigEndian(at + 4)};
 }
 
 struct Frame {
   std::array<unsigned char, kFrameBytes> bytes{};
   unsigned char* page() { return bytes.data() + kFrameHeaderBytes; }
-  std::uint32_t number() const { return wordOfWal(bytes.data()); }
-  bool endsTransaction() const { return wordOfWal(bytes.data() + kSizeAt) != 0; }
+  std::uint32_t number() const { return bigEndian(bytes.data()); }
+  bool endsTransaction() const { return bigEndian(bytes.data() + kSizeAt) != 0; }
   WalSums sums() const { return walSumsAt(bytes.data() + kFrameChecksumAt); }
   bool isWhole() const { return isWholePage(bytes.data() + kFrameHeaderBytes, number()); }
   int wrongSaltBytes(const std::array<unsigned char, kSaltBytes>& salts) const {
@@ -104,14 +98,14 @@ class WalReader {
     if (!read_(header.data(), header.size(), 0)) return false;
     constexpr std::uint32_t kWalMagic = 0x377F0682;  // and 1 where the sums are big-endian
     constexpr std::size_t kPageSizeAt = 8;
-    const std::uint32_t magic = wordOfWal(header.data());
+    const std::uint32_t magic = bigEndian(header.data());
     addToWalChecksum(header.data(), kWalHeaderChecksumAt, (magic & 1) != 0, sums_.s0, sums_.s1);
     in_step_ =
         (magic & ~1u) == kWalMagic && sums_ == walSumsAt(header.data() + kWalHeaderChecksumAt);
     big_endian_ = in_step_ && (magic & 1) != 0;
     if (in_step_) {
       std::copy_n(header.begin() + kHeaderSaltsAt, kSaltBytes, salts_.begin());
-      return wordOfWal(header.data() + kPageSizeAt) == kPageBytes;
+      return bigEndian(header.data() + kPageSizeAt) == kPageBytes;
     }
     for (std::int64_t i = 0; i < frames_ && readFrame(i); ++i) {
       if (!frame_.isWhole()) continue;

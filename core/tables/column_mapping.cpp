@@ -5,6 +5,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "base/median.h"
 #include "base/message.h"
 #include "catalogue/settings.h"
 #include "files/files.h"
@@ -58,10 +59,6 @@ std::string settingOf(std::vector<std::string> columns) {
   return kSetting + sha256(json(columns).dump()).substr(0, 32);
 }
 
-std::string cell(const CsvRow& row, std::size_t column) {
-  return column < row.values.size() ? store::trimmed(unguarded(row.values[column])) : std::string();
-}
-
 // Below it the numbers of a field are rather of its next larger unit: few walls are thinner than
 // 2.5 mm, and as few thicker than 2.5 cm.
 double leastOwn(const std::string& field) {
@@ -81,7 +78,7 @@ void proposeUnit(const CsvTable& table, std::size_t column, ColumnChoice& choice
   std::vector<double> values;
   for (const CsvRow& row : table.rows) {
     if (values.size() == kMostLookedAt) break;
-    const WrittenNumber written = writtenNumber(cell(row, column));
+    const WrittenNumber written = writtenNumber(cellOf(row, column));
     if (!written.unit.empty() || written.text.empty() || written.text.starts_with('<')) continue;
     if (const Result<double> number = store::parsedNumber(written.text)) values.push_back(*number);
   }
@@ -94,9 +91,7 @@ void proposeUnit(const CsvTable& table, std::size_t column, ColumnChoice& choice
     choice.unit = units.back();
     return;
   }
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (*middle < leastOwn(choice.field)) choice.unit = units[1];
+  if (medianOf(values) < leastOwn(choice.field)) choice.unit = units[1];
 }
 
 Error noUnit(const std::string& unit, const std::string& field, const std::string& where) {
@@ -113,7 +108,7 @@ class Mapper {
       choice.by = ChosenBy::Nobody;
       for (const CsvRow& row : table.rows) {
         if (choice.samples.size() == kSamples) break;
-        const std::string value = cell(row, i);
+        const std::string value = cellOf(row, i);
         if (!value.empty() && !holds(choice.samples, value)) choice.samples.push_back(value);
       }
     }
@@ -297,24 +292,16 @@ std::vector<std::string> fieldsOfTables(bool of_contexts) {
 }
 
 std::string inOwnUnit(const std::string& value, const std::string& unit, const std::string& field) {
-  std::string text = store::trimmed(value);
-  const std::size_t last = text.find_last_of("0123456789");
-  std::string in = unit;
-  if (last != std::string::npos && last + 1 < text.size())
-    if (const std::string said = unitNamed(text.substr(last + 1)); !said.empty()) {
-      const std::vector<std::string> known = unitsOf(field);
-      if (std::find(known.begin(), known.end(), said) == known.end()) return value;
-      in = said;
-      text.resize(last + 1);
-    }
-  const int tens = tensBetween(in, field);
-  if (tens == 0) return text;
-  for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
-    if (const std::size_t at = text.find(sign); at != std::string::npos) {
-      const auto number = shifted(text.substr(0, at), tens);
-      const auto half = shifted(text.substr(at + sign.size()), tens);
-      return number && half ? *number + " \u00b1 " + *half : value;
-    }
+  const NameAndUnit written = valueAndUnit(value);
+  const std::vector<std::string> known = unitsOf(field);
+  if (!written.unit.empty() && !holds(known, written.unit)) return value;
+  const int tens = tensBetween(written.unit.empty() ? unit : written.unit, field);
+  if (tens == 0) return written.name;
+  const auto [text, after] = store::splitPlusMinus(written.name);
+  if (after) {
+    const auto number = shifted(text, tens), half = shifted(*after, tens);
+    return number && half ? *number + " \u00b1 " + *half : value;
+  }
   return shifted(text, tens).value_or(value);
 }
 
@@ -338,7 +325,7 @@ CsvTable mapped(const CsvTable& table, const TableMapping& mapping, const Number
     for (std::size_t i = 0; i < mapping.columns.size(); ++i) {
       const ColumnChoice& choice = mapping.columns[i];
       if (choice.field.empty()) continue;
-      const std::string value = store::trimmed(unguarded(row.values[i]));
+      const std::string value = cellOf(row, i);
       // A number that is read in two ways is refused as it was written.
       const bool clear = remarks == unclear.end() || !remarks->second.contains(choice.field);
       values.values.push_back(unitsOf(choice.field).empty() || !clear

@@ -257,6 +257,15 @@ NameAndUnit nameAndUnit(const std::string& column) {
   return {withoutMarks(name), unit};
 }
 
+NameAndUnit valueAndUnit(const std::string& value) {
+  NameAndUnit number{store::trimmed(value), {}};
+  const std::size_t last = number.name.find_last_of("0123456789");
+  if (last == std::string::npos) return number;
+  number.unit = unitNamed(std::string_view(number.name).substr(last + 1));
+  if (!number.unit.empty()) number.name.resize(last + 1);
+  return number;
+}
+
 std::vector<std::string> unitsOf(const std::string& field) {
   if (field.ends_with("_mm")) return {"mm", "cm", "m"};
   if (field.ends_with("_g")) return {"g", "kg", "mg"};

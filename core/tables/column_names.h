@@ -16,6 +16,9 @@ struct NameAndUnit {
 };
 NameAndUnit nameAndUnit(const std::string& column);
 
+/// The same of a value, which ends with its last digit: "12,5 ± 0,3 cm".
+NameAndUnit valueAndUnit(const std::string& value);
+
 /// mm, cm, m, g, kg, mg, %, share (of 1), or empty: how a unit is written in the program's
 /// languages.
 std::string unitNamed(std::string_view text);

@@ -50,10 +50,6 @@ bool hasNumbers(const std::string& field) {
   return !unitsOf(field).empty() || field == "count_written";
 }
 
-std::string valueAt(const CsvRow& row, std::size_t column) {
-  return column < row.values.size() ? store::trimmed(unguarded(row.values[column])) : std::string();
-}
-
 // What sherds measure; beyond it, and `factor` times off its column, a slip is likelier.
 struct Usual {
   const char* field;  ///< its beginning
@@ -107,15 +103,8 @@ void doubtColumn(const std::vector<MeasuredRow>& rows, const std::string& field,
 }  // namespace
 
 WrittenNumber writtenNumber(const std::string& value) {
-  WrittenNumber number{store::trimmed(value), {}};
-  const std::size_t last = number.text.find_last_of("0123456789");
-  if (last == std::string::npos) return number;
-  number.unit = unitNamed(std::string_view(number.text).substr(last + 1));
-  if (!number.unit.empty()) number.text.resize(last + 1);
-  for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
-    if (const std::size_t at = number.text.find(sign); at != std::string::npos)
-      number.text = store::trimmed(number.text.substr(0, at));
-  return number;
+  const NameAndUnit written = valueAndUnit(value);
+  return {store::splitPlusMinus(written.name).first, written.unit};
 }
 
 NumberRemarks unclearNumbers(const CsvTable& table, const TableMapping& mapping) {
@@ -125,15 +114,12 @@ NumberRemarks unclearNumbers(const CsvTable& table, const TableMapping& mapping)
     const std::string& field = mapping.columns[i].field;
     if (!hasNumbers(field)) continue;
     MarksSeen seen;
-    for (const CsvRow& row : table.rows) lookAtMarks(writtenNumber(valueAt(row, i)).text, seen);
+    for (const CsvRow& row : table.rows) lookAtMarks(writtenNumber(cellOf(row, i)).text, seen);
     seen.decimal[1] = seen.decimal[1] || (points && !seen.decimal[0]);
     for (const CsvRow& row : table.rows)
       for (const std::size_t mark : {0u, 1u}) {
         const bool settled = seen.decimal[mark] && !seen.decimal[1 - mark] && !seen.thousands[mark];
-        std::string value = valueAt(row, i);
-        if (const std::size_t last = value.find_last_of("0123456789");
-            last != std::string::npos && !unitNamed(value.substr(last + 1)).empty())
-          value.resize(last + 1);
+        const std::string value = valueAndUnit(cellOf(row, i)).name;
         const Result<void> clear = settled ? Result<void>() : readsOneWay(value, kMarks[mark]);
         if (!clear) unclear[row.line].emplace(field, clear.error().sentence());
       }
@@ -150,7 +136,7 @@ NumberRemarks doubtfulNumbers(const CsvTable& own, const NumberRemarks& unclear)
     for (const CsvRow& row : own.rows) {
       const auto remarks = unclear.find(row.line);
       if (remarks != unclear.end() && remarks->second.contains(field)) continue;
-      const Result<double> number = store::parsedNumber(writtenNumber(valueAt(row, i)).text);
+      const Result<double> number = store::parsedNumber(writtenNumber(cellOf(row, i)).text);
       if (number && *number > 0) rows.push_back({row.line, *number});
     }
     doubtColumn(rows, field, doubts);

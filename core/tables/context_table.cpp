@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "catalogue/history.h"
 #include "catalogue/places.h"
+#include "catalogue/stamped_rows.h"
 #include "files/json_text.h"
 #include "store/database.h"
 #include "store/names.h"
@@ -21,15 +22,6 @@ namespace {
 
 using namespace catalogue;
 using store::valueOrThrow;
-
-Error unknownContext(const std::string& number) {
-  return Error::unusable(
-      message("There is no context %1; create it or let the import create it.", number));
-}
-Error unknownBag(const std::string& number) {
-  return Error::unusable(
-      message("There is no bag %1; create it or let the import create it.", number));
-}
 
 // Sets a text from a column: blank keeps, <clear> empties.
 class Values {
@@ -88,26 +80,26 @@ std::string placeOf(const records::ContextRecord& context) {
          context.number;
 }
 
-std::vector<SavedField> fieldsOf(const records::ContextRecord& c) {
+std::vector<Column> fieldsOf(const records::ContextRecord& c) {
   return {{"kind", c.kind},           {"excavated_on", c.excavated_on}, {"period", c.period},
           {"date_edtf", c.date_edtf}, {"closed", c.closedWord()},       {"note", c.note},
           {"extra", c.extra_json}};
 }
 
-std::vector<SavedField> fieldsOf(const records::BagRecord& b) {
+std::vector<Column> fieldsOf(const records::BagRecord& b) {
   return {{"collected_on", b.collected_on},
           {"storage", b.storage},
-          {"weight_g", optionalText(b.weight_g)},
-          {"count_written", optionalText(b.count_written)}};
+          {"weight_g", b.weight_g},
+          {"count_written", b.count_written}};
 }
 
 template <class Record>
 void addDifferences(std::vector<ChangedValue>& changed, const std::string& name,
                     const Record& before, const Record& after) {
-  const std::vector<SavedField> then = fieldsOf(before), now = fieldsOf(after);
+  const std::vector<Column> then = fieldsOf(before), now = fieldsOf(after);
   for (std::size_t i = 0; i < now.size(); ++i)
-    if (then[i].value != now[i].value)
-      changed.push_back({name, now[i].name, then[i].value, now[i].value});
+    if (const std::string old = then[i].value.told(), is = now[i].value.told(); old != is)
+      changed.push_back({name, now[i].name, old, is});
 }
 
 // Of a row: columns, and what is wrong with their values.
@@ -124,11 +116,12 @@ bool checked(const Result<Value>& value, const char* column, Faults& faults) {
 
 // What was there before, and is another now. Throws Refused where the row cannot be looked at to
 // its end.
-std::vector<ChangedValue> enterRow(Catalogue& catalogue, Places& places, const Values& values,
-                                   const records::Provenance& provenance, Faults& faults) {
-  catalogue::Places known(catalogue);
-  const auto row =
-      valueOrThrow(places.context(values.raw("site"), values.raw("trench"), values.raw("context")));
+std::vector<ChangedValue> enterRow(Catalogue& catalogue, const Values& values,
+                                   const records::Provenance& provenance, Faults& faults,
+                                   std::vector<std::string>& made) {
+  Places known(catalogue);
+  const auto row = valueOrThrow(known.contextAt(values.raw("site"), values.raw("trench"),
+                                                values.raw("context"), provenance, made));
   const records::ContextRecord found = valueOrThrow(known.context(row));
   records::ContextRecord context = found;
   values.text("kind", context.kind);
@@ -153,7 +146,7 @@ std::vector<ChangedValue> enterRow(Catalogue& catalogue, Places& places, const V
   addDifferences(changed, placeOf(context), found, context);
   const std::string number = values.raw("bag");
   if (number.empty()) return changed;
-  const Result<store::BagRow> bag_row = places.bag(row, number);
+  const Result<store::BagRow> bag_row = known.bagAt(row, number, provenance);
   if (!checked(bag_row, "bag", faults)) return changed;
   const std::vector<records::BagRecord> bags = valueOrThrow(known.bags(row));
   const records::BagRecord before = *std::ranges::find(bags, *bag_row, &records::BagRecord::row);
@@ -186,9 +179,7 @@ class ContextRows {
         table_(table),
         unclear_(unclear),
         provenance_(provenance),
-        report_(report),
-        places_(catalogue, UnknownPlaces::Make, provenance) {
-  }  // a table of contexts is there to make them
+        report_(report) {}
 
   Result<void> row(const CsvRow& row) {
     Faults faults;
@@ -197,37 +188,31 @@ class ContextRows {
         faults.emplace_back(table_.columns[i], good.error().what);
     const Values values(table_, row, unclear_);
     const auto known =
-        catalogue::Places(catalogue_)
+        Places(catalogue_)
             .contextByPlace(values.raw("site"), values.raw("trench"), values.raw("context"));
     const bool fresh = !known || !*known;
     const std::int64_t before = History(catalogue_).length();
     std::vector<ChangedValue> changed_values;
+    std::vector<std::string> made;
     const Result<void> entered = catalogue_.together([&]() -> Result<void> {
-      if (faults.empty())
-        changed_values = enterRow(catalogue_, places_, values, provenance_, faults);
+      if (faults.empty()) changed_values = enterRow(catalogue_, values, provenance_, faults, made);
       return faults.empty() ? Result<void>() : Error::unusable(faults.front().second);
     });
     if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;
     if (!entered) {
-      places_.forget();
-      places_.forgetMade();
       if (faults.empty()) faults.emplace_back("context", entered.error().sentence());
-      ++report_.refused;
-      report_.rows.emplace_back(row.line, RowFate::Refused);
+      report_.add(row.line, RowFate::Refused);
       for (auto& [column, reason] : faults)
         report_.refusals.push_back({row.line, column, values.raw(column), std::move(reason)});
       return {};
     }
     const bool changed = History(catalogue_).length() > before;
-    ++(fresh ? report_.fresh : changed ? report_.changed : report_.same);
-    if (!fresh && changed)
+    const RowFate fate = fresh ? RowFate::Fresh : changed ? RowFate::Changed : RowFate::Same;
+    report_.add(row.line, fate);
+    if (fate == RowFate::Changed)
       report_.changed_values.insert(report_.changed_values.end(), changed_values.begin(),
                                     changed_values.end());
-    report_.rows.emplace_back(row.line, fresh     ? RowFate::Fresh
-                                        : changed ? RowFate::Changed
-                                                  : RowFate::Same);
-    for (const std::string& place : places_.made()) made_.insert(place);
-    places_.forgetMade();
+    made_.insert(made.begin(), made.end());
     return {};
   }
   std::vector<std::string> madePlaces() const { return {made_.begin(), made_.end()}; }
@@ -238,52 +223,10 @@ class ContextRows {
   const NumberRemarks& unclear_;
   const records::Provenance& provenance_;
   ImportReport& report_;
-  Places places_;
-  std::set<std::string> made_;
+  std::set<std::string> made_;  ///< codes of sites ("ARM1") and trenches ("ARM1 T3")
 };
 
 }  // namespace
-
-Result<store::ContextRow> Places::context(const std::string& site_code,
-                                          const std::string& trench_code,
-                                          const std::string& number) {
-  const std::string key = store::uniqueKey(site_code) + "\n" + store::uniqueKey(trench_code) +
-                          "\n" + store::uniqueKey(number);
-  if (const auto known = known_.find(key); known != known_.end())
-    return store::ContextRow{known->second};
-  const Result<store::ContextRow> there =
-      catalogue::Places(catalogue_).contextByPlace(site_code, trench_code, number);
-  if (!there) return there;
-  if (*there) {
-    known_[key] = there->value;
-    return there;
-  }
-  if (unknown_ == UnknownPlaces::Refuse)
-    return unknownContext(site_code + " " + trench_code + " " + number);
-  const Result<store::ContextRow> made =
-      catalogue::Places(catalogue_).contextAt(site_code, trench_code, number, provenance_, made_);
-  if (made) known_[key] = made->value;
-  return made;
-}
-
-Result<store::BagRow> Places::bag(store::ContextRow context, const std::string& number) {
-  const std::string key = std::to_string(context.value) + "\n" + store::uniqueKey(number);
-  if (const auto known = known_.find(key); known != known_.end())
-    return store::BagRow{known->second};
-  const Result<store::BagRow> there = catalogue::Places(catalogue_).bagByNumber(context, number);
-  if (!there) return there;
-  if (*there) {
-    known_[key] = there->value;
-    return there;
-  }
-  if (unknown_ == UnknownPlaces::Refuse) return unknownBag(number);
-  records::BagRecord record;
-  record.context = context;
-  record.number = number;
-  const Result<store::BagRow> made = catalogue::Places(catalogue_).save(record, provenance_);
-  if (made) known_[key] = made->value;
-  return made;
-}
 
 Result<ImportReport> importContexts(Catalogue& catalogue, const CsvTable& table,
                                     const NumberRemarks& unclear, const ImportOptions& options,

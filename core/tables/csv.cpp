@@ -172,6 +172,10 @@ class Parser {
 
 }  // namespace
 
+std::string cellOf(const CsvRow& row, std::size_t column) {
+  return column < row.values.size() ? store::trimmed(unguarded(row.values[column])) : std::string();
+}
+
 Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where) {
   const Result<std::string> text = decoded(bytes, where);
   if (!text) return text.error();

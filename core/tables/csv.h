@@ -17,6 +17,9 @@ struct CsvTable {
   char separator = ',';
 };
 
+/// Without blanks at its ends and without the guard against formulas; empty where the row is short.
+std::string cellOf(const CsvRow& row, std::size_t column);
+
 /// Begins the name of a column of remarks in any language.
 constexpr const char* kRemarkColumn = "Ostraka: ";
 constexpr const char* kUtf8Mark = "\xEF\xBB\xBF";

@@ -63,8 +63,6 @@ class Importing {
       : catalogue_(catalogue),
         rows_(rows),
         joins_(rows),
-        places_(catalogue, options.unknown_places, provenance),
-        makes_places_(options.unknown_places == UnknownPlaces::Make),
         options_(options),
         provenance_(provenance),
         report_(report) {
@@ -95,22 +93,17 @@ class Importing {
     });
     if (!done && done.error().code != ErrorCode::UnusableInput) return done;
     if (!done) {
-      places_.forget();
       if (faults_.empty()) fault({}, {}, done.error().sentence());
       for (Refusal& one : faults_) {
         one.line = row.line;
         (asks_ ? report_.questions : report_.refusals).push_back(std::move(one));
       }
-      ++(asks_ ? report_.asked : report_.refused);
-      report_.rows.emplace_back(row.line, asks_ ? RowFate::Asked : RowFate::Refused);
+      report_.add(row.line, asks_ ? RowFate::Asked : RowFate::Refused);
       return {};
     }
     joins_.enteredAs(at, entered);
     if (const Result<void> noted = noteSimilarNumbers(); !noted) return noted;
-    report_.rows.emplace_back(row.line, fate);
-    ++(fate == RowFate::Fresh     ? report_.fresh
-       : fate == RowFate::Changed ? report_.changed
-                                  : report_.same);
+    report_.add(row.line, fate);
     if (fate != RowFate::Changed) return {};
     if (const Result<void> told = tellChanges(entered); !told) return told;
     report_.changes.insert(report_.changes.end(), done_.begin(), done_.end());
@@ -193,15 +186,18 @@ class Importing {
 
   bool change(std::size_t at, SherdRow sherd, bool fresh) {
     const ImportRow& row = rows_[at];
-    if (makes_places_) {
+    if (options_.unknown_places == UnknownPlaces::Make) {
       const std::string site = valueOf(row, "site"), context = valueOf(row, "context");
       if (!site.empty() && !context.empty()) {
-        const auto place = places_.context(site, valueOf(row, "trench"), context);
+        std::vector<std::string> made;
+        catalogue::Places places(catalogue_);
+        const auto place =
+            places.contextAt(site, valueOf(row, "trench"), context, provenance_, made);
         if (!place) fault("context", context, place.error().sentence());
         const std::string bag = valueOf(row, "bag");
         if (place && !bag.empty())
-          if (const auto made = places_.bag(*place, bag); !made)
-            fault("bag", bag, made.error().sentence());
+          if (const auto bagged = places.bagAt(*place, bag, provenance_); !bagged)
+            fault("bag", bag, bagged.error().sentence());
       }
     }
     const SherdRecord now = valueOrThrow(sherds::Sherds(catalogue_).get(sherd));
@@ -335,8 +331,6 @@ class Importing {
   Catalogue& catalogue_;
   const std::vector<ImportRow>& rows_;
   TableJoins joins_;
-  Places places_;
-  bool makes_places_;
   const ImportOptions& options_;
   const Provenance& provenance_;
   std::vector<Refusal> faults_;  ///< of the present row

@@ -66,9 +66,8 @@ std::vector<CsvRow> takeBroken(CsvTable& table) {
 }
 
 void addBroken(ImportReport& report, const std::vector<CsvRow>& broken, std::size_t columns) {
-  report.refused += static_cast<int>(broken.size());
   for (const CsvRow& row : broken) {
-    report.rows.emplace_back(row.line, RowFate::Refused);
+    report.add(row.line, RowFate::Refused);
     report.refusals.push_back(
         {row.line,
          {},

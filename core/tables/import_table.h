@@ -72,6 +72,11 @@ struct ImportReport {
   CsvTable left_out = {};     ///< its refused and asked rows, as it has them
   bool held = false;          ///< nothing is entered before a person states the guessed units
   std::vector<std::pair<int, RowFate>> rows;  ///< line of a table, and what becomes of it
+  void add(int line, RowFate fate) {
+    rows.emplace_back(line, fate);
+    int* const counts[] = {&fresh, &same, &changed, &refused, &asked};
+    ++*counts[static_cast<std::size_t>(fate)];
+  }
   /// Of sherds that were there before: what is changed, and what takes it back, in order.
   std::vector<records::FieldChange> changes, undo;
   std::vector<ChangedValue> changed_values;  ///< of rows that count as changed
@@ -115,28 +120,5 @@ Result<ImportReport> importContexts(catalogue::Catalogue& catalogue, const CsvTa
                                     const NumberRemarks& unclear, const ImportOptions& options,
                                     const records::Provenance& provenance, Progress& progress,
                                     std::stop_token stop);
-
-/// Finds site, trench, context and bag by their codes, or makes what is missing.
-class Places {
- public:
-  Places(catalogue::Catalogue& catalogue, UnknownPlaces unknown,
-         const records::Provenance& provenance)
-      : catalogue_(catalogue), unknown_(unknown), provenance_(provenance) {}
-  /// Errors: an unknown place that must not be made.
-  Result<store::ContextRow> context(const std::string& site, const std::string& trench,
-                                    const std::string& number);
-  Result<store::BagRow> bag(store::ContextRow context, const std::string& number);
-  void forget() { known_.clear(); }  ///< after a row was taken back
-  /// Codes of sites ("ARM1") and trenches ("ARM1 T3") that were made since they were forgotten.
-  const std::vector<std::string>& made() const { return made_; }
-  void forgetMade() { made_.clear(); }
-
- private:
-  catalogue::Catalogue& catalogue_;
-  UnknownPlaces unknown_;
-  records::Provenance provenance_;
-  std::map<std::string, std::int64_t> known_;
-  std::vector<std::string> made_;
-};
 
 }  // namespace ostraka::tables

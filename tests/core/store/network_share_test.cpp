@@ -2,33 +2,42 @@
 
 #include <gtest/gtest.h>
 
+#include "files/files.h"
+#include "files/scratch_folder.h"
+
 namespace ostraka::store {
 namespace {
 
 constexpr const char* kMounts =
-    "22 1 8:1 / / rw,relatime shared:1 - ext4 /dev/sda1 rw\n"
-    "30 22 0:40 / /srv/field rw,relatime shared:9 - nfs4 server:/field rw\n"
-    "31 22 0:41 / /media/usb\\040stick rw - exfat /dev/sdb1 rw\n"
-    "32 22 0:42 / /mnt/pc rw - cifs //pc/share rw\n"
-    "33 22 0:43 / /mnt/far rw - fuse.sshfs someone@far:/ rw\n"
-    "34 30 0:44 / /srv/field/local rw - ext4 /dev/sdc1 rw\n";
+    "/dev/sda1 / ext4 rw,relatime 0 0\n"
+    "server:/field /srv/field nfs4 rw,relatime 0 0\n"
+    "/dev/sdb1 /media/usb\\040stick exfat rw 0 0\n"
+    "//pc/share /mnt/pc cifs rw 0 0\n"
+    "someone@far:/ /mnt/far fuse.sshfs rw 0 0\n"
+    "/dev/sdc1 /srv/field/local ext4 rw 0 0\n";
+
+std::string shareOf(const std::string& folder, const std::string& mounts) {
+  const ScratchFolder scratch = std::move(*ScratchFolder::make("mounts"));
+  EXPECT_TRUE(writeFileAtomically(scratch.path() / "mounts", mounts));
+  return networkShareOf(folder, scratch.path() / "mounts");
+}
 
 TEST(NetworkShare, FoldersOnSharesAreRecognised) {
-  EXPECT_EQ(networkShareOf("/srv/field/project", kMounts), "nfs4");
-  EXPECT_EQ(networkShareOf("/mnt/pc", kMounts), "cifs");
-  EXPECT_EQ(networkShareOf("/mnt/far/a/b", kMounts), "fuse.sshfs");
+  EXPECT_EQ(shareOf("/srv/field/project", kMounts), "nfs4");
+  EXPECT_EQ(shareOf("/mnt/pc", kMounts), "cifs");
+  EXPECT_EQ(shareOf("/mnt/far/a/b", kMounts), "fuse.sshfs");
 }
 
 TEST(NetworkShare, FoldersOnOwnDisksAreFine) {
-  EXPECT_EQ(networkShareOf("/data/anna/project", kMounts), "");
-  EXPECT_EQ(networkShareOf("/media/usb stick/project", kMounts), "");
-  EXPECT_EQ(networkShareOf("/srv/fieldwork", kMounts), "") << "only the beginning of the name";
-  EXPECT_EQ(networkShareOf("/srv/field/local/project", kMounts), "") << "a disk below a share";
+  EXPECT_EQ(shareOf("/data/anna/project", kMounts), "");
+  EXPECT_EQ(shareOf("/media/usb stick/project", kMounts), "");
+  EXPECT_EQ(shareOf("/srv/fieldwork", kMounts), "") << "only the beginning of the name";
+  EXPECT_EQ(shareOf("/srv/field/local/project", kMounts), "") << "a disk below a share";
 }
 
 TEST(NetworkShare, AMountInTheSamePlaceCoversTheEarlierOne) {
-  const std::string both = std::string(kMounts) + "40 22 0:50 / /mnt/pc rw - ext4 /dev/sdd1 rw\n";
-  EXPECT_EQ(networkShareOf("/mnt/pc/x", both), "");
+  const std::string both = std::string(kMounts) + "/dev/sdd1 /mnt/pc ext4 rw 0 0\n";
+  EXPECT_EQ(shareOf("/mnt/pc/x", both), "");
 }
 
 }  // namespace

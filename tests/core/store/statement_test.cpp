@@ -35,6 +35,10 @@ TEST(Statement, GivesItsRowsColumnByColumnAndAsLists) {
   EXPECT_EQ(database.sql("SELECT row FROM thing WHERE name = ?", "base").one<SherdRow>(),
             SherdRow{2});
   EXPECT_EQ(database.sql("SELECT weight FROM thing WHERE name = 'lid'").one<double>(), 0);
+  using Thing = std::pair<std::string, std::optional<double>>;
+  EXPECT_THAT(database.sql("SELECT name, weight FROM thing ORDER BY row")
+                  .all(&Thing::first, &Thing::second),
+              testing::ElementsAre(Thing("rim", std::nullopt), Thing("base", 2.5)));
 }
 
 TEST(Statement, StoresOnlyWhatCanBeExportedAndRestored) {

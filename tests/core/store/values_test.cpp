@@ -5,6 +5,8 @@
 #include <chrono>
 #include <clocale>
 
+#include "base/limits.h"
+
 namespace ostraka::store {
 namespace {
 
@@ -25,6 +27,17 @@ TEST(Values, DaysThatDoNotExistAreRefused) {
                           "2026-00-10", "2026-04-31", "2026-07-14T10", "07/14/2026"})
     EXPECT_FALSE(checkedDay(day)) << day;
   EXPECT_EQ(*checkedDay("  "), "");
+}
+
+TEST(Values, AnUncertaintyStandsBehindAnyOfThreeSigns) {
+  using Parts = std::pair<std::string, std::optional<std::string>>;
+  for (const char* text : {"12,5 ± 0,4", "12,5+-0,4", " 12,5 +/- 0,4 "})
+    EXPECT_EQ(splitPlusMinus(text), Parts("12,5", "0,4")) << text;
+  EXPECT_EQ(splitPlusMinus(" -12,5 "), Parts("-12,5", std::nullopt));
+}
+
+TEST(Values, WhatIsTooLongForAColourIsNone) {
+  EXPECT_FALSE(checkedMunsell(std::string(limits::kValueBytes.most, '5')));
 }
 
 TEST(Values, AncientDatesAreWrittenInEdtf) {

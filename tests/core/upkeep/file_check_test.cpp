@@ -334,7 +334,8 @@ TEST_F(PeoplesFiles, NeedNotHoldADecisionThatCameWithAnExport) {
   came.by = anna.person;
   for (const std::int64_t ahead_ms : {-86'400'000, 86'400'000}) {
     came.at_ms = now_ms + ahead_ms;
-    ASSERT_TRUE(sherds::restoreDecision(catalogue(), came, newId(came.at_ms)));
+    came.id = newId(came.at_ms);
+    ASSERT_TRUE(sherds::restoreDecision(catalogue(), came));
     EXPECT_THAT(sentences(check()), testing::IsEmpty());
   }
 }

@@ -149,7 +149,8 @@ Result<store::BatchRow> Batches::add(const records::BatchRecord& wanted,
     store::Statement same = database_->sql("SELECT 1 FROM batch WHERE number = ?", b.number);
     if (same.next()) store::refuse(message("The batch %1 already exists.", b.number));
     std::vector<Column> columns = columnsOf(b);
-    columns.push_back({"number", b.number});
+    const Column number{"number", b.number};
+    columns.push_back(number);
     const store::BatchRow row{saveRow(catalogue_, provenance, "batch", 0, b.id, columns)};
     setBags(*database_, row, b.bags);
     remember(catalogue_, provenance, "batch", row.value, "", "", b.number);

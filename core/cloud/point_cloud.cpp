@@ -50,7 +50,7 @@ PointCloud oriented(PointCloud cloud) {
   std::vector<int> directed;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const float length = cloud.normals[i].stableNorm();
-    if (!(length > kShortest)) continue;
+    if (!(length > kShortest) || !std::isfinite(length)) continue;
     if (std::abs(length - 1) > kRounded) cloud.normals[i] /= length;
     directed.push_back(static_cast<int>(i));
   }

@@ -143,6 +143,7 @@ Result<void> Place::copy(std::vector<std::string> arguments, const std::stop_tok
   const std::vector<std::string> always{"--recursive",
                                         "--times",
                                         "--checksum",
+                                        std::string("--include=") + kLockFile + "/",  // a folder
                                         std::string("--exclude=") + kLockFile,
                                         "--protect-args",
                                         "--rsh",

@@ -89,15 +89,16 @@ Result<std::vector<fs::path>> writeSheets(const fs::path& file, const std::vecto
   return writeEach(file, sheets);
 }
 
-std::string formatPicture(const ViewPicture& picture, const fs::path& file) {
+Result<std::string> formatPicture(const ViewPicture& picture, const fs::path& file) {
   constexpr int kInch = 2;  // the unit, as TIFF counts them
   const bool png = endsWith(file, ".png");
   const std::vector<int> resolution = {cv::IMWRITE_TIFF_RESUNIT, kInch,
                                        cv::IMWRITE_TIFF_XDPI,    picture.dpi,
                                        cv::IMWRITE_TIFF_YDPI,    picture.dpi};
   std::vector<unsigned char> encoded;
-  cv::imencode(png ? ".png" : ".tif", picture.pixels, encoded,
-               png ? std::vector<int>() : resolution);
+  if (!cv::imencode(png ? ".png" : ".tif", picture.pixels, encoded,
+                    png ? std::vector<int>() : resolution))
+    return Error::failed(message("The picture could not be encoded."), file.string());
   std::string bytes(encoded.begin(), encoded.end());
   if (png) insertResolution(bytes, picture.dpi);
   return bytes;

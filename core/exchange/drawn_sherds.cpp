@@ -169,11 +169,14 @@ Result<std::vector<std::string>> picturesOf(const catalogue::Catalogue& catalogu
                                             const std::filesystem::path& project,
                                             const DrawnSherds& drawn,
                                             const DrawSherdsOptions& options,
-                                            const std::filesystem::path& file) {
+                                            const std::filesystem::path& file, Progress& progress,
+                                            std::stop_token stop) {
   const Result<std::vector<SherdRecord>> sherds = sherds::Sherds(catalogue).of(drawn.rows);
   if (!sherds) return sherds.error();
   std::vector<std::string> files;
   for (std::size_t i = 0; i < sherds->size(); ++i) {
+    if (stop.stop_requested()) return Error::cancelled();
+    progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(sherds->size()));
     const SherdRecord& sherd = (*sherds)[i];
     const Result<PlyContents> model = modelOf(sherd, project);
     if (!model) return model.error();
@@ -181,8 +184,10 @@ Result<std::vector<std::string>> picturesOf(const catalogue::Catalogue& catalogu
     const std::optional<texture::TexturedMesh> photographs =
         takePhotographs(catalogue, sherd, project, how);
     if (photographs) how.photographs = &*photographs;
-    files.push_back(
-        drawing::formatPicture(drawing::pictureOf(model->mesh, drawn.drawings[i], how), file));
+    Result<std::string> picture =
+        drawing::formatPicture(drawing::pictureOf(model->mesh, drawn.drawings[i], how), file);
+    if (!picture) return picture.error();
+    files.push_back(std::move(*picture));
   }
   return files;
 }

@@ -74,6 +74,7 @@ Result<std::vector<std::string>> picturesOf(const catalogue::Catalogue& catalogu
                                             const std::filesystem::path& project,
                                             const DrawnSherds& drawn,
                                             const DrawSherdsOptions& options,
-                                            const std::filesystem::path& file);
+                                            const std::filesystem::path& file, Progress& progress,
+                                            std::stop_token stop);
 
 }  // namespace ostraka::exchange

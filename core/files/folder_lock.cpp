@@ -36,7 +36,8 @@ bool FolderLock::holdsNothingOrStands() const {
 }
 
 Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
-  for (;;) {
+  constexpr int kMostTries = 100;  // a share may number its files anew each time it is asked
+  for (int tries = 1;; ++tries) {
     Result<std::pair<FolderLock, Held>> tried = tryTo(folder);
     if (!tried) return tried.error();
     if (tried->second == Held::Elsewhere)
@@ -44,7 +45,7 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
                    message("Another run is writing to this folder; wait until it ends, or choose "
                            "another folder."),
                    folder.string()};
-    if (tried->first.holdsNothingOrStands()) return std::move(tried->first);
+    if (tried->first.holdsNothingOrStands() || tries == kMostTries) return std::move(tried->first);
   }
 }
 

@@ -71,7 +71,9 @@ class Entering {
     const std::string number = valueOrThrow(catalogue::Batches(catalogue_).get(batch_)).number;
     valueOrThrow(followDecisions(catalogue_, number, out));
     // A file that cannot be read hinders no results; a check names it.
-    (void)followStrokes(catalogue_, number, out);
+    if (const Result<void> known = followStrokes(catalogue_, number, out);
+        !known && known.error().code == ErrorCode::CannotWrite)
+      throw store::Refused(known.error());
     decide(read);
     // Before the models: what lies under a number that waited is another record's from here on.
     entered_.numbers_left = valueOrThrow(sherds::giveTypedNumbers(catalogue_, batch_, provenance_));

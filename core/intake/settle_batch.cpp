@@ -101,10 +101,14 @@ Result<void> saveStrokes(const catalogue::Catalogue& catalogue, const std::strin
                          const std::vector<decisions::MaskStroke>& after,
                          const records::Provenance& provenance,
                          const std::function<Result<void>()>& write) {
-  (void)knowStrokes(catalogue, batch_number, decisions::commonStart(before, after));
+  const Result<std::string> known =
+      catalogue::Settings(catalogue).value(decisions::kKnownStrokes + batch_number);
+  // Of a file that lost some of them, these are still missed afterwards.
+  const bool whole = known && decisions::haveKnown(before, *known);
+  if (whole) (void)knowStrokes(catalogue, batch_number, decisions::commonStart(before, after));
   if (Result<void> written = write(); !written) return written;
   (void)rememberTakenStrokes(catalogue, batch_number, before, after, provenance);
-  (void)knowStrokes(catalogue, batch_number, after);
+  if (whole) (void)knowStrokes(catalogue, batch_number, after);
   return {};
 }
 

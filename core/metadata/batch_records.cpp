@@ -252,7 +252,7 @@ class Entering {
       records::PairDecision taken;
       decision(TakenFields{d, rows_}, taken);
       taken.batch = added;
-      rows_[taken.id] = valueOrThrow(sherds::restoreDecision(catalogue_, taken)).value;
+      rows_.try_emplace(taken.id, valueOrThrow(sherds::restoreDecision(catalogue_, taken)).value);
     }
     for (const json& d : listOf(b, "piece_decisions")) pieceOf(d, added);
     for (const json& f : listOf(b, "files")) file(f, added);
@@ -278,7 +278,7 @@ class Entering {
     const store::ScanRow row = valueOrThrow(Batches(catalogue_).save(taken, provenance_));
     catalogue_.database().run("UPDATE scan SET state = ? WHERE row = ?",
                               records::wordOf(taken.state), row);
-    rows_[taken.id] = row.value;
+    rows_.try_emplace(taken.id, row.value);
   }
 
   void pieceOf(const json& d, store::BatchRow batch) {

@@ -237,6 +237,11 @@ Result<store::DecisionRow> restoreDecision(const catalogue::Catalogue& catalogue
   return database.inTransaction([&] {
     checkSide(database, d.batch, d.front, "front");
     checkSide(database, d.batch, d.back, "back");
+    if (d.replaces &&
+        !database
+             .sql("SELECT 1 FROM pair_decision WHERE row = ? AND batch = ?", d.replaces, d.batch)
+             .next())
+      store::refuse(message("The decision to undo is not in this batch."));
     for (const std::string& given : {d.id, d.decision.empty() ? d.id : d.decision})
       if (!isUuid(given))
         store::refuse(message("The uuid of a decision is not well formed."), given);

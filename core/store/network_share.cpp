@@ -31,12 +31,14 @@ std::string networkShareOf(const fs::path& folder, const fs::path& mounts) {
   const std::string path = fs::weakly_canonical(folder, ignored).string();
   const std::unique_ptr<FILE, int (*)(FILE*)> table(::setmntent(mounts.c_str(), "re"), ::endmntent);
   std::string best_mount, best_type;
-  while (const mntent* entry = table ? ::getmntent(table.get()) : nullptr) {
-    const std::string mount = entry->mnt_dir;
+  mntent entry{};
+  std::array<char, 4096> text{};
+  while (table && ::getmntent_r(table.get(), &entry, text.data(), text.size()) != nullptr) {
+    const std::string mount = entry.mnt_dir;
     // Of two mounts in one place the later one covers the earlier.
     if (!contains(mount, path) || mount.size() < best_mount.size()) continue;
     best_mount = mount;
-    best_type = entry->mnt_type;
+    best_type = entry.mnt_type;
   }
   const bool share = std::find(kShares.begin(), kShares.end(), best_type) != kShares.end();
   return share ? best_type : std::string();

@@ -319,14 +319,15 @@ void DrawingPage::saveAs(const QString& file, const std::shared_ptr<const Drawn>
   write(
       drawn,
       [drawn, folder = session_->folder(), path = std::filesystem::path(named.toStdString())](
-          const std::vector<Page>& pages) -> Result<void> {
+          const std::vector<Page>& pages, Progress& progress,
+          std::stop_token stop) -> Result<void> {
         const Result<drawing::DrawnAs> as = drawing::drawnAs(path);
         if (!as) return as.error();
         if (*as == drawing::DrawnAs::Sheets) return onlyWhether(drawing::writeSheets(path, pages));
         const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
         if (!catalogue) return catalogue.error();
-        const auto pictures =
-            exchange::picturesOf(*catalogue, folder, drawn->sherds, drawn->how, path);
+        const auto pictures = exchange::picturesOf(*catalogue, folder, drawn->sherds, drawn->how,
+                                                   path, progress, std::move(stop));
         if (!pictures) return pictures.error();
         return onlyWhether(drawing::writePictures(path, *pictures));
       },
@@ -344,7 +345,7 @@ void DrawingPage::print() {
     const QString file = printer->outputFileName();
     write(
         drawn,
-        [printer, file](const std::vector<Page>& pages) {
+        [printer, file](const std::vector<Page>& pages, Progress&, const std::stop_token&) {
           const Result<void> good = checkOutputPlace(file.toStdString());  // a printer has no file
           return good ? printSheets(*printer, pages) : good;
         },
@@ -354,12 +355,11 @@ void DrawingPage::print() {
   dialog->open();
 }
 
-void DrawingPage::write(const std::shared_ptr<const Drawn>& drawn,
-                        std::function<Result<void>(const std::vector<Page>&)> work,
+void DrawingPage::write(const std::shared_ptr<const Drawn>& drawn, Writing work,
                         const QString& done) {
   if (!drawn || !session_ || writing_) return;
-  const auto job = [drawn, work = std::move(work)](Progress&, std::stop_token) {
-    return work(drawn->pages);
+  const auto job = [drawn, work = std::move(work)](Progress& progress, std::stop_token stop) {
+    return work(drawn->pages, progress, std::move(stop));
   };
   writing_ = session_->jobs().start(makeJob(job), this);
   whenDone<void>(writing_, this, [this, done](const auto& written) {

@@ -70,8 +70,8 @@ class DrawingPage final : public QWidget {
   void save();
   void print();
   void saveAs(const QString& file, const std::shared_ptr<const Drawn>& drawn);
-  void write(const std::shared_ptr<const Drawn>& drawn,
-             std::function<Result<void>(const std::vector<Page>&)> work, const QString& done);
+  using Writing = std::function<Result<void>(const std::vector<Page>&, Progress&, std::stop_token)>;
+  void write(const std::shared_ptr<const Drawn>& drawn, Writing work, const QString& done);
   void enterRim();
 
   ProjectSession* session_ = nullptr;

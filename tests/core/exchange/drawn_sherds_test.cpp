@@ -105,11 +105,12 @@ TEST_F(DrawnSherds, HavePicturesOfTheirOwnInTheirOrder) {
   const std::vector<store::SherdRow> two = {rows[2], rows[1]};  // the first cannot be drawn
   const auto drawn = drawSherds(catalogue(), project_->folder(), two, options, quiet, {});
   ASSERT_TRUE(drawn) << drawn.error().sentence();
-  const auto pictures = picturesOf(catalogue(), project_->folder(), *drawn, options, "views.png");
+  const auto pictures =
+      picturesOf(catalogue(), project_->folder(), *drawn, options, "views.png", quiet, {});
   ASSERT_TRUE(pictures) << pictures.error().sentence();
   const drawing::ViewPicture shown =
       drawing::pictureOf(closedShell(), drawn->drawings.front(), options.drawing);
-  EXPECT_THAT(*pictures, testing::ElementsAre(drawing::formatPicture(shown, "views.png")));
+  EXPECT_THAT(*pictures, testing::ElementsAre(*drawing::formatPicture(shown, "views.png")));
 }
 
 TEST_F(DrawnSherds, AreExportedAsOrthophotosWhereThatIsChosen) {

@@ -2909,11 +2909,6 @@
             <numerusform>Spalten (%n zu prüfen)</numerusform>
         </translation>
     </message>
-    <message>
-        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Eine Tabelle von Scherben hat eine Spalte mit ihren Nummern; eine von Befunden hat Spalten für Fundort und Befund. Die Namen dürfen in jeder Sprache des Programms stehen.</translation>
-    </message>
     <message numerus="yes">
         <source>Confirm %n row(s)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3009,6 +3004,11 @@
       <source>Another project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein anderes Projekt …</translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has a column with theirs. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Eine Tabelle von Scherben hat eine Spalte mit ihren Nummern; eine von Befunden hat eine Spalte mit deren Nummern. Die Namen dürfen in jeder Sprache des Programms stehen.</translation>
     </message>
 </context>
 <context>
@@ -9374,11 +9374,6 @@
         <translation>Ein anderes Programm hat dieses Projekt geöffnet; schließen Sie es dort und reparieren Sie es dann.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Die Tabelle braucht eine Spalte mit den Nummern der Scherben oder Spalten für Fundort und Befund (Befunde); diese auswählen.</translation>
-    </message>
-    <message>
         <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 Zeilen insgesamt, %2 gelesen; für die übrigen denselben Import noch einmal ausführen.</translation>
@@ -10167,6 +10162,41 @@
       <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Foto ist weniger als %1 Pixel breit oder hoch; das Originalfoto verwenden.</translation>
+    </message>
+    <message>
+        <source>The project has no site yet; add a column &apos;Site&apos;, or write the context with its site, such as %1.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Das Projekt hat noch keinen Fundort; eine Spalte „Fundort“ hinzufügen oder den Befund mit seinem Fundort schreiben, etwa %1.</translation>
+    </message>
+    <message>
+        <source>This project has %1 sites; add a column &apos;Site&apos;, or write the context with its site, such as %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Dieses Projekt hat %1 Fundorte; eine Spalte „Fundort“ hinzufügen oder den Befund mit seinem Fundort schreiben, etwa %2.</translation>
+    </message>
+    <message>
+        <source>The site %1 has %2 trenches; add a column &apos;Trench&apos;, or write the context with its trench, such as %3.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Der Fundort %1 hat %2 Schnitte; eine Spalte „Schnitt“ hinzufügen oder den Befund mit seinem Schnitt schreiben, etwa %3.</translation>
+    </message>
+    <message>
+        <source>There is no such trench in the site %1; write trench and context in columns of their own.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Einen solchen Schnitt gibt es im Fundort %1 nicht; Schnitt und Befund in eigene Spalten schreiben.</translation>
+    </message>
+    <message>
+        <source>The backups %1 and %2 are of different projects, and nothing tells which of them this folder is; nothing was changed. Move those of the other project away, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Die Sicherungen %1 und %2 sind von verschiedenen Projekten, und nichts sagt, welches davon dieser Ordner ist; nichts wurde geändert. Die des anderen Projekts an einen anderen Ort verschieben, dann noch einmal reparieren.</translation>
+    </message>
+    <message>
+        <source>This can be %1 or %2; enter site, trench and context each by itself.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Das kann %1 oder %2 sein; Fundort, Schnitt und Befund einzeln eingeben.</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Die Tabelle braucht eine Spalte mit den Nummern der Scherben oder eine mit den Befunden (eine Tabelle von Befunden); diese auswählen.</translation>
     </message>
 </context>
 <context>

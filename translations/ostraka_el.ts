@@ -2909,11 +2909,6 @@
             <numerusform>Στήλες (%n προς έλεγχο)</numerusform>
         </translation>
     </message>
-    <message>
-        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ένας πίνακας οστράκων έχει στήλη με τους αριθμούς τους· ένας πίνακας ενοτήτων έχει στήλες θέσης και ανασκαφικής ενότητας. Τα ονόματά τους μπορεί να είναι σε οποιαδήποτε γλώσσα του προγράμματος.</translation>
-    </message>
     <message numerus="yes">
         <source>Confirm %n row(s)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3009,6 +3004,11 @@
       <source>Another project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα άλλο έργο …</translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has a column with theirs. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ένας πίνακας οστράκων έχει μια στήλη με τους αριθμούς τους· ένας πίνακας πλαισίων έχει μια στήλη με τους δικούς τους. Τα ονόματα μπορούν να είναι σε οποιαδήποτε γλώσσα του προγράμματος.</translation>
     </message>
 </context>
 <context>
@@ -9374,11 +9374,6 @@
         <translation>Άλλο πρόγραμμα έχει ανοιχτό αυτό το έργο· κλείστε το εκεί και μετά επισκευάστε το.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ο πίνακας χρειάζεται στήλη με τους αριθμούς των οστράκων, ή στήλες θέσης και ανασκαφικής ενότητας (ενότητες)· δηλώστε ποιες είναι.</translation>
-    </message>
-    <message>
         <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Από %1 γραμμές διαβάστηκαν %2· η ίδια εισαγωγή καταχωρίζει τις υπόλοιπες.</translation>
@@ -10167,6 +10162,41 @@
       <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η φωτογραφία έχει πλάτος ή ύψος μικρότερο από %1 εικονοστοιχεία· χρησιμοποιήστε την αρχική φωτογραφία.</translation>
+    </message>
+    <message>
+        <source>The project has no site yet; add a column &apos;Site&apos;, or write the context with its site, such as %1.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Το έργο δεν έχει ακόμη θέση· προσθέστε μια στήλη «Θέση» ή γράψτε το πλαίσιο με τη θέση του, όπως %1.</translation>
+    </message>
+    <message>
+        <source>This project has %1 sites; add a column &apos;Site&apos;, or write the context with its site, such as %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Αυτό το έργο έχει %1 θέσεις· προσθέστε μια στήλη «Θέση» ή γράψτε το πλαίσιο με τη θέση του, όπως %2.</translation>
+    </message>
+    <message>
+        <source>The site %1 has %2 trenches; add a column &apos;Trench&apos;, or write the context with its trench, such as %3.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η θέση %1 έχει %2 τομές· προσθέστε μια στήλη «Τομή» ή γράψτε το πλαίσιο με την τομή του, όπως %3.</translation>
+    </message>
+    <message>
+        <source>There is no such trench in the site %1; write trench and context in columns of their own.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Δεν υπάρχει τέτοια τομή στη θέση %1· γράψτε την τομή και το πλαίσιο σε δικές τους στήλες.</translation>
+    </message>
+    <message>
+        <source>The backups %1 and %2 are of different projects, and nothing tells which of them this folder is; nothing was changed. Move those of the other project away, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Τα αντίγραφα ασφαλείας %1 και %2 είναι διαφορετικών έργων και τίποτα δεν δείχνει ποιο από αυτά είναι αυτός ο φάκελος· δεν άλλαξε τίποτα. Μετακινήστε αλλού εκείνα του άλλου έργου και επιδιορθώστε ξανά.</translation>
+    </message>
+    <message>
+        <source>This can be %1 or %2; enter site, trench and context each by itself.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Μπορεί να είναι %1 ή %2· εισαγάγετε χωριστά τη θέση, την τομή και το πλαίσιο.</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ο πίνακας χρειάζεται μια στήλη για τους αριθμούς των οστράκων ή μια για τα πλαίσια (πίνακας πλαισίων)· επιλέξτε την.</translation>
     </message>
 </context>
 <context>

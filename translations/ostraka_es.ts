@@ -2909,11 +2909,6 @@
             <numerusform>Columnas (%n por comprobar)</numerusform>
         </translation>
     </message>
-    <message>
-        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Una tabla de fragmentos tiene una columna con sus números; una de contextos, columnas de yacimiento y contexto. Los nombres pueden estar en cualquier idioma del programa.</translation>
-    </message>
     <message numerus="yes">
         <source>Confirm %n row(s)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3009,6 +3004,11 @@
       <source>Another project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro proyecto …</translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has a column with theirs. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Una tabla de fragmentos tiene una columna con sus números; una de contextos tiene una columna con los suyos. Los nombres pueden estar en cualquiera de los idiomas del programa.</translation>
     </message>
 </context>
 <context>
@@ -9374,11 +9374,6 @@
         <translation>Otro programa tiene abierto este proyecto; ciérrelo allí y repárelo después.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>La tabla necesita una columna con los números de los fragmentos, o columnas de yacimiento y contexto (contextos); selecciónelas.</translation>
-    </message>
-    <message>
         <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 filas en total, %2 leídas; ejecute la misma importación otra vez para las demás.</translation>
@@ -10167,6 +10162,41 @@
       <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La fotografía tiene menos de %1 píxeles de ancho o de alto; use la fotografía original.</translation>
+    </message>
+    <message>
+        <source>The project has no site yet; add a column &apos;Site&apos;, or write the context with its site, such as %1.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>El proyecto aún no tiene yacimiento; añada una columna «Yacimiento» o escriba el contexto con su yacimiento, por ejemplo %1.</translation>
+    </message>
+    <message>
+        <source>This project has %1 sites; add a column &apos;Site&apos;, or write the context with its site, such as %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Este proyecto tiene %1 yacimientos; añada una columna «Yacimiento» o escriba el contexto con su yacimiento, por ejemplo %2.</translation>
+    </message>
+    <message>
+        <source>The site %1 has %2 trenches; add a column &apos;Trench&apos;, or write the context with its trench, such as %3.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>El yacimiento %1 tiene %2 cortes; añada una columna «Corte» o escriba el contexto con su corte, por ejemplo %3.</translation>
+    </message>
+    <message>
+        <source>There is no such trench in the site %1; write trench and context in columns of their own.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>No existe tal corte en el yacimiento %1; escriba el corte y el contexto en columnas propias.</translation>
+    </message>
+    <message>
+        <source>The backups %1 and %2 are of different projects, and nothing tells which of them this folder is; nothing was changed. Move those of the other project away, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Las copias de seguridad %1 y %2 son de proyectos distintos, y nada indica cuál de ellos es esta carpeta; no se ha cambiado nada. Mueva las del otro proyecto a otro lugar y repare de nuevo.</translation>
+    </message>
+    <message>
+        <source>This can be %1 or %2; enter site, trench and context each by itself.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Puede ser %1 o %2; introduzca por separado el yacimiento, el corte y el contexto.</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>La tabla necesita una columna para los números de los fragmentos, o una para los contextos (una tabla de contextos); selecciónela.</translation>
     </message>
 </context>
 <context>

@@ -2909,11 +2909,6 @@
             <numerusform>Colonnes (%n à vérifier)</numerusform>
         </translation>
     </message>
-    <message>
-        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Un tableau de tessons a une colonne de leurs numéros ; un tableau de contextes a des colonnes de site et de contexte. Leurs noms peuvent être dans n’importe quelle langue du programme.</translation>
-    </message>
     <message numerus="yes">
         <source>Confirm %n row(s)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3009,6 +3004,11 @@
       <source>Another project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un autre projet …</translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has a column with theirs. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Un tableau de tessons a une colonne avec leurs numéros ; un tableau de contextes a une colonne avec les leurs. Les noms peuvent être dans n'importe quelle langue du programme.</translation>
     </message>
 </context>
 <context>
@@ -9374,11 +9374,6 @@
         <translation>Un autre programme a ce projet ouvert ; fermez-le là, puis réparez-le.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Le tableau doit avoir une colonne des numéros de tessons, ou des colonnes de site et de contexte (contextes) ; sélectionnez-les.</translation>
-    </message>
-    <message>
         <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 lignes au total, %2 lues ; relancez la même importation pour les autres.</translation>
@@ -10167,6 +10162,41 @@
       <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La photographie fait moins de %1 pixels de large ou de haut ; utilisez la photographie d’origine.</translation>
+    </message>
+    <message>
+        <source>The project has no site yet; add a column &apos;Site&apos;, or write the context with its site, such as %1.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le projet n&apos;a pas encore de site ; ajoutez une colonne « Site » ou écrivez le contexte avec son site, par exemple %1.</translation>
+    </message>
+    <message>
+        <source>This project has %1 sites; add a column &apos;Site&apos;, or write the context with its site, such as %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ce projet a %1 sites ; ajoutez une colonne « Site » ou écrivez le contexte avec son site, par exemple %2.</translation>
+    </message>
+    <message>
+        <source>The site %1 has %2 trenches; add a column &apos;Trench&apos;, or write the context with its trench, such as %3.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le site %1 a %2 tranchées ; ajoutez une colonne « Tranchée » ou écrivez le contexte avec sa tranchée, par exemple %3.</translation>
+    </message>
+    <message>
+        <source>There is no such trench in the site %1; write trench and context in columns of their own.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Il n&apos;y a pas de telle tranchée dans le site %1 ; écrivez la tranchée et le contexte dans des colonnes distinctes.</translation>
+    </message>
+    <message>
+        <source>The backups %1 and %2 are of different projects, and nothing tells which of them this folder is; nothing was changed. Move those of the other project away, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Les sauvegardes %1 et %2 proviennent de projets différents, et rien ne dit duquel ce dossier est ; rien n&apos;a été modifié. Déplacez ailleurs celles de l&apos;autre projet, puis réparez de nouveau.</translation>
+    </message>
+    <message>
+        <source>This can be %1 or %2; enter site, trench and context each by itself.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ce peut être %1 ou %2 ; saisissez séparément le site, la tranchée et le contexte.</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le tableau doit avoir une colonne pour les numéros des tessons, ou une pour les contextes (un tableau de contextes) ; sélectionnez-la.</translation>
     </message>
 </context>
 <context>

@@ -2909,11 +2909,6 @@
             <numerusform>Սյունակներ (%n ստուգելու)</numerusform>
         </translation>
     </message>
-    <message>
-        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Բեկորների աղյուսակն ունի դրանց համարների սյունակ, համատեքստերինը՝ հուշարձանի և համատեքստի սյունակներ։ Անունները կարող են լինել ծրագրի ցանկացած լեզվով։</translation>
-    </message>
     <message numerus="yes">
         <source>Confirm %n row(s)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -3009,6 +3004,11 @@
       <source>Another project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այլ նախագիծ …</translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has a column with theirs. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Բեկորների աղյուսակն ունի դրանց համարների սյունակ, համատեքստերինը՝ դրանց համարների սյունակ։ Անունները կարող են լինել ծրագրի ցանկացած լեզվով։</translation>
     </message>
 </context>
 <context>
@@ -9374,11 +9374,6 @@
         <translation>Այս նախագիծը բացված է մեկ այլ ծրագրում. փակեք այն այնտեղ, ապա վերականգնեք։</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Աղյուսակին պետք է բեկորների համարների սյունակ կամ հուշարձանի ու համատեքստի սյունակներ (համատեքստեր). նշեք, թե որոնք են։</translation>
-    </message>
-    <message>
         <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 տողից կարդացված է %2-ը. նույն ներմուծումը կմուտքագրի մնացածը։</translation>
@@ -10167,6 +10162,41 @@
       <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարի լայնությունը կամ բարձրությունը %1 պիքսելից պակաս է. օգտագործեք սկզբնական լուսանկարը։</translation>
+    </message>
+    <message>
+        <source>The project has no site yet; add a column &apos;Site&apos;, or write the context with its site, such as %1.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նախագիծը դեռ հուշարձան չունի. ավելացրեք «Հուշարձան» սյունակ կամ համատեքստը գրեք իր հուշարձանով, օրինակ՝ %1։</translation>
+    </message>
+    <message>
+        <source>This project has %1 sites; add a column &apos;Site&apos;, or write the context with its site, such as %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Այս նախագիծն ունի %1 հուշարձան. ավելացրեք «Հուշարձան» սյունակ կամ համատեքստը գրեք իր հուշարձանով, օրինակ՝ %2։</translation>
+    </message>
+    <message>
+        <source>The site %1 has %2 trenches; add a column &apos;Trench&apos;, or write the context with its trench, such as %3.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 հուշարձանն ունի %2 խրամատ. ավելացրեք «Խրամատ» սյունակ կամ համատեքստը գրեք իր խրամատով, օրինակ՝ %3։</translation>
+    </message>
+    <message>
+        <source>There is no such trench in the site %1; write trench and context in columns of their own.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 հուշարձանում այդպիսի խրամատ չկա. խրամատն ու համատեքստը գրեք առանձին սյունակներում։</translation>
+    </message>
+    <message>
+        <source>The backups %1 and %2 are of different projects, and nothing tells which of them this folder is; nothing was changed. Move those of the other project away, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 և %2 պահուստային պատճենները տարբեր նախագծերից են, և ոչինչ չի ցույց տալիս, թե դրանցից որն է այս պանակը. ոչինչ չի փոխվել։ Մյուս նախագծինը տեղափոխեք այլ տեղ, ապա նորից վերանորոգեք։</translation>
+    </message>
+    <message>
+        <source>This can be %1 or %2; enter site, trench and context each by itself.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Սա կարող է լինել %1 կամ %2. հուշարձանը, խրամատն ու համատեքստը մուտքագրեք առանձին։</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Աղյուսակին պետք է սյունակ բեկորների համարների համար կամ համատեքստերի համար (համատեքստերի աղյուսակ). ընտրեք այն։</translation>
     </message>
 </context>
 <context>

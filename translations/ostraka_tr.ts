@@ -2877,11 +2877,6 @@
             <numerusform>Sütunlar (%n denetlenecek)</numerusform>
         </translation>
     </message>
-    <message>
-        <source>A table of sherds has a column with their numbers; one of contexts has columns for site and context. Their names may be in any of the program's languages.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Parça tablosunda numaraların sütunu, kontekst tablosunda alan ve kontekst sütunları bulunur. Adları programın herhangi bir dilinde olabilir.</translation>
-    </message>
     <message numerus="yes">
         <source>Confirm %n row(s)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
@@ -2975,6 +2970,11 @@
       <source>Another project…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka bir proje …</translation>
+    </message>
+    <message>
+        <source>A table of sherds has a column with their numbers; one of contexts has a column with theirs. Their names may be in any of the program's languages.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parça tablosunda parça numaralarını içeren bir sütun, kontekst tablosunda kontekst numaralarını içeren bir sütun vardır. Adlar programın dillerinden herhangi birinde olabilir.</translation>
     </message>
 </context>
 <context>
@@ -9329,11 +9329,6 @@
         <translation>Bu proje başka bir programda açık; orada kapatıp sonra onarın.</translation>
     </message>
     <message>
-        <source>The table needs a column for the sherds&apos; numbers, or columns for site and context (contexts); select them.</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Tabloda parça numaraları için bir sütun ya da alan ve kontekst sütunları (kontekstler) olmalı; hangileri olduğunu belirtin.</translation>
-    </message>
-    <message>
         <source>%1 rows in total, %2 read; run the same import again for the others.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 satırdan %2 tanesi okundu; aynı içe aktarma ötekileri girer.</translation>
@@ -10122,6 +10117,41 @@
       <source>The photograph is less than %1 pixels wide or high; use the original photograph.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğrafın genişliği veya yüksekliği %1 pikselden az; özgün fotoğrafı kullanın.</translation>
+    </message>
+    <message>
+        <source>The project has no site yet; add a column &apos;Site&apos;, or write the context with its site, such as %1.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Projede henüz alan yok; bir “Alan” sütunu ekleyin veya konteksti alanıyla yazın, örneğin %1.</translation>
+    </message>
+    <message>
+        <source>This project has %1 sites; add a column &apos;Site&apos;, or write the context with its site, such as %2.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bu projede %1 alan var; bir “Alan” sütunu ekleyin veya konteksti alanıyla yazın, örneğin %2.</translation>
+    </message>
+    <message>
+        <source>The site %1 has %2 trenches; add a column &apos;Trench&apos;, or write the context with its trench, such as %3.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 alanında %2 açma var; bir “Açma” sütunu ekleyin veya konteksti açmasıyla yazın, örneğin %3.</translation>
+    </message>
+    <message>
+        <source>There is no such trench in the site %1; write trench and context in columns of their own.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 alanında böyle bir açma yok; açmayı ve konteksti ayrı sütunlara yazın.</translation>
+    </message>
+    <message>
+        <source>The backups %1 and %2 are of different projects, and nothing tells which of them this folder is; nothing was changed. Move those of the other project away, then repair it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 ve %2 yedekleri farklı projelere ait ve bu klasörün hangisi olduğu belli değil; hiçbir şey değiştirilmedi. Öteki projeninkileri başka yere taşıyın, sonra yeniden onarın.</translation>
+    </message>
+    <message>
+        <source>This can be %1 or %2; enter site, trench and context each by itself.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Bu %1 veya %2 olabilir; alanı, açmayı ve konteksti ayrı ayrı girin.</translation>
+    </message>
+    <message>
+        <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tabloda parça numaraları için bir sütun veya kontekstler için bir sütun (kontekst tablosu) olmalı; sütunu seçin.</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 #pragma once
+#include <compare>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,7 +31,7 @@ Result<store::SherdRow> sherdOfLabel(const Catalogue& catalogue, const LabelCode
 /// A bag by the codes of where it is from; the trench may be empty.
 struct BagPlace {
   std::string site, trench, context, bag;
-  bool operator==(const BagPlace&) const = default;
+  auto operator<=>(const BagPlace&) const = default;
 };
 /// The place of the bag that carries the label, as the catalogue writes it; none: of another
 /// project.

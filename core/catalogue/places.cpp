@@ -65,10 +65,6 @@ std::string checked(const Result<std::string>& value, const char* where) {
   return *value;
 }
 
-std::string typedKey(const std::string& text) {
-  return store::uniqueKey(store::trimmed(text));
-}
-
 // The row that holds this key already, other than the one being saved.
 void refuseDouble(store::Statement rows, std::int64_t own, const Message& what) {
   for (std::int64_t row = 0; rows.read(row);)
@@ -127,7 +123,7 @@ Result<store::PersonRow> People::save(const records::PersonRecord& p,
   return database_->inTransaction([&] {
     const std::string name = needed(p.name, kPersonName);
     const std::string initials = needed(p.initials, kInitials);
-    const std::string key = store::uniqueKey(initials);
+    const std::string key = store::codeKey(initials);
     refuseDouble(database_->sql("SELECT row FROM person WHERE initials_key = ?", key), p.row.value,
                  message("The initials %1 already belong to another person.", initials));
     return saved(catalogue_, provenance, "person", p.row, p.id, initials,
@@ -141,7 +137,7 @@ Result<store::PersonRow> People::save(const records::PersonRecord& p,
 Result<store::PersonRow> People::byInitials(const std::string& initials,
                                             const records::Provenance& provenance) {
   const auto known = firstOf<store::PersonRow>("SELECT row FROM person WHERE initials_key = ?",
-                                               typedKey(initials));
+                                               store::codeKey(initials));
   if (!known || *known) return known;
   return save(records::PersonRecord{{}, {}, initials, initials, {}}, provenance);
 }
@@ -161,7 +157,7 @@ Result<std::vector<records::SiteRecord>> Places::sites() const {
 Result<store::SiteRow> Places::save(const records::SiteRecord& s,
                                     const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string code = neededCode(s.code, kSiteCode), key = store::uniqueKey(code);
+    const std::string code = neededCode(s.code, kSiteCode), key = store::codeKey(code);
     if (s.latitude_deg && !(*s.latitude_deg >= -90 && *s.latitude_deg <= 90))
       store::refuse(message("The latitude must be between -90 and 90 degrees."), code);
     if (s.longitude_deg && !(*s.longitude_deg >= -180 && *s.longitude_deg <= 180))
@@ -193,7 +189,7 @@ Result<std::vector<records::TrenchRecord>> Places::trenches() const {
 Result<store::TrenchRow> Places::save(const records::TrenchRecord& t,
                                       const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string code = neededCode(t.code, kTrenchCode), key = store::uniqueKey(code);
+    const std::string code = neededCode(t.code, kTrenchCode), key = store::codeKey(code);
     if (!t.site) store::refuse(message("A trench needs a site."), code);
     if (t.parent && t.parent == t.row)
       store::refuse(message("A trench cannot contain itself."), code);
@@ -233,7 +229,7 @@ Result<store::ContextRow> Places::contextByPlace(const std::string& site, const 
       "SELECT context.row FROM context JOIN site ON site.row = context.site LEFT JOIN trench ON "
       "trench.row = context.trench WHERE context.number_key = ? AND site.code_key = ? AND "
       "ifnull(trench.code_key, '') = ?",
-      store::uniqueKey(number), store::uniqueKey(site), store::uniqueKey(trench));
+      store::codeKey(number), store::codeKey(site), store::codeKey(trench));
 }
 
 Result<store::ContextRow> Places::contextAt(const std::string& site, const std::string& trench,
@@ -243,7 +239,7 @@ Result<store::ContextRow> Places::contextAt(const std::string& site, const std::
   return database_->inTransaction([&] {
     records::ContextRecord context;
     context.number = number;
-    context.site = database_->sql("SELECT row FROM site WHERE code_key = ?", typedKey(site))
+    context.site = database_->sql("SELECT row FROM site WHERE code_key = ?", store::codeKey(site))
                        .one<store::SiteRow>();
     if (!context.site) {
       records::SiteRecord record;
@@ -254,7 +250,7 @@ Result<store::ContextRow> Places::contextAt(const std::string& site, const std::
     if (!trench.empty())
       context.trench = database_
                            ->sql("SELECT row FROM trench WHERE site = ? AND code_key = ?",
-                                 context.site, typedKey(trench))
+                                 context.site, store::codeKey(trench))
                            .one<store::TrenchRow>();
     if (!trench.empty() && !context.trench) {
       records::TrenchRecord record;
@@ -267,7 +263,7 @@ Result<store::ContextRow> Places::contextAt(const std::string& site, const std::
                            ->sql(
                                "SELECT row FROM context WHERE site = ? AND ifnull(trench, 0) = "
                                "ifnull(?, 0) AND number_key = ?",
-                               context.site, context.trench, typedKey(number))
+                               context.site, context.trench, store::codeKey(number))
                            .one<store::ContextRow>();
     return known ? known : store::valueOrThrow(save(context, provenance));
   });
@@ -276,7 +272,7 @@ Result<store::ContextRow> Places::contextAt(const std::string& site, const std::
 Result<store::BagRow> Places::bagByNumber(store::ContextRow context,
                                           const std::string& number) const {
   return firstOf<store::BagRow>("SELECT row FROM bag WHERE context = ? AND number_key = ?", context,
-                                typedKey(number));
+                                store::codeKey(number));
 }
 
 Result<store::BagRow> Places::bagAt(store::ContextRow context, const std::string& number,
@@ -292,7 +288,7 @@ Result<store::BagRow> Places::bagAt(store::ContextRow context, const std::string
 Result<store::ContextRow> Places::save(const records::ContextRecord& c,
                                        const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string number = neededCode(c.number, kContextNumber), key = store::uniqueKey(number);
+    const std::string number = neededCode(c.number, kContextNumber), key = store::codeKey(number);
     if (!c.site) store::refuse(message("A context needs a site."), number);
     if (std::find(std::begin(kContextKinds), std::end(kContextKinds), c.kind) ==
         std::end(kContextKinds))
@@ -351,7 +347,7 @@ Result<std::vector<records::BagRecord>> Places::bags(store::ContextRow context) 
 Result<store::BagRow> Places::save(const records::BagRecord& b,
                                    const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string number = neededCode(b.number, kBagNumber), key = store::uniqueKey(number);
+    const std::string number = neededCode(b.number, kBagNumber), key = store::codeKey(number);
     if (!b.context) store::refuse(message("A bag needs a context."), number);
     const std::string day = checked(store::checkedDay(b.collected_on), "collected_on");
     if (b.weight_g && !(*b.weight_g > 0))

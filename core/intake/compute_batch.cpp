@@ -207,8 +207,6 @@ BatchFigures enteredFigures(upkeep::Project& project, const records::BatchRecord
   const records::Provenance provenance{{}, "process", {}};
   progress.begin("catalogue", 0.01);
   valueOrThrow(catalogue::Batches(rows).setState(begun.row, BatchState::Computed, provenance));
-  if (!decisions::holdsScans(project.batchFolder(begun.number)))
-    valueOrThrow(enterPhotographs(rows, project.folder(), begun.row, provenance, progress, stop));
   const EnteredResults entered = valueOrThrow(
       enterResults(rows, project.folder(), begun.row, output, provenance, progress, stop));
   const Result<bool> again = queueIfAsked(rows, begun.number, provenance);

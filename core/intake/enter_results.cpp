@@ -17,6 +17,7 @@
 #include "capture/manifest.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
+#include "decisions/scan_folder.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "files/open_folder.h"
@@ -262,14 +263,6 @@ Result<EnteredResults> entered(catalogue::Catalogue& catalogue, const fs::path& 
 
 }  // namespace
 
-Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue, const fs::path& project,
-                                    store::BatchRow batch, const fs::path& out,
-                                    const records::Provenance& provenance, Progress& progress,
-                                    std::stop_token stop) {
-  return entered(catalogue, project, batch, out, provenance, BatchItself::Settled, progress,
-                 std::move(stop));
-}
-
 Result<bool> enterLostModels(const fs::path& project, const std::string& batch, Progress& progress,
                              std::stop_token stop) {
   const fs::path out = project / "results" / batch;
@@ -320,11 +313,11 @@ std::vector<records::FileRecord> scaleFilesOf(const fs::path& project, const fs:
   return files;
 }
 
-}  // namespace
-
-Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& project,
-                             store::BatchRow batch, const records::Provenance& provenance,
-                             Progress& progress, std::stop_token stop) {
+// made_from: the hashes of those that count; empty: all.
+Result<int> recordPhotographs(catalogue::Catalogue& catalogue, const fs::path& project,
+                              store::BatchRow batch, const std::set<std::string>& made_from,
+                              const records::Provenance& provenance, Progress& progress,
+                              const std::stop_token& stop) {
   const Result<records::BatchRecord> record = catalogue::Batches(catalogue).get(batch);
   if (!record) return record.error();
   const Result<batch::Batch> folder =
@@ -345,6 +338,7 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
       Photograph p;
       std::string bytes;
       std::tie(p.file, bytes) = fileOf(project, shot.file, batch, "photo");
+      if (!made_from.empty() && !made_from.contains(p.file.sha256)) continue;
       p.shot.path = p.file.path;
       p.shot.batch = batch;
       p.shot.side = shot.side;
@@ -381,6 +375,33 @@ Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& pr
     }
     return static_cast<int>(read->size());
   });
+}
+
+}  // namespace
+
+Result<int> enterPhotographs(catalogue::Catalogue& catalogue, const fs::path& project,
+                             store::BatchRow batch, const records::Provenance& provenance,
+                             Progress& progress, std::stop_token stop) {
+  return recordPhotographs(catalogue, project, batch, {}, provenance, progress, stop);
+}
+
+Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue, const fs::path& project,
+                                    store::BatchRow batch, const fs::path& out,
+                                    const records::Provenance& provenance, Progress& progress,
+                                    std::stop_token stop) {
+  Result<EnteredResults> done =
+      entered(catalogue, project, batch, out, provenance, BatchItself::Settled, progress, stop);
+  if (!done) return done;
+  const Result<records::BatchRecord> record = catalogue::Batches(catalogue).get(batch);
+  if (!record) return record.error();
+  if (decisions::holdsScans(project / "batches" / record->number)) return done;
+  const auto made_from = catalogue.database().asResult([&] { return photographsOf(out); });
+  if (!made_from) return made_from.error();
+  // Results may be here without their photographs, which are not whole then.
+  const Result<int> recorded =
+      recordPhotographs(catalogue, project, batch, *made_from, provenance, progress, stop);
+  if (!recorded && recorded.error().code != ErrorCode::UnusableInput) return recorded.error();
+  return done;
 }
 
 }  // namespace ostraka::intake

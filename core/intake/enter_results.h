@@ -24,8 +24,10 @@ struct EnteredResults {
 /// Reads OUT of `ostraka process` (pairs.json, report.json, the models) into the catalogue: scans,
 /// the program's pair decisions, draft sherds, measurements, files with their hashes. Doing it
 /// twice changes nothing; what a person decided is kept. `out` lies in the project's folder.
-/// The batch's state becomes Review when something wants a person, else Done. Errors: also
-/// UnusableInput for results of another batch's or earlier photographs (checkResultsAreOf).
+/// The photographs that they were made from are recorded, too, where they are whole (as
+/// enterPhotographs does). The batch's state becomes Review when something wants a person, else
+/// Done. Errors: also UnusableInput for results of another batch's or earlier photographs
+/// (checkResultsAreOf).
 Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue,
                                     const std::filesystem::path& project, store::BatchRow batch,
                                     const std::filesystem::path& out,

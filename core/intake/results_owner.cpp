@@ -120,6 +120,12 @@ class Owners {
 
 }  // namespace
 
+std::set<std::string> photographsOf(const fs::path& out) {
+  SideHashes hashes = readFrom(out);
+  hashes[0].merge(hashes[1]);
+  return hashes[0];
+}
+
 Result<std::optional<Message>> checkResultsAreOf(const catalogue::Catalogue& catalogue,
                                                  const fs::path& project,
                                                  const records::BatchRecord& batch,

@@ -1,7 +1,9 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <stop_token>
+#include <string>
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
@@ -21,5 +23,8 @@ Result<std::optional<Message>> checkResultsAreOf(const catalogue::Catalogue& cat
                                                  const records::BatchRecord& batch,
                                                  const std::filesystem::path& out,
                                                  const std::stop_token& stop);
+
+/// SHA-256 of all photographs that OUT was made from; empty where it does not say. Throws Refused.
+std::set<std::string> photographsOf(const std::filesystem::path& out);
 
 }  // namespace ostraka::intake

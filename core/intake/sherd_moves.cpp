@@ -67,43 +67,64 @@ class Mover {
   Move take() { return std::move(move_); }
 
  private:
-  // KT26-A-012 typed as the context, KT26-A-012-4 typed as the bag, 012 for a sherd without a
-  // place: all codes come from it.
+  // KT26-A-012 typed as the context, KT26-A-012-4 typed as the bag, 012 where only one context has
+  // that number: all codes come from it.
   void byItsWholeName(const records::SherdRecord& sherd, records::SherdRecord& moved,
                       std::set<std::string>& named) {
     records::SherdRecord below = moved;
     const store::ContextRow context = contextOf(below);
-    std::optional<catalogue::BagPlace> place;
-    if (named.contains("context") && !context && !moved.context_number.empty()) {
-      place = typed(moved.context_number, catalogue::Named::Context);
-      if (!place) place = typed(moved.context_number, catalogue::Named::Bag);
-      if (!place && moved.site.empty() && !sherd.context) place = theOnly(moved.context_number);
-    } else if (named.contains("bag") && !moved.bag_number.empty() &&
-               !(context &&
-                 store::valueOrThrow(
-                     catalogue::Places(catalogue_).bagByNumber(context, moved.bag_number)))) {
-      place = typed(moved.bag_number, catalogue::Named::Bag);
+    const bool by_context = named.contains("context") && !moved.context_number.empty();
+    const bool by_bag = !by_context && named.contains("bag") && !moved.bag_number.empty();
+    const bool is_known =
+        by_context ? static_cast<bool>(context)
+        : by_bag
+            ? context && store::valueOrThrow(
+                             catalogue::Places(catalogue_).bagByNumber(context, moved.bag_number))
+            : true;
+    if (is_known) return;
+    catalogue::BagPlace written;
+    if (named.contains("site")) written.site = moved.site;
+    if (named.contains("trench")) written.trench = moved.trench;
+    if (by_context) written.context = moved.context_number;
+    if (named.contains("bag")) written.bag = moved.bag_number;
+    std::optional<records::SherdRecord> place;
+    if (written.site.empty() && sherd.context && by_context) {
+      catalogue::BagPlace nearby = written;
+      nearby.site = sherd.site;
+      place = knownPlace(moved, nearby);
+    }
+    if (!place) {
+      place = knownPlace(moved, written);
+      // Into another site only what names it.
+      const std::string text = by_context ? written.context : written.bag;
+      if (place && sherd.context && written.site.empty() && place->site != sherd.site &&
+          !store::codeKey(text).starts_with(store::codeKey(place->site)))
+        return;
     }
     if (!place) return;
-    moved.site = place->site;
-    moved.trench = place->trench;
-    moved.context_number = place->context;
-    if (place->bag.empty()) return;
-    moved.bag_number = place->bag;
-    named.insert("bag");
+    if (place->bag_number.empty())
+      place->bag_number = moved.bag_number;
+    else
+      named.insert("bag");
+    moved = *place;
   }
 
-  std::optional<catalogue::BagPlace> typed(const std::string& text, catalogue::Named what) {
-    const auto [known, fresh] = typed_.try_emplace({text, what});
-    if (fresh) known->second = store::valueOrThrow(catalogue::typedPlace(catalogue_, text, what));
-    return known->second;
-  }
-
-  std::optional<catalogue::BagPlace> theOnly(const std::string& number) {
-    const auto row = store::valueOrThrow(catalogue::onlyContext(catalogue_, number));
-    if (!row) return {};
-    const auto context = store::valueOrThrow(catalogue::Places(catalogue_).context(row));
-    return catalogue::BagPlace{context.site_code, context.trench_code, context.number, {}};
+  std::optional<records::SherdRecord> knownPlace(records::SherdRecord moved,
+                                                 const catalogue::BagPlace& written) {
+    const auto [known, fresh] =
+        read_.try_emplace(std::array{written.site, written.trench, written.context, written.bag});
+    if (fresh) {
+      const auto read = catalogue::readPlace(catalogue_, written);
+      if (!read && read.error().code != ErrorCode::UnusableInput)
+        throw store::Refused(read.error());
+      if (read) known->second = *read;
+    }
+    if (!known->second) return {};
+    moved.site = known->second->site;
+    moved.trench = known->second->trench;
+    moved.context_number = known->second->context;
+    moved.bag_number = known->second->bag;
+    return contextOf(moved) ? std::optional(moved) : std::nullopt;
   }
 
   // With its codes as the catalogue writes them; none: there is no such context.
@@ -139,7 +160,7 @@ class Mover {
 
   const catalogue::Catalogue& catalogue_;
   std::map<std::array<std::string, 3>, records::ContextRecord> contexts_;
-  std::map<std::pair<std::string, catalogue::Named>, std::optional<catalogue::BagPlace>> typed_;
+  std::map<std::array<std::string, 4>, std::optional<catalogue::BagPlace>> read_;
   Move move_;
 };
 

@@ -21,7 +21,8 @@ struct Move {
 
 /// A context or bag is looked up below the codes that the sherd has; its whole name, as labels
 /// print it (ARM1-T3-0012, ARM1 T3 0012 4), leads to it from everywhere, and so does the number of
-/// a context alone for a sherd without a place, where only one context has it. A sherd that gets
+/// a context alone where only one context has it, for a sherd of its site or without a place. A
+/// sherd that gets
 /// another context leaves its bag, unless `wanted` names one: a bag belongs to one context. wanted:
 /// all changes of a sherd beside each other. What change() would refuse stays as it is and leaves
 /// nothing behind.

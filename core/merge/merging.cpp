@@ -306,7 +306,7 @@ void Merging::insertRow(const Table& table, const Row& theirs, const Values& giv
       Value& called = values[table.column(calling)];
       called_before = called.value_or("");
       called = store::valueOrThrow(newName(conflict, *choice));
-      values[table.column(calling + "_key")] = store::uniqueKey(*called);
+      values[table.column(calling + "_key")] = store::codeKey(*called);
       if (!claimName(table, values))
         store::refuse(
             message("The number or code %1 is already in use; nothing was merged. Settle "

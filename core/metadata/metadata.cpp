@@ -268,7 +268,7 @@ class Reading {
   static std::string key(const char* kind, std::int64_t in, std::int64_t also,
                          const std::string& name) {
     return std::string(kind) + " " + std::to_string(in) + " " + std::to_string(also) + " " +
-           store::uniqueKey(name);
+           store::codeKey(name);
   }
   static std::string keyOf(const records::PersonRecord& p) {
     return key("person", 0, 0, p.initials);

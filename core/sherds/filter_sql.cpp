@@ -2,7 +2,9 @@
 #include "files/json_text.h"
 #include "sherds/filter.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "catalogue/search.h"
 #include "records/sherd.h"
@@ -54,6 +56,24 @@ std::string isTerm(Query& query, const std::string& word) {
   return in + ")";
 }
 
+// Places and bags are compared as they are told apart: K 12 and k12 are the same.
+bool isPlace(Query& query, const std::string& name) {
+  return query.database
+      .sql(
+          "SELECT 1 FROM site WHERE code_key = ?1 UNION SELECT 1 FROM trench WHERE code_key = ?1 "
+          "UNION SELECT 1 FROM context WHERE number_key = ?1 UNION SELECT 1 FROM bag WHERE "
+          "number_key = ?1",
+          store::codeKey(name))
+      .next();
+}
+
+std::string placeSql(Query& query, const std::string& name) {
+  const std::string key = query.mark(store::codeKey(name));
+  return inContext("site.code_key = " + key + " OR trench.code_key = " + key +
+                   " OR context.number_key = " + key) +
+         " OR s.bag IN (SELECT row FROM bag WHERE number_key = " + key + ")";
+}
+
 std::string wordSql(Query& query, const std::string& word) {
   if (!catalogue::isShort(word)) {
     std::string quoted = "\"";
@@ -69,14 +89,12 @@ std::string wordSql(Query& query, const std::string& word) {
           return store::uniqueKey(term) != store::uniqueKey(word);
         }))
       found += " UNION SELECT sherd FROM sherd_term WHERE " + isTerm(query, word);
-    return "s.row IN (" + found + ")";
+    found = "s.row IN (" + found + ")";
+    return isPlace(query, word) ? "(" + found + " OR " + placeSql(query, word) + ")" : found;
   }
   // Below three letters the search has no index: whole terms and whole places then.
-  const std::string key = query.mark(store::uniqueKey(word));
   return "(s.row IN (SELECT sherd FROM sherd_term WHERE " + isTerm(query, word) + ") OR " +
-         inContext("site.code_key = " + key + " OR trench.code_key = " + key +
-                   " OR context.number_key = " + key) +
-         " OR s.bag IN (SELECT row FROM bag WHERE number_key = " + key + "))";
+         placeSql(query, word) + ")";
 }
 
 // Of a text field and of custom ones; SQLite itself folds ASCII letters alone.
@@ -118,11 +136,11 @@ std::string emptySql(const SherdColumn& column) {
 
 std::string equalSql(Query& query, const SherdColumn& column, const std::string& value) {
   const std::string name = column.field.name;
-  const std::string key = store::uniqueKey(value);
+  const std::string key = store::uniqueKey(value), code = store::codeKey(value);
   if (name == "site" || name == "trench" || name == "context")
-    return inContext(std::string(column.sql) + " = " + query.mark(key));
+    return inContext(std::string(column.sql) + " = " + query.mark(code));
   if (name == "bag")
-    return "s.bag IN (SELECT row FROM bag WHERE number_key = " + query.mark(key) + ")";
+    return "s.bag IN (SELECT row FROM bag WHERE number_key = " + query.mark(code) + ")";
   if (name == "batch")
     return "s.batch IN (SELECT row FROM batch WHERE number = " + query.mark(value) +
            " COLLATE NOCASE)";
@@ -181,15 +199,51 @@ std::string conditionSql(Query& query, const Condition& condition) {
   return equalSql(query, *column, condition.value);
 }
 
+// The longest run of words from here on that is the name of one place: K 12, context:K 12.
+std::span<const Condition> nextOf(Query& query, std::span<const Condition> rest) {
+  using Is = Condition::Is;
+  constexpr std::size_t kMostWords = 4;
+  const Condition& first = rest.front();
+  const SherdColumn* column = sherdColumn(first.field);
+  const bool of_places = column && column->field.kind == records::FieldKind::Place;
+  std::size_t longest = 1;
+  if (first.negated || !(first.is == Is::Word || (of_places && first.is == Is::Equal)))
+    return rest.first(longest);
+  std::string name = first.value;
+  for (std::size_t i = 1; i < std::min(rest.size(), kMostWords); ++i) {
+    if (rest[i].is != Is::Word || rest[i].negated) break;
+    name += rest[i].value;
+    if (isPlace(query, name)) longest = i + 1;
+  }
+  return rest.first(longest);
+}
+
+// Each by itself, or all together as the name of a place.
+std::string conditionsSql(Query& query, std::span<const Condition> run) {
+  std::string each, name;
+  for (const Condition& condition : run) {
+    each += (each.empty() ? "" : " AND ") + conditionSql(query, condition);
+    name += condition.value;
+  }
+  if (run.size() == 1) return each;
+  const Condition& first = run.front();
+  return "((" + each + ") OR " +
+         (first.field.empty() ? placeSql(query, name)
+                              : equalSql(query, *sherdColumn(first.field), name)) +
+         ")";
+}
+
 }  // namespace
 
 std::vector<store::SherdRow> matching(store::Database& database, const Filter& filter,
                                       const records::SherdOrder& order) {
   Query query{database, {}, {}};
   query.where = "NOT (s.state = 'void' AND s.number = '')";
-  for (const Condition& condition : filter.conditions) {
-    const std::string sql = conditionSql(query, condition);
-    query.where += condition.negated ? " AND NOT ifnull(" + sql + ", 0)" : " AND " + sql;
+  for (std::span<const Condition> rest = filter.conditions; !rest.empty();) {
+    const std::span<const Condition> run = nextOf(query, rest);
+    const std::string sql = conditionsSql(query, run);
+    query.where += run.front().negated ? " AND NOT ifnull(" + sql + ", 0)" : " AND " + sql;
+    rest = rest.subspan(run.size());
   }
   // Drafts share one sort key, so their rows run up whichever way the numbers go.
   const char* way = order.field == "number" && order.descending ? " DESC" : "";

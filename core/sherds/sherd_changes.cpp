@@ -8,6 +8,7 @@
 #include "catalogue/places.h"
 #include "catalogue/search.h"
 #include "catalogue/settings.h"
+#include "catalogue/typed_place.h"
 #include "records/words.h"
 #include "sherds/measurements.h"
 #include "sherds/sherd_columns.h"
@@ -63,12 +64,11 @@ class Examination {
  private:
   void one(const records::SherdRecord& sherd, Examined& change) {
     const std::string& field = change.shown.change.field;
-    const std::string& typed = change.shown.change.value;
     change.shown.old_value = textOf(sherd, field);
     if (!holdsExpected(sherd, change.shown.change))
       throw store::Refused(Error::changedMeanwhile(field));
     std::string& value = change.shown.new_value;
-    value = store::valueOrThrow(store::checkedText(typed));
+    value = store::valueOrThrow(store::checkedText(change.shown.change.value));
     if (field.starts_with("extra.") && field.size() > 6) return;
     change.column = sherdColumn(field);
     if (!change.column) refuse(message("There is no field '%1'.", field));
@@ -276,41 +276,41 @@ class Examination {
 
   // Site, trench, context and bag as they would be, found in the catalogue.
   void placeOf(const records::SherdRecord& sherd, const std::vector<Examined*>& changes) {
-    std::map<std::string, std::string> wanted = {{"site", sherd.site},
-                                                 {"trench", sherd.trench},
-                                                 {"context", sherd.context_number},
-                                                 {"bag", sherd.bag_number}};
+    catalogue::BagPlace wanted{sherd.site, sherd.trench, sherd.context_number, sherd.bag_number};
+    const std::map<std::string, std::string*> parts = {{"site", &wanted.site},
+                                                       {"trench", &wanted.trench},
+                                                       {"context", &wanted.context},
+                                                       {"bag", &wanted.bag}};
     for (const Examined* change : changes)
-      if (change->column && change->column->field.kind == records::FieldKind::Place)
-        wanted[change->shown.change.field] = change->shown.new_value;
+      if (const auto part = parts.find(change->shown.change.field); part != parts.end())
+        *part->second = change->shown.new_value;
     store::ContextRow context;
     store::BagRow bag;
     // A sherd has its site and trench by its context.
-    const std::string codes = wanted["site"] + wanted["trench"];
-    if (wanted["context"].empty() ? !codes.empty() && codes != sherd.site + sherd.trench
-                                  : wanted["site"].empty())
+    const std::string codes = wanted.site + wanted.trench;
+    if (wanted.context.empty() && !codes.empty() && codes != sherd.site + sherd.trench)
       refuse(message("Enter the context with its site and trench, such as KT26-A-012."));
-    if (!wanted["context"].empty()) {
+    if (!wanted.context.empty()) {
+      if (wanted.site.empty()) wanted = store::valueOrThrow(readPlace(catalogue_, wanted));
       context = store::valueOrThrow(
-          catalogue::Places(catalogue_)
-              .contextByPlace(wanted["site"], wanted["trench"], wanted["context"]));
+          catalogue::Places(catalogue_).contextByPlace(wanted.site, wanted.trench, wanted.context));
       if (!context)
-        refuse(message("There is no context %1 in %2; add it first.", wanted["context"],
-                       wanted["site"] + (wanted["trench"].empty() ? "" : " " + wanted["trench"])));
+        refuse(message("There is no context %1 in %2; add it first.", wanted.context,
+                       wanted.site + (wanted.trench.empty() ? "" : " " + wanted.trench)));
     } else if (sherd.state == records::SherdState::Numbered && !losesNumber(changes)) {
       refuse(message("A numbered sherd needs its context."));
     }
-    if (!wanted["bag"].empty()) {
-      bag = store::valueOrThrow(catalogue::Places(catalogue_).bagByNumber(context, wanted["bag"]));
+    if (!wanted.bag.empty()) {
+      bag = store::valueOrThrow(catalogue::Places(catalogue_).bagByNumber(context, wanted.bag));
       if (!bag)
         refuse(
             !context ? message("A bag belongs to a context; enter the context first.")
-            : wanted["bag"] == sherd.bag_number
+            : wanted.bag == sherd.bag_number
                 ? message("Context %1 has no bag %2; change or clear the bag at the same time.",
-                          wanted["context"], wanted["bag"])
+                          wanted.context, wanted.bag)
                 : message("There is no bag %1 in context %2 yet; enter it during capture or import "
                           "a table of contexts that contains it.",
-                          wanted["bag"], wanted["context"]));
+                          wanted.bag, wanted.context));
     }
     for (Examined* change : changes)
       if (change->column && change->column->field.kind == records::FieldKind::Place) {

@@ -60,6 +60,14 @@ std::string uniqueKey(std::string_view text) {
   return narrow(nfc(nfc(wide(text)).foldCase()));
 }
 
+std::string codeKey(std::string_view text) {
+  icu::UnicodeString key;
+  const icu::UnicodeString letters = wide(uniqueKey(text));
+  for (int32_t i = 0; i < letters.length(); ++i)
+    if (!u_isUWhiteSpace(letters[i])) key += letters[i];
+  return narrow(key);
+}
+
 std::string plainKey(std::string_view text) {
   UErrorCode status = U_ZERO_ERROR;
   const icu::Normalizer2* normalizer = icu::Normalizer2::getNFKDInstance(status);

@@ -11,6 +11,8 @@ std::string fromUtf16(std::u16string_view text);
 std::string composed(std::string_view text);
 /// What must be unique: composed, then case-folded; É-1 and é-1 are the same.
 std::string uniqueKey(std::string_view text);
+/// What the codes of places and persons are told apart by: K 12, K12 and k12 are the same.
+std::string codeKey(std::string_view text);
 /// Letters and digits alone, small, without accents: "Épaisseur (max.)" is "epaisseurmax".
 std::string plainKey(std::string_view text);
 /// Orders 9 before 10 and A2 before A10, capitals with small letters. What people read as one

@@ -174,10 +174,10 @@ class Mapper {
             "of numbers, or leave '%1' out if this is a table of contexts.",
             choice.column);
     }
-    if (isTaken("site") && isTaken("context")) return {};
+    if (isTaken("context")) return {};
     return message(
-        "The table needs a column for the sherds' numbers, or columns for site and context "
-        "(contexts); select them.");
+        "The table needs a column for the sherds' numbers, or one for the contexts (a table of "
+        "contexts); select it.");
   }
   bool isTaken(const std::string& field) const {
     const auto& columns = mapping_.columns;

@@ -9,6 +9,7 @@
 #include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "catalogue/stamped_rows.h"
+#include "catalogue/typed_place.h"
 #include "files/json_text.h"
 #include "store/database.h"
 #include "store/names.h"
@@ -33,6 +34,14 @@ class Values {
     if (found == table_.columns.end()) return {};
     const auto index = static_cast<std::size_t>(found - table_.columns.begin());
     return index < row_.values.size() ? row_.values[index] : std::string();
+  }
+  // A column of trenches says also that there is none.
+  Result<BagPlace> place(const Catalogue& catalogue) const {
+    BagPlace written{raw("site"), raw("trench"), raw("context"), raw("bag")};
+    const bool says_all = !written.site.empty() &&
+                          std::ranges::find(table_.columns, "trench") != table_.columns.end();
+    if (says_all || written.context.empty()) return written;
+    return readPlace(catalogue, written);
   }
   void text(const std::string& column, std::string& value) const { take(raw(column), value); }
   // Custom fields with what their columns say.
@@ -116,12 +125,12 @@ bool checked(const Result<Value>& value, const char* column, Faults& faults) {
 
 // What was there before, and is another now. Throws Refused where the row cannot be looked at to
 // its end.
-std::vector<ChangedValue> enterRow(Catalogue& catalogue, const Values& values,
-                                   const records::Provenance& provenance, Faults& faults,
-                                   std::vector<std::string>& made) {
+std::vector<ChangedValue> enterRow(Catalogue& catalogue, const BagPlace& place,
+                                   const Values& values, const records::Provenance& provenance,
+                                   Faults& faults, std::vector<std::string>& made) {
   Places known(catalogue);
-  const auto row = valueOrThrow(known.contextAt(values.raw("site"), values.raw("trench"),
-                                                values.raw("context"), provenance, made));
+  const auto row = valueOrThrow(
+      known.contextAt(place.site, place.trench, place.context, provenance, made));
   const records::ContextRecord found = valueOrThrow(known.context(row));
   records::ContextRecord context = found;
   values.text("kind", context.kind);
@@ -144,9 +153,8 @@ std::vector<ChangedValue> enterRow(Catalogue& catalogue, const Values& values,
   checked(known.save(context, provenance), "context", faults);
   std::vector<ChangedValue> changed;
   addDifferences(changed, placeOf(context), found, context);
-  const std::string number = values.raw("bag");
-  if (number.empty()) return changed;
-  const Result<store::BagRow> bag_row = known.bagAt(row, number, provenance);
+  if (place.bag.empty()) return changed;
+  const Result<store::BagRow> bag_row = known.bagAt(row, place.bag, provenance);
   if (!checked(bag_row, "bag", faults)) return changed;
   const std::vector<records::BagRecord> bags = valueOrThrow(known.bags(row));
   const records::BagRecord before = *std::ranges::find(bags, *bag_row, &records::BagRecord::row);
@@ -187,15 +195,20 @@ class ContextRows {
       if (const auto good = store::checkedText(row.values[i]); !good)
         faults.emplace_back(table_.columns[i], good.error().what);
     const Values values(table_, row, unclear_);
-    const auto known =
-        Places(catalogue_)
-            .contextByPlace(values.raw("site"), values.raw("trench"), values.raw("context"));
+    const Result<BagPlace> place = values.place(catalogue_);
+    if (!place && place.error().code != ErrorCode::UnusableInput) return place.error();
+    if (!place) faults.emplace_back("context", place.error().sentence());
+    const Result<store::ContextRow> known =
+        place ? catalogue::Places(catalogue_)
+                    .contextByPlace(place->site, place->trench, place->context)
+              : store::ContextRow();
     const bool fresh = !known || !*known;
     const std::int64_t before = History(catalogue_).length();
     std::vector<ChangedValue> changed_values;
     std::vector<std::string> made;
     const Result<void> entered = catalogue_.together([&]() -> Result<void> {
-      if (faults.empty()) changed_values = enterRow(catalogue_, values, provenance_, faults, made);
+      if (faults.empty())
+        changed_values = enterRow(catalogue_, *place, values, provenance_, faults, made);
       return faults.empty() ? Result<void>() : Error::unusable(faults.front().second);
     });
     if (!entered && entered.error().code != ErrorCode::UnusableInput) return entered;

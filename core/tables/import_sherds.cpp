@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "base/uuid.h"
 #include "catalogue/places.h"
+#include "catalogue/typed_place.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/measurements.h"
@@ -28,6 +29,7 @@ namespace {
 // How a value was measured that somebody else's table has, nobody here knows.
 constexpr const char* kImported = "imported";
 
+using catalogue::BagPlace;
 using catalogue::Catalogue;
 using records::Confirmation;
 using records::FieldChange;
@@ -75,18 +77,19 @@ class Importing {
   }
 
   Result<void> row(std::size_t at) {
-    const ImportRow& row = rows_[at];
     SherdRow entered;
     RowFate fate = RowFate::Same;
     done_.clear();
     undo_.clear();
     faults_.clear();
     asks_ = false;
+    ImportRow row = rows_[at];
     const Result<void> done = catalogue_.together([&]() -> Result<void> {
       entered = find(row);
       const bool fresh = !entered;
+      readPlace(row, entered);
       if (fresh) entered = add(row);
-      const bool changed = change(at, entered, fresh);
+      const bool changed = change(at, row, entered, fresh);
       if (!faults_.empty()) return Error::unusable(faults_.front().reason);
       fate = fresh ? RowFate::Fresh : changed ? RowFate::Changed : RowFate::Same;
       return {};
@@ -184,8 +187,33 @@ class Importing {
     return valueOrThrow(sherds::Sherds(catalogue_).add(record, provenance_));
   }
 
-  bool change(std::size_t at, SherdRow sherd, bool fresh) {
-    const ImportRow& row = rows_[at];
+  // The codes that the row writes become those of the place that they name.
+  void readPlace(ImportRow& row, SherdRow sherd) {
+    const BagPlace written{valueOf(row, "site"), valueOf(row, "trench"), valueOf(row, "context"),
+                           valueOf(row, "bag")};
+    if (written.context.empty() && (sherd || written.bag.empty())) return;
+    if (sherd && written.site.empty()) {  // where it is comes before all other places
+      const SherdRecord now = valueOrThrow(sherds::Sherds(catalogue_).get(sherd));
+      const std::string trench = written.trench.empty() ? now.trench : written.trench;
+      if (valueOrThrow(
+              catalogue::Places(catalogue_).contextByPlace(now.site, trench, written.context)))
+        return;
+    }
+    auto known = read_.find(written);
+    if (known == read_.end()) {
+      const Result<BagPlace> read = catalogue::readPlace(catalogue_, written);
+      if (!read) return fault("context", written.context, read.error().sentence());
+      known = read_.emplace(written, *read).first;
+    }
+    const BagPlace& place = known->second;
+    for (const auto& [column, code] : {std::pair("site", &place.site),
+                                       {"trench", &place.trench},
+                                       {"context", &place.context},
+                                       {"bag", &place.bag}})
+      if (!code->empty()) row.values[column] = *code;
+  }
+
+  bool change(std::size_t at, const ImportRow& row, SherdRow sherd, bool fresh) {
     if (options_.unknown_places == UnknownPlaces::Make) {
       const std::string site = valueOf(row, "site"), context = valueOf(row, "context");
       if (!site.empty() && !context.empty()) {
@@ -341,6 +369,7 @@ class Importing {
   /// Of the rows that have this number or uuid.
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines_;
   std::map<std::string, store::PersonRow> persons_;
+  std::map<BagPlace, BagPlace> read_;  ///< as it was written, and what it is
 };
 
 }  // namespace

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <ctime>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "base/message.h"
 #include "catalogue/history.h"
 #include "catalogue/settings.h"
+#include "files/contained_path.h"
 #include "files/files.h"
 #include "store/database.h"
 #include "store/file_header.h"
@@ -42,6 +45,22 @@ std::optional<Backup> readBackup(const fs::path& file) {
     return backup;
   });
   return read && !read->project.empty() ? std::optional(*read) : std::nullopt;
+}
+
+// How many of the files that a backup knows lie in the folder; those read before any damage.
+int filesIn(const fs::path& folder, const fs::path& backup) {
+  int found = 0;
+  const auto database = store::Database::open(backup, store::Database::Mode::ReadOnly);
+  if (!database) return found;
+  const Result<void> counted = (*database)->asResult([&] {
+    store::Statement rows = (*database)->sql("SELECT path FROM file");
+    std::error_code failed;
+    for (std::string path; rows.read(path);)
+      if (const Result<ContainedPath> inside = ContainedPath::parse(path))
+        found += fs::exists(fs::symlink_status(folder / path, failed)) ? 1 : 0;
+  });
+  static_cast<void>(counted);
+  return found;
 }
 
 }  // namespace
@@ -126,17 +145,40 @@ std::vector<fs::path> backupsOf(const fs::path& folder, std::int64_t now_ms) {
   return files;
 }
 
-std::vector<Backup> copiesOf(std::string project, const std::vector<fs::path>& files) {
+std::vector<Backup> copiesOf(const std::string& project, const std::vector<fs::path>& files) {
   std::vector<Backup> copies;
   for (const fs::path& file : files) {
     std::optional<Backup> copy = readBackup(file);
-    if (!copy) continue;
-    if (project.empty()) project = copy->project;
-    if (copy->project == project) copies.push_back(std::move(*copy));
+    if (copy && copy->project == project) copies.push_back(std::move(*copy));
   }
   std::stable_sort(copies.begin(), copies.end(),
                    [](const Backup& a, const Backup& b) { return a.history > b.history; });
   return copies;
+}
+
+Result<std::string> projectIn(const fs::path& folder, const std::vector<fs::path>& backups) {
+  struct Found {
+    int files = 0;  // at most, in any of its backups
+    std::string name;
+  };
+  std::map<std::string, Found> projects;
+  for (const fs::path& file : backups)
+    if (const std::optional<Backup> copy = readBackup(file)) {
+      Found& project = projects[copy->project];
+      project.files = std::max(project.files, filesIn(folder, file));
+      project.name = file.filename().string();
+    }
+  std::vector<std::pair<std::string, Found>> most(projects.begin(), projects.end());
+  std::stable_sort(most.begin(), most.end(),
+                   [](const auto& a, const auto& b) { return a.second.files > b.second.files; });
+  if (most.size() > 1 && most[0].second.files == most[1].second.files)
+    return Error::unusable(
+        message("The backups %1 and %2 are of different projects, and nothing tells which of them "
+                "this folder is; nothing was changed. Move those of the other project away, then "
+                "repair it again.",
+                most[0].second.name, most[1].second.name),
+        folder / "backups");
+  return most.empty() ? std::string() : most.front().first;
 }
 
 std::vector<fs::path> Project::backups() const {

@@ -21,9 +21,15 @@ struct Backup {
   std::int64_t history = 0;
 };
 /// Those of `files` that are catalogues of one project, the one whose history goes furthest first,
-/// as the clock may have been wrong; equal ones stay in their order. project: its id; empty: the
-/// project of the first. All but their schema may be damaged.
-std::vector<Backup> copiesOf(std::string project, const std::vector<std::filesystem::path>& files);
+/// as the clock may have been wrong; equal ones stay in their order. project: its id. All but their
+/// schema may be damaged.
+std::vector<Backup> copiesOf(const std::string& project,
+                             const std::vector<std::filesystem::path>& files);
+/// The id of the project that a folder is by its backups alone: of several that of which most files
+/// lie in the folder; empty without any. Error: UnusableInput, as many of one lie there as of
+/// another.
+Result<std::string> projectIn(const std::filesystem::path& folder,
+                              const std::vector<std::filesystem::path>& backups);
 /// A copy of the project's catalogue in backups/, read back; kind follows its time. Copies of
 /// the kinds -before-update and -before-repair are never removed.
 Result<std::filesystem::path> backUpInto(const std::filesystem::path& folder,

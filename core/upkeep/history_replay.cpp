@@ -70,7 +70,7 @@ bool setColumn(store::Database& database, const RepairedRow& row, const Change& 
                  change.value, row.row);
     if (has_key)
       database.run("UPDATE " + row.table + " SET " + key + " = ? WHERE row = ?",
-                   store::uniqueKey(change.value), row.row);
+                   store::codeKey(change.value), row.row);
   }));
 }
 

@@ -111,8 +111,8 @@ class MakingAnew {
     fresh_.run("INSERT OR IGNORE INTO " + table + " (" + called + ", " + called +
                    "_key, row, id, " + "created_at, created_by, updated_at, updated_by" + more +
                    ") VALUES (?, ?, ?, ?, ?, ?, ?, ?" + marks + ")",
-               name, store::uniqueKey(name), row, newId(made.at), made.at, made.by, made.at,
-               made.by, values...);
+               name, store::codeKey(name), row, newId(made.at), made.at, made.by, made.at, made.by,
+               values...);
     if (fresh_.changes() == 0) return false;
     madeAnew(table, row);
     return true;
@@ -137,7 +137,7 @@ class MakingAnew {
 
   // By its code, or by one that it had before.
   std::int64_t siteCalled(const std::string& code) {
-    const auto now = fresh_.sql("SELECT row FROM site WHERE code_key = ?", store::uniqueKey(code))
+    const auto now = fresh_.sql("SELECT row FROM site WHERE code_key = ?", store::codeKey(code))
                          .one<std::int64_t>();
     return now ? now
                : fresh_
@@ -201,7 +201,7 @@ class MakingAnew {
     if (code.empty()) return place;
     place.trench = fresh_
                        .sql("SELECT row FROM trench WHERE site = ? AND code_key = ?", place.site,
-                            store::uniqueKey(code))
+                            store::codeKey(code))
                        .one<std::int64_t>();
     return *place.trench > 0 ? std::optional(place) : std::nullopt;
   }

@@ -209,7 +209,13 @@ class Repair {
 
   // The first whole one is what rows are taken from.
   Result<void> findBase(const fs::path& damaged) {
-    for (const Backup& backup : copiesOf(projectOf(damaged), backups_)) {
+    std::string project = projectOf(damaged);
+    if (project.empty()) {
+      Result<std::string> found = projectIn(project_, backups_);
+      if (!found) return found.error();
+      project = std::move(*found);
+    }
+    for (const Backup& backup : copiesOf(project, backups_)) {
       if (stop_.stop_requested()) return Error::cancelled();
       if (const Result<bool> known = checkVersion(backup.file, store::Database::Mode::ReadOnly);
           !known)

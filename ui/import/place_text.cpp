@@ -33,7 +33,7 @@ QStringList partsOf(const std::string& text) {
 }
 
 bool isSame(const QString& a, const QString& b) {
-  return store::uniqueKey(a.toStdString()) == store::uniqueKey(b.toStdString());
+  return store::codeKey(a.toStdString()) == store::codeKey(b.toStdString());
 }
 
 bool beginWith(const QStringList& typed, const QStringList& start) {

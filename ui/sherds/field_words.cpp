@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sherds/filter.h"
 #include "sherds/sherd_fields.h"
 #include "store/values.h"
+#include "tables/column_names.h"
 #include "tables/csv.h"
 #include "ui/frame/free_tr.h"
 #include "ui/frame/lines.h"
@@ -201,6 +203,9 @@ QString confirmWords(const std::vector<records::MeasureFinding>& findings) {
 }
 
 QString withFieldNames(const QString& filter) {
+  const auto isFilterField = [](const QString& name) {
+    return sherds::parseFilter((name + QLatin1String(":*")).toStdString()).has_value();
+  };
   QHash<QString, QString> names;
   for (const records::SherdField& field : sherds::filterFields()) {
     const QString name = QString::fromLatin1(field.name);
@@ -216,9 +221,12 @@ QString withFieldNames(const QString& filter) {
   qsizetype done = 0;
   for (auto at = kNames.globalMatch(filter); at.hasNext();) {
     const auto found = at.next();
-    const auto name = names.constFind(found.captured(1).toCaseFolded());
-    if (found.captured(1).isEmpty() || name == names.constEnd()) continue;
-    read += filter.mid(done, found.capturedStart(1) - done) + *name;
+    const QString typed = found.captured(1);
+    QString name = typed.isEmpty() ? QString() : names.value(typed.toCaseFolded());
+    if (name.isEmpty() && !typed.isEmpty() && !isFilterField(typed))
+      name = QString::fromStdString(tables::fieldOfColumn(typed.toStdString(), false));
+    if (name.isEmpty()) continue;
+    read += filter.mid(done, found.capturedStart(1) - done) + name;
     done = found.capturedEnd(1);
   }
   return read + filter.mid(done);

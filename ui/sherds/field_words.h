@@ -13,7 +13,8 @@ class TermWords;
 QString fieldLabel(const std::string& field);
 bool isNumber(const std::string& field);
 /// A line of the filter with the fields' names as people call them put into those of the catalogue:
-/// "Dicke>5" is "thickness>5" in a German window. Names in quotation marks, values and English
+/// "Dicke>5" is "thickness>5" in a German window, and so are the names that the import of tables
+/// takes, in every language. Names in quotation marks, values and English
 /// names stay as they are.
 QString withFieldNames(const QString& filter);
 /// A value as people read it: numbers in the language's form with a sensible number of digits.

@@ -34,6 +34,7 @@ void SherdTableModel::setCatalogue(const catalogue::Catalogue* catalogue,
   catalogue_ = catalogue;
   project_ = project;
   filter_ = {};
+  understood_ = true;
   readVocabularies();
   reload();
 }
@@ -46,15 +47,15 @@ void SherdTableModel::readVocabularies() {
 
 QString SherdTableModel::setFilter(const QString& line) {
   const Result<sherds::Filter> filter = sherds::parseFilter(withFieldNames(line).toStdString());
-  if (!filter) return sentenceOf(filter.error());
-  filter_ = *filter;
+  understood_ = filter.has_value();
+  if (filter) filter_ = *filter;
   reload();
-  return {};
+  return filter ? QString() : sentenceOf(filter.error());
 }
 
 void SherdTableModel::reload() {
   std::vector<store::SherdRow> rows;
-  if (catalogue_) {
+  if (catalogue_ && understood_) {
     Result<std::vector<store::SherdRow>> found = sherds::Sherds(*catalogue_).rows(filter_, order_);
     if (!found) {
       emit failed(sentenceOf(found.error()));

@@ -29,7 +29,7 @@ class SherdTableModel final : public QAbstractTableModel {
   /// Nothing of the catalogue is kept after setCatalogue(nullptr).
   void setCatalogue(const catalogue::Catalogue* catalogue, const std::filesystem::path& project,
                     JobRunner* jobs);
-  /// Empty when it was understood, else the sentence; the rows stay as they are then.
+  /// Empty when it was understood, else the sentence; no rows are shown then.
   QString setFilter(const QString& line);
   const sherds::Filter& filter() const { return filter_; }
   /// Asks the catalogue again.
@@ -61,6 +61,7 @@ class SherdTableModel final : public QAbstractTableModel {
   Thumbnails* pictures_ = nullptr;  ///< goes with the project
   TermWords words_;
   sherds::Filter filter_;
+  bool understood_ = true;  ///< the latest line
   records::SherdOrder order_;
   std::vector<std::string> fields_;
   std::vector<store::SherdRow> rows_;

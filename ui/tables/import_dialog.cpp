@@ -185,7 +185,7 @@ void ImportDialog::refresh() {
   const bool works = state == State::Looking || state == State::Entering;
   source_->setText(model_.source().isEmpty()
                        ? tr("A table of sherds has a column with their numbers; one of contexts "
-                            "has columns for site and context. Their names may be in any of the "
+                            "has a column with theirs. Their names may be in any of the "
                             "program's languages.")
                        : model_.source() + kindOf(model_));
   {

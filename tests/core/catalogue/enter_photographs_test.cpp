@@ -8,8 +8,10 @@
 #include "catalogue/history.h"
 #include "files/files.h"
 #include "intake/enter_results.h"
+#include "intake/side_photographs.h"
 #include "records/records.h"
 #include "records/sherd.h"
+#include "result_folder.h"
 #include "small_project.h"
 
 namespace ostraka::catalogue {
@@ -121,6 +123,23 @@ TEST_F(EnterPhotographs, TwiceChangesNothingAndAChangedPhotographIsInTheHistory)
   ASSERT_TRUE(enter());
   EXPECT_GT(History(catalogue()).length(), history);
   EXPECT_EQ(Files(catalogue()).of(batch)->size(), 8u);
+}
+
+TEST_F(EnterPhotographs, EnteringResultsRecordsThoseThatTheyWereMadeFrom) {
+  const std::filesystem::path out = project_->resultsFolder("B0001");
+  const ResultFolder results(out, 3);
+  ASSERT_TRUE(writeJson(out / "work/batch.json", nlohmann::ordered_json(*intake::photographsNow(
+                                                     project_->batchFolder("B0001"), {}))));
+  photograph("back", 3, 7);
+  const auto entered =
+      intake::enterResults(catalogue(), project_->folder(), batch, out, anna, quiet, {});
+  ASSERT_TRUE(entered) << entered.error().sentence();
+  std::vector<std::string> photographs;
+  for (const records::FileRecord& file : *Files(catalogue()).of(batch))
+    if (file.role == "photo") photographs.push_back(file.path);
+  EXPECT_EQ(photographs.size(), 7u);
+  EXPECT_EQ(std::ranges::count(photographs, "batches/B0001/back/cam1_pos03.jpg"), 0)
+      << "another than the one that was processed";
 }
 
 }  // namespace

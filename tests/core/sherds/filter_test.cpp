@@ -289,5 +289,14 @@ TEST_F(Filters, TheChipsGiveTheLineAgain) {
   EXPECT_EQ(filter.conditions[3].value, "red slip");
 }
 
+TEST_F(Filters, FindPlacesWhoseNamesHaveBlanks) {
+  add(context("K 12"), {}, {});
+  for (const char* line : {"K 12", "K12", "k12", "context:K 12", "context:k12", "context:\"K 12\"",
+                           "context:K 12 site:ARM1", "\"K 12\""})
+    EXPECT_EQ(letters(line), "?") << line;
+  EXPECT_EQ(letters("-K12"), "abcd");
+  EXPECT_EQ(letters("T3 0012"), "ab") << "two places, not one";
+}
+
 }  // namespace
 }  // namespace ostraka::sherds

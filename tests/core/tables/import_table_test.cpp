@@ -443,5 +443,40 @@ TEST_F(Import, LetsOthersWriteMeanwhile) {
     }));
 }
 
+TEST_F(Import, PlacesAsPeopleWriteThem) {
+  context("K15");
+  const std::string table =
+      "number,context,bag\nX-1,0012,4\nX-2,ARM1-T3-0012-5,\nX-3,K 15,\nX-4,ARM1-K15,\n"
+      "X-5,K 16,\n";
+  const ImportReport report = import(table);
+  EXPECT_EQ(report.fresh, 4);
+  ASSERT_EQ(report.refusals.size(), 1u);
+  EXPECT_EQ(report.refusals[0].reason.english(),
+            "There is no context K 16 in ARM1 T3; add it first.");
+  EXPECT_EQ(import(table, ImportMode::Enter, UnknownPlaces::Make).fresh, 1);
+  const auto placeOf = [&](const char* number) {
+    const auto sherd =
+        *sherds::Sherds(catalogue()).get(*sherds::Sherds(catalogue()).byNumber(number));
+    return sherd.site + "|" + sherd.trench + "|" + sherd.context_number + "|" + sherd.bag_number;
+  };
+  EXPECT_EQ(placeOf("X-1"), "ARM1|T3|0012|4");
+  EXPECT_EQ(placeOf("X-2"), "ARM1|T3|0012|5");
+  EXPECT_EQ(placeOf("X-3"), "ARM1|T3|K15|");
+  EXPECT_EQ(placeOf("X-4"), "ARM1|T3|K15|");
+  EXPECT_EQ(placeOf("X-5"), "ARM1|T3|K 16|");
+}
+
+TEST_F(Import, ContextsNeedNoColumnOfTheOnlySite) {
+  const ImportReport report = import("context,kind\n00 12,layer\nK 16,cut\n");
+  EXPECT_EQ(report.changed, 1);
+  EXPECT_EQ(report.fresh, 1);
+  EXPECT_TRUE(*catalogue::Places(catalogue()).contextByPlace("ARM1", "T3", "K16"));
+  records::SiteRecord other;
+  other.code = "KT26";
+  ASSERT_TRUE(catalogue::Places(catalogue()).save(other, anna));
+  EXPECT_NE(why("context,kind\nK 17,cut\n").find("2 context K 17: This project has 2 sites"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace ostraka::tables

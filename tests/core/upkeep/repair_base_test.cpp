@@ -1,8 +1,10 @@
 // Which backup a repair begins with.
+#include "catalogue/files.h"
 #include "catalogue/history.h"
 #include "catalogue/settings.h"
 #include "tests/core/catalogue/flipped_bits.h"
 #include "tests/core/catalogue/small_project.h"
+#include "upkeep/backups.h"
 #include "upkeep/repair.h"
 
 namespace ostraka::upkeep {
@@ -49,10 +51,26 @@ TEST_F(RepairBase, IsNoBackupOfAnotherProjectHoweverLongItsHistory) {
   }
   ASSERT_GT(catalogue::History(other.catalogue()).length(),
             catalogue::History(catalogue()).length());
-  fs::copy_file(*other.backUp(), folder() / "backups" / "catalogue-20260101-000000-000.sqlite");
+  const fs::path strange = folder() / "backups" / "catalogue-20260101-000000-000.sqlite";
+  fs::copy_file(*other.backUp(), strange);
+  records::FileRecord photograph;
+  photograph.path = "batches/B0001/front/cam0_pos00.jpg";
+  photograph.sha256 = std::string(64, 'a');
+  photograph.media_type = "image/jpeg";
+  photograph.role = "photo";
+  ASSERT_TRUE(catalogue::Files(catalogue()).save(photograph, anna));
   const fs::path own = *project_->backUp();
+  // By its name the newest of all.
+  fs::rename(strange, folder() / "backups" / ("catalogue-" + timeStamp(now_ms) + ".sqlite"));
   project_.reset();
   fs::resize_file(file(), 0);
+  const Result<RepairReport> asked =
+      repairCatalogue(folder(), quiet_, {}, [this] { return now_ms += 1; });
+  ASSERT_FALSE(asked) << "of neither a file lies here";
+  EXPECT_EQ(asked.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(fs::file_size(file()), 0u);
+  fs::create_directories((folder() / photograph.path).parent_path());
+  catalogue::writeBytes(folder() / photograph.path, "here");
   EXPECT_EQ(repaired().backup, own);
 }
 

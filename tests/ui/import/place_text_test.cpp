@@ -63,6 +63,9 @@ class PlaceTextTest : public QObject {
     QVERIFY(bagRowOf(project->catalogue(), {"ARM2", "", "12", "a-4"}, {}).has_value());
     QCOMPARE(read("ARM2-12-a-4"), std::optional(PlaceText{"ARM2", "", "12", "a-4"}));
     QCOMPARE(read("AR-TS-4"), std::optional(PlaceText{"AR", "", "TS", "4"}));
+    QVERIFY(bagRowOf(project->catalogue(), {"ARM2", "S1", "K 12", "1"}, {}).has_value());
+    for (const char* text : {"ARM2-S1-K 12-2", "arm2-k12-2", "K12-2"})
+      QCOMPARE(read(text)->words(), QStringLiteral("ARM2 / S1 / K 12 bag 2"));
   }
 
   void whatIsNewIsSaidBeforeItIsMade() {

@@ -38,6 +38,9 @@ class FieldWordsTest : public QObject {
     QVERIFY(QCoreApplication::installTranslator(&german));
     QCOMPARE(withFieldNames("Befund:0100 -dicke>5 rot"), QString("context:0100 -thickness>5 rot"));
     QCOMPARE(withFieldNames("Datum:*"), QString("date_edtf:*"));
+    // And by those that tables may have.
+    QCOMPARE(withFieldNames("Kontext:0100 -Wandstärke>5 Fundort:A"),
+             QString("context:0100 -thickness_mean_mm>5 site:A"));
     QCOMPARE(withFieldNames("erfasst>=2026-07"), QString("entered>=2026-07"));
     QCOMPARE(withFieldNames("\"Befund:0100\" note:\"Dicke>5\""),
              QString("\"Befund:0100\" note:\"Dicke>5\""));

@@ -64,11 +64,15 @@ class SherdTableModelTest : public QObject {
     QCOMPARE(model.rowOf(sample.sherds()[1]), 150);  // the first of the second context
   }
 
-  void aFilterThatIsNotUnderstoodLeavesTheRows() {
+  void aFilterThatIsNotUnderstoodShowsNoEarlierResult() {
     SampleProject sample(10);
     SherdTableModel model;
     model.setCatalogue(&sample.catalogue(), sample.session().folder(), nullptr);
     QVERIFY(model.setFilter("colour:red").contains("'colour'"));
+    QCOMPARE(model.rowCount(), 0);
+    model.reload();
+    QCOMPARE(model.rowCount(), 0);
+    QCOMPARE(model.setFilter(""), QString());
     QCOMPARE(model.rowCount(), 10);
   }
 

@@ -664,11 +664,6 @@
       <translation>mit der Schieblehre</translation>
     </message>
     <message>
-      <source>estimated</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>geschätzt</translation>
-    </message>
-    <message>
       <source>by the program</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>vom Programm</translation>
@@ -1128,6 +1123,11 @@
       <source>imported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>importiert</translation>
+    </message>
+    <message>
+      <source>estimated by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>von Hand geschätzt</translation>
     </message>
 </context>
 <context>
@@ -3048,6 +3048,11 @@
       <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rückgängig nimmt Befunde und Beutel nicht zurück; der Katalog wird vor dem Import gesichert.</translation>
+    </message>
+    <message>
+      <source>Undo does not take back new sherds; each can be voided in its details.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Rückgängig nimmt neue Scherben nicht zurück; jede kann in ihren Details ungültig gemacht werden.</translation>
     </message>
 </context>
 <context>
@@ -6659,11 +6664,6 @@
       <translation>Die Nummer braucht den Fundort der Scherbe, der nicht eingetragen ist.</translation>
     </message>
     <message>
-      <source>The number needs the trench of the sherd, which is not recorded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Nummer braucht den Schnitt der Scherbe, der nicht eingetragen ist.</translation>
-    </message>
-    <message>
       <source>The number needs the context of the sherd, which is not recorded.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer braucht den Befund der Scherbe, der nicht eingetragen ist.</translation>
@@ -10197,6 +10197,11 @@
         <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Die Tabelle braucht eine Spalte mit den Nummern der Scherben oder eine mit den Befunden (eine Tabelle von Befunden); diese auswählen.</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded; choose a context in a trench, or change the numbering in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer braucht den Schnitt der Scherbe, der nicht eingetragen ist; wählen Sie einen Befund in einem Schnitt oder ändern Sie die Nummerierung in den Einstellungen.</translation>
     </message>
 </context>
 <context>

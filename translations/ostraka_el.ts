@@ -664,11 +664,6 @@
       <translation>με παχύμετρο</translation>
     </message>
     <message>
-      <source>estimated</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>κατ’ εκτίμηση</translation>
-    </message>
-    <message>
       <source>by the program</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>από το πρόγραμμα</translation>
@@ -1128,6 +1123,11 @@
       <source>imported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>εισαγμένο</translation>
+    </message>
+    <message>
+      <source>estimated by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>εκτιμημένο με το χέρι</translation>
     </message>
 </context>
 <context>
@@ -3048,6 +3048,11 @@
       <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η αναίρεση δεν παίρνει πίσω πλαίσια και σακούλες· πριν από την εισαγωγή γίνεται αντίγραφο ασφαλείας του καταλόγου.</translation>
+    </message>
+    <message>
+      <source>Undo does not take back new sherds; each can be voided in its details.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η αναίρεση δεν αφαιρεί τα νέα όστρακα· το καθένα μπορεί να ακυρωθεί στις λεπτομέρειές του.</translation>
     </message>
 </context>
 <context>
@@ -6659,11 +6664,6 @@
       <translation>Ο αριθμός χρειάζεται τη θέση του οστράκου, που δεν έχει καταχωριστεί.</translation>
     </message>
     <message>
-      <source>The number needs the trench of the sherd, which is not recorded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο αριθμός χρειάζεται την τομή του οστράκου, που δεν έχει καταχωριστεί.</translation>
-    </message>
-    <message>
       <source>The number needs the context of the sherd, which is not recorded.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός χρειάζεται το πλαίσιο του οστράκου, που δεν έχει καταχωριστεί.</translation>
@@ -10197,6 +10197,11 @@
         <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ο πίνακας χρειάζεται μια στήλη για τους αριθμούς των οστράκων ή μια για τα πλαίσια (πίνακας πλαισίων)· επιλέξτε την.</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded; choose a context in a trench, or change the numbering in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός χρειάζεται την τομή του οστράκου, που δεν έχει καταχωριστεί· επιλέξτε πλαίσιο μέσα σε τομή ή αλλάξτε την αρίθμηση στις ρυθμίσεις.</translation>
     </message>
 </context>
 <context>

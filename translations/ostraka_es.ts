@@ -664,11 +664,6 @@
       <translation>con calibre</translation>
     </message>
     <message>
-      <source>estimated</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>estimado</translation>
-    </message>
-    <message>
       <source>by the program</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>por el programa</translation>
@@ -1128,6 +1123,11 @@
       <source>imported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>importado</translation>
+    </message>
+    <message>
+      <source>estimated by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>estimado a mano</translation>
     </message>
 </context>
 <context>
@@ -3048,6 +3048,11 @@
       <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Deshacer no retira contextos ni bolsas; antes de la importación se hace una copia de seguridad del catálogo.</translation>
+    </message>
+    <message>
+      <source>Undo does not take back new sherds; each can be voided in its details.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Deshacer no retira los fragmentos nuevos; cada uno puede anularse en sus detalles.</translation>
     </message>
 </context>
 <context>
@@ -6659,11 +6664,6 @@
       <translation>El número necesita el yacimiento del fragmento, que no está registrado.</translation>
     </message>
     <message>
-      <source>The number needs the trench of the sherd, which is not recorded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El número necesita el corte del fragmento, que no está registrado.</translation>
-    </message>
-    <message>
       <source>The number needs the context of the sherd, which is not recorded.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número necesita el contexto del fragmento, que no está registrado.</translation>
@@ -10197,6 +10197,11 @@
         <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>La tabla necesita una columna para los números de los fragmentos, o una para los contextos (una tabla de contextos); selecciónela.</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded; choose a context in a trench, or change the numbering in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número necesita el corte del fragmento, que no está registrado; elija un contexto dentro de un corte o cambie la numeración en los ajustes.</translation>
     </message>
 </context>
 <context>

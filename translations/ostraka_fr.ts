@@ -664,11 +664,6 @@
       <translation>au pied à coulisse</translation>
     </message>
     <message>
-      <source>estimated</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>estimé</translation>
-    </message>
-    <message>
       <source>by the program</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>par le programme</translation>
@@ -1128,6 +1123,11 @@
       <source>imported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>importé</translation>
+    </message>
+    <message>
+      <source>estimated by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>estimé à la main</translation>
     </message>
 </context>
 <context>
@@ -3048,6 +3048,11 @@
       <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’annulation ne retire pas les contextes ni les sacs ; le catalogue est sauvegardé avant l’importation.</translation>
+    </message>
+    <message>
+      <source>Undo does not take back new sherds; each can be voided in its details.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Annuler ne retire pas les nouveaux tessons ; chacun peut être invalidé dans ses détails.</translation>
     </message>
 </context>
 <context>
@@ -6659,11 +6664,6 @@
       <translation>Le numéro demande le site du tesson, qui n’est pas enregistré.</translation>
     </message>
     <message>
-      <source>The number needs the trench of the sherd, which is not recorded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le numéro demande la tranchée du tesson, qui n’est pas enregistrée.</translation>
-    </message>
-    <message>
       <source>The number needs the context of the sherd, which is not recorded.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro demande le contexte du tesson, qui n’est pas enregistré.</translation>
@@ -10197,6 +10197,11 @@
         <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Le tableau doit avoir une colonne pour les numéros des tessons, ou une pour les contextes (un tableau de contextes) ; sélectionnez-la.</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded; choose a context in a trench, or change the numbering in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro demande la tranchée du tesson, qui n’est pas enregistrée ; choisissez un contexte dans une tranchée ou changez la numérotation dans les réglages.</translation>
     </message>
 </context>
 <context>

@@ -664,11 +664,6 @@
       <translation>ձողկարկինով</translation>
     </message>
     <message>
-      <source>estimated</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>գնահատված</translation>
-    </message>
-    <message>
       <source>by the program</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ծրագրի կողմից</translation>
@@ -1128,6 +1123,11 @@
       <source>imported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>ներմուծված</translation>
+    </message>
+    <message>
+      <source>estimated by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>գնահատված ձեռքով</translation>
     </message>
 </context>
 <context>
@@ -3048,6 +3048,11 @@
       <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Հետարկումը չի հանում համատեքստերն ու տոպրակները. ներմուծումից առաջ կատալոգի պահուստային պատճեն է արվում։</translation>
+    </message>
+    <message>
+      <source>Undo does not take back new sherds; each can be voided in its details.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Հետարկումը նոր բեկորները չի հանում. յուրաքանչյուրը կարելի է չեղարկել իր մանրամասներում։</translation>
     </message>
 </context>
 <context>
@@ -6659,11 +6664,6 @@
       <translation>Համարին պետք է բեկորի հուշարձանը, որը գրանցված չէ։</translation>
     </message>
     <message>
-      <source>The number needs the trench of the sherd, which is not recorded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Համարին պետք է բեկորի խրամատը, որը գրանցված չէ։</translation>
-    </message>
-    <message>
       <source>The number needs the context of the sherd, which is not recorded.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարին պետք է բեկորի համատեքստը, որը գրանցված չէ։</translation>
@@ -10197,6 +10197,11 @@
         <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Աղյուսակին պետք է սյունակ բեկորների համարների համար կամ համատեքստերի համար (համատեքստերի աղյուսակ). ընտրեք այն։</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded; choose a context in a trench, or change the numbering in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարին պետք է բեկորի խրամատը, որը գրանցված չէ. ընտրեք խրամատի մեջ գտնվող համատեքստ կամ փոխեք համարակալումը կարգավորումներում։</translation>
     </message>
 </context>
 <context>

@@ -662,11 +662,6 @@
       <translation>kumpasla</translation>
     </message>
     <message>
-      <source>estimated</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>tahminî</translation>
-    </message>
-    <message>
       <source>by the program</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>programca</translation>
@@ -1124,6 +1119,11 @@
       <source>imported</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>içe aktarılmış</translation>
+    </message>
+    <message>
+      <source>estimated by hand</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>elle tahmin edildi</translation>
     </message>
 </context>
 <context>
@@ -3012,6 +3012,11 @@
       <source>Undo does not take back contexts and bags; the catalogue is backed up before the import.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Geri alma kontekstleri ve torbaları kapsamaz; içe aktarmadan önce katalog yedeklenir.</translation>
+    </message>
+    <message>
+      <source>Undo does not take back new sherds; each can be voided in its details.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Geri alma yeni parçaları kaldırmaz; her biri ayrıntılarında geçersiz kılınabilir.</translation>
     </message>
 </context>
 <context>
@@ -6614,11 +6619,6 @@
       <translation>Numara için parçanın alanı gerekir, o da kayıtlı değil.</translation>
     </message>
     <message>
-      <source>The number needs the trench of the sherd, which is not recorded.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Numara için parçanın açması gerekir, o da kayıtlı değil.</translation>
-    </message>
-    <message>
       <source>The number needs the context of the sherd, which is not recorded.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numara için parçanın konteksti gerekir, o da kayıtlı değil.</translation>
@@ -10152,6 +10152,11 @@
         <source>The table needs a column for the sherds&apos; numbers, or one for the contexts (a table of contexts); select it.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Tabloda parça numaraları için bir sütun veya kontekstler için bir sütun (kontekst tablosu) olmalı; sütunu seçin.</translation>
+    </message>
+    <message>
+      <source>The number needs the trench of the sherd, which is not recorded; choose a context in a trench, or change the numbering in the settings.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numara için parçanın açması gerekir, o da kayıtlı değil; açması olan bir konteks seçin veya ayarlarda numaralandırmayı değiştirin.</translation>
     </message>
 </context>
 <context>

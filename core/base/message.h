@@ -24,6 +24,8 @@ struct Decimal {
 inline Decimal decimal(double value, int digits) {
   return {value, digits};
 }
+/// With at most this many digits, up to 9, and without zeros at the end.
+Decimal shortDecimal(double value, int most_digits);
 
 /// The value for a place of a template.
 struct MessageValue {

@@ -186,6 +186,17 @@ Result<std::vector<records::TrenchRecord>> Places::trenches() const {
   });
 }
 
+Result<bool> Places::hasTrenches(const std::string& site) const {
+  return database_->asResult([&] {
+    return database_
+        ->sql(
+            "SELECT EXISTS (SELECT 1 FROM trench JOIN site ON site.row = trench.site WHERE "
+            "site.code_key = ?)",
+            store::uniqueKey(site))
+        .one<bool>();
+  });
+}
+
 Result<store::TrenchRow> Places::save(const records::TrenchRecord& t,
                                       const records::Provenance& provenance) {
   return database_->inTransaction([&] {

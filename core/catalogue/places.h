@@ -26,6 +26,8 @@ class Places : public Subject {
 
   Result<std::vector<records::SiteRecord>> sites() const;
   Result<std::vector<records::TrenchRecord>> trenches() const;
+  /// Of the site with this code.
+  Result<bool> hasTrenches(const std::string& site) const;
   Result<std::vector<records::ContextRecord>> contexts() const;
   Result<records::ContextRecord> context(store::ContextRow) const;
   /// None when there is no such place. Capitals make no difference; an empty trench is none.

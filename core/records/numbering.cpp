@@ -29,7 +29,9 @@ Message lacks(std::string_view token) {
   if (token == "site")
     return message("The number needs the site of the sherd, which is not recorded.");
   if (token == "trench")
-    return message("The number needs the trench of the sherd, which is not recorded.");
+    return message(
+        "The number needs the trench of the sherd, which is not recorded; choose a context in a "
+        "trench, or change the numbering in the settings.");
   if (token == "context")
     return message("The number needs the context of the sherd, which is not recorded.");
   if (token == "bag")
@@ -108,19 +110,25 @@ Result<Numbering> Numbering::parse(std::string_view scheme) {
 std::string Numbering::fill(const std::map<std::string, std::string>& values, std::string_view n,
                             std::string* lacking) const {
   std::string out;
+  std::size_t before = 0;  // where the last literal of `out` begins
+  bool left_out = false;   // the part before this one
   for (const Part& part : parts_) {
     if (!part.token) {
-      out += part.text;
-    } else if (part.text == "n") {
-      out += n.starts_with('{') ? std::string(n) : padded(n, part.width);
-    } else {
-      const auto value = values.find(part.text);
-      if (value == values.end() || value->second.empty())
-        *lacking = part.text;
-      else
-        out += padded(value->second, part.width);
+      before = out.size();
+      if (!left_out) out += part.text;
+      left_out = false;
+      continue;
     }
+    const auto value = values.find(part.text);
+    if (part.text == "n")
+      out += n.starts_with('{') ? std::string(n) : padded(n, part.width);
+    else if (value == values.end())
+      *lacking = part.text;
+    else
+      out += padded(value->second, part.width);
+    left_out = part.text != "n" && value != values.end() && value->second.empty();
   }
+  if (left_out) out.resize(before);
   return out;
 }
 

@@ -17,7 +17,8 @@ class Numbering {
   /// Errors: UnusableInput with a sentence.
   static Result<Numbering> parse(std::string_view scheme);
 
-  /// The number for these values of the tokens. Errors: a token without a value.
+  /// The number for these values of the tokens. Errors: a token that is not among them. One with an
+  /// empty value is a part that the place does not have: left out with its separator.
   Result<std::string> number(const std::map<std::string, std::string>& values, int n) const;
   /// All but n filled in: sherds with the same counter share one count.
   Result<std::string> counter(const std::map<std::string, std::string>& values) const;

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "records/sherd.h"
-#include "store/values.h"
 
 namespace ostraka::records {
 namespace {
@@ -29,9 +28,9 @@ std::optional<double> valueOf(const MeasureValues& values, const std::string& ki
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::string withUnit(double value, const std::string& kind) {
+Message withUnit(double value, const std::string& kind) {
   const std::string unit = unitOf(kind);
-  return store::numberText(std::round(100 * value) / 100) + " " + (unit == "pct" ? "%" : unit);
+  return {"%1 " + (unit == "pct" ? "%" : unit), {shortDecimal(value, 2)}};
 }
 
 // Within a sentence.
@@ -74,8 +73,8 @@ std::vector<MeasureFinding> implausible(const std::vector<std::string>& kinds,
 }
 
 Message sentenceOf(const MeasureFinding& finding) {
-  const std::string value = withUnit(finding.value, finding.kind);
-  const std::string reference = withUnit(finding.reference, finding.kind);
+  const Message value = withUnit(finding.value, finding.kind);
+  const Message reference = withUnit(finding.reference, finding.kind);
   switch (finding.doubt) {
     case MeasureDoubt::TenTimesComputed:
       return finding.value > finding.reference

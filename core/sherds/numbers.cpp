@@ -5,6 +5,7 @@
 #include "base/message.h"
 #include "base/text.h"
 #include "catalogue/history.h"
+#include "catalogue/places.h"
 #include "catalogue/settings.h"
 #include "records/numbering.h"
 #include "records/sherd.h"
@@ -31,13 +32,18 @@ std::map<std::string, std::string> numberTokens(const catalogue::Catalogue& cata
     if (started > 0) at = started;
   }
   const std::string year = utcDay(at).substr(0, 4);
-  return {{"site", sherd.site},
-          {"trench", sherd.trench},
-          {"context", sherd.context_number},
-          {"bag", sherd.bag_number},
-          {"batch", sherd.batch_number},
-          {"yyyy", year},
-          {"yy", year.substr(year.size() - 2)}};
+  std::map<std::string, std::string> tokens = {{"site", sherd.site},
+                                               {"trench", sherd.trench},
+                                               {"context", sherd.context_number},
+                                               {"bag", sherd.bag_number},
+                                               {"batch", sherd.batch_number},
+                                               {"yyyy", year},
+                                               {"yy", year.substr(year.size() - 2)}};
+  std::erase_if(tokens, [](const auto& token) { return token.second.empty(); });
+  if (sherd.trench.empty() && !sherd.context_number.empty() &&
+      !store::valueOrThrow(catalogue::Places(catalogue).hasTrenches(sherd.site)))
+    tokens["trench"] = "";
+  return tokens;
 }
 
 namespace {

@@ -65,7 +65,8 @@ const std::vector<ColumnMeaning>& columnMeanings() {
        "by the program may be wrong by the same factor"},
       {"note", "", "note"},
       {"measured_by_hand", "",
-       "columns whose measurements a person took or entered, separated by '; '; the program "
+       "columns whose measurements a person took, estimated or entered, separated by '; '; the "
+       "program "
        "measured the others"},
       {"mass_centre_x_mm", "mm", "centre of mass of the model, in the coordinates of its PLY file"},
       {"mass_centre_y_mm", "mm", "the same, second coordinate"},

@@ -91,7 +91,7 @@ void doubtColumn(const std::vector<MeasuredRow>& rows, const std::string& field,
   for (const MeasuredRow& row : rows) sorted.push_back(row.value);
   std::sort(sorted.begin(), sorted.end());
   for (const MeasuredRow& row : rows) {
-    const std::string value = store::numberText(row.value) + " " + unitsOf(field).front();
+    const Message value("%1 " + unitsOf(field).front(), {shortDecimal(row.value, 6)});
     if (row.value < usual.least || row.value > usual.most)
       doubts[row.line][field] = message("Check the unit: %1 is unusual for a sherd.", value);
     else if (isFarFromOthers(sorted, row.value, usual.factor))

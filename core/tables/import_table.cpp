@@ -93,14 +93,21 @@ CsvTable leftOut(const CsvTable& table, std::vector<CsvRow> broken, const Import
   return rows;
 }
 
-// A refusal names the column as the table does.
-void nameColumns(std::vector<Refusal>& refusals, const TableMapping& mapping) {
-  std::map<std::string, std::string> columns;
-  for (const ColumnChoice& choice : mapping.columns)
-    if (!choice.field.empty()) columns.emplace(choice.field, choice.column);
-  for (Refusal& refusal : refusals)
-    if (const auto column = columns.find(refusal.column); column != columns.end())
-      refusal.column = column->second;
+// A refusal names the column as the table does, with the value in the column's unit.
+void nameColumns(std::vector<Refusal>& refusals, const TableMapping& mapping,
+                 const CsvTable& table) {
+  std::map<std::string, std::size_t> columns;
+  for (std::size_t i = 0; i < mapping.columns.size(); ++i)
+    if (!mapping.columns[i].field.empty()) columns.emplace(mapping.columns[i].field, i);
+  std::map<int, const CsvRow*> rows;
+  for (const CsvRow& row : table.rows) rows[row.line] = &row;
+  for (Refusal& refusal : refusals) {
+    const auto column = columns.find(refusal.column);
+    if (column == columns.end()) continue;
+    refusal.column = mapping.columns[column->second].column;
+    if (const auto row = rows.find(refusal.line); row != rows.end())
+      refusal.value = unguarded(row->second->values[column->second]);
+  }
 }
 
 // A column that has no field: its name says nothing, or another one has its field.
@@ -150,8 +157,8 @@ Result<ImportReport> importTable(Catalogue& catalogue, std::string_view bytes,
   if (!report) return report;
   addBroken(*report, broken, table->columns.size());
   report->left_out = leftOut(*table, std::move(broken), *report);
-  nameColumns(report->refusals, *mapping);
-  nameColumns(report->questions, *mapping);
+  for (std::vector<Refusal>* list : {&report->refusals, &report->questions})
+    nameColumns(*list, *mapping, *table);
   for (const ColumnChoice& choice : mapping->columns)
     if (choice.by == ChosenBy::Nobody) report->warnings.push_back(customField(choice, *mapping));
   report->held = held;

@@ -270,7 +270,10 @@ void CatalogueScreen::openProject(ProjectSession& session) {
     showNews();
   };
   connect(&session, &ProjectSession::othersWrote, this, showNewWords);
-  connect(&session, &ProjectSession::vocabulariesChanged, this, showNewWords);
+  connect(&session, &ProjectSession::vocabulariesChanged, this, [this, showNewWords] {
+    complain({});  // what could not be done by the old ones
+    showNewWords();
+  });
   connect(&session, &ProjectSession::stepRefused, this, [this](const QString& why) {
     if (isVisible()) complain(why);
   });

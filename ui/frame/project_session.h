@@ -72,7 +72,7 @@ class ProjectSession final : public QObject {
   void batchChanged(const QString& number);  ///< "B0031": new, or its state or pairs changed
   void sherdsChanged();                      ///< rows of the catalogue are new or changed
   void othersWrote();                        ///< anything may be new or changed
-  void vocabulariesChanged();                ///< the words that sherds are described with
+  void vocabulariesChanged();                ///< the words or the numbering of sherds
   void initialsChanged(const QString& initials);
   /// Undo or redo could not be saved, and its step is gone. Whichever page it is about, the one in
   /// front shows it.

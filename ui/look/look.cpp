@@ -44,7 +44,7 @@ QPalette filled(const Colours& c) {
                                          QPalette::ToolTipText, QPalette::BrightText})
     made.setColor(role, c.text);
   made.setColor(QPalette::ToolTipBase, c.raised);
-  made.setColor(QPalette::PlaceholderText, c.secondary);
+  made.setColor(QPalette::PlaceholderText, mixed(c.text, c.surface, 0.35));
   made.setColor(QPalette::Mid, c.border);
   made.setColor(QPalette::Dark, c.control);
   made.setColor(QPalette::Highlight, c.accent);

@@ -1,6 +1,7 @@
 #include "ui/look/style.h"
 
 #include <QApplication>
+#include <QLineEdit>
 #include <QPainter>
 #include <QProxyStyle>
 #include <QStyleFactory>
@@ -95,6 +96,7 @@ class OstrakaStyle final : public QProxyStyle {
     if (element == PE_IndicatorCheckBox) frame(*painter, option->rect, *option, 2);
     if (element == PE_IndicatorRadioButton)
       frame(*painter, option->rect, *option, option->rect.height() / 2.0);
+    if (element == PE_PanelLineEdit) sayThatNothingIsTyped(*painter, widget);
   }
 
   void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
@@ -128,6 +130,16 @@ class OstrakaStyle final : public QProxyStyle {
   // Lines within a spin box or a combo box have its height already.
   static bool isInner(const QWidget& widget) {
     return widget.objectName().startsWith(QLatin1String("qt_"));
+  }
+
+  // The words of an empty line are drawn next, by the same painter.
+  static void sayThatNothingIsTyped(QPainter& painter, const QWidget* widget) {
+    const auto* line = qobject_cast<const QLineEdit*>(widget);
+    if (line == nullptr || !line->text().isEmpty()) return;
+    QFont font = painter.font();
+    font.setItalic(true);
+    font.setWeight(QFont::Normal);
+    painter.setFont(font);
   }
 
   static void outline(QPainter& painter, const QRect& where, const QColor& colour, double wide,

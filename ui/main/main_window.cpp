@@ -4,7 +4,6 @@
 #include <QCloseEvent>
 #include <QLineEdit>
 #include <QStackedWidget>
-#include <QStyle>
 #include <QUndoGroup>
 #include <utility>
 
@@ -21,6 +20,7 @@
 #include "ui/main/project_care.h"
 #include "ui/main/start_screen.h"
 #include "ui/main/window_actions.h"
+#include "ui/main/window_place.h"
 #include "ui/main/work_page.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
@@ -36,7 +36,6 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr int kFrame = 4;  // pixels that a desktop draws around a window, about
 constexpr const char* kScreen = "window.screen";  // that was in front when the project was closed
 
 }  // namespace
@@ -72,10 +71,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
     if (wizard_->isShooting()) return work_->footer()->say(sentenceOf(damage));
     closeProject(), start_->showError(damage);  // nothing more is entered
   });
-  if (!restoreGeometry(settings_.geometry)) {
-    const int frame = style()->pixelMetric(QStyle::PM_TitleBarHeight) + 2 * kFrame;
-    resize(QSize(1280, 760).boundedTo(screen()->availableSize() - QSize(2 * kFrame, frame)));
-  }
+  placeWindow(*this, settings_.geometry);
   work_->fit(size());
   work_->followLines();
 }

@@ -25,7 +25,8 @@ constexpr const char* kLast = "numbering.last";
 
 using Tokens = std::map<std::string, std::string>;
 
-Tokens tokensOf(const std::string& site, const std::string& trench, const std::string& context) {
+Tokens exampleTokens(const std::string& site, const std::string& trench,
+                     const std::string& context) {
   const std::string year = QString::number(QDate::currentDate().year()).toStdString();
   return {{"site", site},
           {"trench", trench},
@@ -34,6 +35,14 @@ Tokens tokensOf(const std::string& site, const std::string& trench, const std::s
           {"batch", "B0031"},
           {"yyyy", year},
           {"yy", year.substr(year.size() - 2)}};
+}
+
+Tokens tokensOf(const catalogue::Places& places, const records::ContextRecord& context) {
+  Tokens tokens = exampleTokens(context.site_code, context.trench_code, context.number);
+  if (!context.trench_code.empty()) return tokens;
+  if (const Result<bool> others = places.hasTrenches(context.site_code); !others || *others)
+    tokens.erase("trench");  // it is not recorded
+  return tokens;
 }
 
 int settingIn(const ProjectSession& session, const char* key, int otherwise) {
@@ -135,12 +144,13 @@ void NumberingModel::follow() {
   }
   if (wanted_.first > wanted_.last)
     refusal_ = tr("The first number of a block is not above its last.");
-  const auto contexts = catalogue::Places(session_->project().catalogue()).contexts();
+  const catalogue::Places places(session_->project().catalogue());
+  const auto contexts = places.contexts();
   const auto project = catalogue::Settings(session_->project().catalogue()).project();
-  Tokens shown = tokensOf(project ? project->code : "ARM1", "T3", "0012");
+  Tokens shown = exampleTokens(project ? project->code : "ARM1", "T3", "0012");
   if (contexts)
     for (const records::ContextRecord& context : *contexts) {
-      const Tokens tokens = tokensOf(context.site_code, context.trench_code, context.number);
+      const Tokens tokens = tokensOf(places, context);
       if (!scheme->number(tokens, wanted_.first)) {
         warning_ = tr("Sherds of %1 get no number so: it lacks a part that the numbering names.")
                        .arg(placeWords(context));
@@ -180,7 +190,7 @@ QString NumberingModel::apply() {
   if (!canApply()) return refusal_;
   const auto shown = [this] {
     read();
-    session_->tellSherdsChanged();  // the next numbers are others now
+    session_->tellVocabulariesChanged();  // the next numbers are others now
   };
   const SavedValue<Numbering> numbering = {
       "numbering", [this] { return stored(); },

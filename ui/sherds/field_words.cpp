@@ -143,8 +143,11 @@ QString measureLabel(const std::string& kind) {
   return label == QString::fromStdString(field) ? fieldLabel(kind) : label;
 }
 
+// A hundredth of a millimetre is more than is known; what was typed shows no more digits than it
+// had.
 QString measureText(double value) {
-  return QLocale().toString(value, 'f', value >= 1000 ? 0 : 2);
+  const double unit = value >= 1000 ? 1 : 100;
+  return QLocale().toString(std::round(value * unit) / unit, 'f', QLocale::FloatingPointShortest);
 }
 
 QString sherdName(const records::SherdRecord& sherd) {
@@ -168,7 +171,7 @@ QString stateLabel(records::SherdState state) {
 QString methodLabel(const std::string& method) {
   if (method == "scale") return tr("on a scale");
   if (method == "calliper") return tr("with a calliper");
-  if (method == "estimate") return tr("estimated");
+  if (method == "estimate") return tr("estimated by hand");
   if (method == "imported") return tr("imported");
   return tr("by the program");
 }
@@ -252,7 +255,6 @@ QString fieldText(const records::SherdRecord& sherd, const std::string& field,
 QString typedText(const records::SherdField& field, const std::string& text) {
   const auto value = store::parsedNumber(text);
   if (field.kind != records::FieldKind::Number || !value) return QString::fromStdString(text);
-  // A hundredth of a millimetre is more than is known.
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
   return locale.toString(std::round(*value * 100) / 100, 'f', QLocale::FloatingPointShortest);

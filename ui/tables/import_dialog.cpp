@@ -218,22 +218,20 @@ void ImportDialog::refresh() {
       if (!fate->flags().testFlag(Qt::ItemIsUserCheckable)) continue;
       const bool taken = model_.isConfirmed(table_->item(r, 0)->text().toInt());
       fate->setCheckState(taken ? Qt::Checked : Qt::Unchecked);
-      if (state != State::Done) continue;
-      showFate(*fate, taken ? tables::RowFate::Changed : tables::RowFate::Refused);
     }
   }
   bar_->setVisible(works);
   bar_->setValue(qRound(1000 * model_.fraction()));
   refusals_->setVisible(model_.report() && model_.report()->refused + model_.report()->asked > 0);
   const int asked = model_.report() ? model_.report()->asked : 0;
-  confirm_->setVisible(asked > 0 && state == State::Ready);
+  confirm_->setVisible(model_.asks());
   confirm_->setText(tr("Confirm %n row(s)", nullptr, asked));
   cancel_->setText(state == State::Done ? tr("Close") : works ? tr("Stop") : tr("Cancel"));
   const int count = model_.entering();
   enter_->setText(count == 0 && model_.canEnter() ? tr("Keep the other versions")
                                                   : tr("Import %n row(s)", nullptr, count));
   enter_->setEnabled(model_.canEnter());
-  enter_->setVisible(state != State::Done);
+  enter_->setVisible(state != State::Done || model_.canEnter());
 }
 
 }  // namespace ostraka::ui

@@ -15,6 +15,7 @@
 #include "tables/refused_rows.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
+#include "ui/sherds/field_words.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
@@ -140,7 +141,7 @@ void ImportModel::setColumn(int column, const QString& field, const QString& uni
 }
 
 void ImportModel::setConfirmed(int line, bool confirmed) {
-  if (state_ != State::Ready) return;
+  if (!asks()) return;
   if (confirmed)
     confirmed_.insert(line);
   else
@@ -149,13 +150,19 @@ void ImportModel::setConfirmed(int line, bool confirmed) {
 }
 
 void ImportModel::confirmAll() {
-  if (state_ != State::Ready || !report_) return;
+  if (!asks()) return;
   for (const tables::Refusal& question : report_->questions) confirmed_.insert(question.line);
   emit changed();
 }
 
+bool ImportModel::asks() const {
+  return (state_ == State::Ready || state_ == State::Done) && report_ && report_->asked > 0;
+}
+
 int ImportModel::entering() const {
-  return report_ ? report_->fresh + report_->changed + static_cast<int>(confirmed_.size()) : 0;
+  const int confirmed = static_cast<int>(confirmed_.size());
+  if (state_ == State::Done) return confirmed;  // the others are in
+  return report_ ? report_->fresh + report_->changed + confirmed : 0;
 }
 
 tables::ImportOptions ImportModel::options() const {
@@ -168,6 +175,14 @@ tables::ImportOptions ImportModel::options() const {
 
 namespace {
 
+// As the table calls it; what it does not have, as the window does.
+QString columnWords(const tables::ImportReport& report, const std::string& column) {
+  const bool named =
+      std::any_of(report.mapping.columns.begin(), report.mapping.columns.end(),
+                  [&](const tables::ColumnChoice& choice) { return choice.column == column; });
+  return named ? text(column) : fieldLabel(column);
+}
+
 // The rows of a table with their fates; of an export folder only what is refused is listed.
 std::vector<ImportModel::Row> rowsOf(const tables::ImportReport& report,
                                      const tables::CsvTable* table) {
@@ -177,7 +192,8 @@ std::vector<ImportModel::Row> rowsOf(const tables::ImportReport& report,
   for (const tables::Refusal& refusal : all) {
     QString why = wordsOf(refusal.reason);
     if (!refusal.column.empty())
-      why = ImportModel::tr("%1 '%2': %3").arg(text(refusal.column), text(refusal.value), why);
+      why = ImportModel::tr("%1 '%2': %3")
+                .arg(columnWords(report, refusal.column), text(refusal.value), why);
     QString& all_of_line = refusals[refusal.line];
     all_of_line += (all_of_line.isEmpty() ? QString() : QString(' ')) + why;
   }
@@ -287,6 +303,8 @@ QStringList ImportModel::warnings() const {
     words << tr(
         "Undo does not take back contexts and bags; the catalogue is backed up before the "
         "import.");
+  else if (report_ && report_->fresh > 0)
+    words << tr("Undo does not take back new sherds; each can be voided in its details.");
   return words;
 }
 
@@ -295,6 +313,7 @@ bool ImportModel::isOfContexts() const {
 }
 
 bool ImportModel::canEnter() const {
+  if (state_ == State::Done) return session_ && entering() > 0;
   // Of an export, other versions are kept beside sherds that count as refused.
   return session_ && state_ == State::Ready && report_ &&
          (entering() > 0 || !report_->undo.empty());
@@ -302,6 +321,7 @@ bool ImportModel::canEnter() const {
 
 void ImportModel::enter() {
   if (!canEnter()) return;
+  const State before = state_;
   state_ = State::Entering;
   Task task{source_.toStdString(), bytes_, options(), session_->provenance()};
   task.options.mode = tables::ImportMode::Enter;
@@ -324,9 +344,9 @@ void ImportModel::enter() {
     if (level == NoteLevel::Warning) problem_ = text;
     emit changed();
   });
-  whenDone<tables::ImportReport>(job_, this, [this](const auto& report) {
+  whenDone<tables::ImportReport>(job_, this, [this, before](const auto& report) {
     if (!report) {
-      state_ = State::Ready;
+      state_ = before;
       problem_ = report.error().code == ErrorCode::Cancelled
                      ? tr("Cancelled. Nothing was imported.")
                      : sentenceOf(report.error());
@@ -339,10 +359,23 @@ void ImportModel::enter() {
             : tr("Cancelled: %n row(s) were not imported. Import the table again for the rest.",
                  nullptr, report->not_reached);
     report_ = *report;
+    settleRows();
     emit changed();
     emit entered(source_, *report);
   });
   emit changed();
+}
+
+// What asks and was not confirmed asks still.
+void ImportModel::settleRows() {
+  const std::map<int, tables::RowFate> fates(report_->rows.begin(), report_->rows.end());
+  std::vector<Row> settled = rows_;  // rows in another place are shown anew
+  for (Row& row : settled)
+    if (const auto fate = fates.find(row.line);
+        fate != fates.end() && row.fate == tables::RowFate::Asked)
+      row.fate = fate->second;
+  rows_ = std::move(settled);
+  confirmed_.clear();
 }
 
 void ImportModel::cancel() {

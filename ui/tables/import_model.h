@@ -46,6 +46,7 @@ class ImportModel final : public QObject {
   void setConfirmed(int line, bool confirmed);
   void confirmAll();
   bool isConfirmed(int line) const { return confirmed_.contains(line); }
+  bool asks() const;     ///< rows wait for a confirmation, also after the others entered
   int entering() const;  ///< rows that would enter
 
   const QStringList& columns() const { return columns_; }
@@ -74,6 +75,7 @@ class ImportModel final : public QObject {
   tables::ImportOptions options() const;
   void look();
   void took(const Look& look);
+  void settleRows();
 
   ProjectSession* session_ = nullptr;
   State state_ = State::Choosing;

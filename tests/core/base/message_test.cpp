@@ -22,6 +22,17 @@ TEST(Message, ReadsInEnglishWithItsValuesInTheirPlaces) {
 }
 
 // A name may look like a place; a share ends in a percent sign.
+TEST(Message, ShowsNoDigitsThatSayNothing) {
+  const auto said = [](double value, int most) {
+    return message("%1", shortDecimal(value, most)).english();
+  };
+  EXPECT_EQ(said(49.471, 2), "49.47");
+  EXPECT_EQ(said(120, 2), "120");
+  EXPECT_EQ(said(51.5, 2), "51.5");
+  EXPECT_EQ(said(0.001, 6), "0.001");
+  EXPECT_EQ(said(0, 2), "0");
+}
+
 TEST(Message, LeavesValuesAndOtherPercentSignsAlone) {
   EXPECT_EQ(message("%1 % of %2 is seen (%1 %).", 12, "%1"), "12 % of %1 is seen (12 %).");
   EXPECT_EQ(message("100 % of it, at 9%."), "100 % of it, at 9%.");

@@ -45,6 +45,18 @@ TEST(Numbering, APlaceThatIsNotRecordedIsNamed) {
   EXPECT_NE(number.error().what.english().find("batch"), std::string::npos);
 }
 
+TEST(Numbering, APartThatThePlaceDoesNotHaveIsLeftOutWithItsSeparator) {
+  const std::map<std::string, std::string> place = {
+      {"site", "GRB"}, {"trench", ""}, {"context", "K12"}};
+  const auto number = [&](const char* scheme) {
+    return *Numbering::parse(scheme)->number(place, 7);
+  };
+  EXPECT_EQ(number("{site}-{trench}-{context}-{n:03}"), "GRB-K12-007");
+  EXPECT_EQ(number("{trench}/{n}"), "7");
+  EXPECT_EQ(number("{context}.{n}-{trench}"), "K12.7");
+  EXPECT_EQ(*Numbering::parse("{site}-{trench}-{n}")->counter(place), "GRB-{n}");
+}
+
 TEST(Numbering, AValueThatHoldsTheSignBesideItWarns) {
   const Numbering scheme = *Numbering::parse("{site}-{context}-{n}");
   EXPECT_EQ(scheme.warning(kPlace), "");

@@ -81,6 +81,10 @@ TEST_F(TypedMeasure, NeverTakesTheComputedOnesPlaceUnasked) {
   EXPECT_THAT(shown.question, HasSubstr("the length (7 mm) is below the width (60.77 mm)."));
   EXPECT_THAT(shown.question,
               HasSubstr("The computed value is 72.39 mm. Replace it with the measured value?"));
+  const Message asked = sentenceOf({MeasureDoubt::ReplacesComputed, "length", 7, {}, 72.39});
+  ASSERT_EQ(asked.values().front().kind, MessageValue::Kind::Message);
+  EXPECT_EQ(asked.values().front().message->values().front().kind, MessageValue::Kind::Decimal)
+      << "each language writes it in its own way";
   const auto refused = sherds::SherdChanges(catalogue()).apply(std::span(&slip, 1), anna);
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().what, HasSubstr("Replace it with the measured value?"));

@@ -111,6 +111,25 @@ TEST_F(NumbersTest, NeedThePlaceThatTheSchemeNames) {
               ElementsAre("P2026.00001"));
 }
 
+// No trench can be missing where there is none; in a site with trenches it was forgotten.
+TEST_F(NumbersTest, LeaveOutTheTrenchInASiteWithoutTrenches) {
+  const auto contextIn = [&](store::SiteRow of, const char* number) {
+    records::ContextRecord record;
+    record.site = of;
+    record.number = number;
+    return *catalogue::Places(catalogue()).save(record, anna);
+  };
+  records::SiteRecord open;
+  open.code = "GRB";
+  const store::ContextRow k12 = contextIn(*catalogue::Places(catalogue()).save(open, anna), "K12");
+  EXPECT_THAT(*Numbers(catalogue()).assign(std::vector{draft(k12)}, anna),
+              ElementsAre("GRB-K12-0001"));
+  EXPECT_THAT(*Numbers(catalogue()).propose(std::vector{draft(k12)}), ElementsAre("GRB-K12-0002"));
+  const auto forgotten = Numbers(catalogue()).propose(std::vector{draft(contextIn(site, "0099"))});
+  ASSERT_FALSE(forgotten);
+  EXPECT_NE(forgotten.error().what.english().find("in the settings"), std::string::npos);
+}
+
 TEST_F(NumbersTest, FollowAChangedSchemeAndNeverDouble) {
   const store::SherdRow first = numbered(context12), second = numbered(context12);
   records::ProjectRecord record = *catalogue::Settings(catalogue()).project();

@@ -256,6 +256,10 @@ TEST_F(Columns, OfMeasuresThatTheCatalogueAsksAboutHoldTheirRowUntilItIsConfirme
   ASSERT_EQ(report.questions.size(), 1u);
   EXPECT_EQ(report.questions[0].line, 2);
   EXPECT_THAT(report.questions[0].reason, HasSubstr("about a tenth of the computed value"));
+  const std::string cm = "number;L\u00e4nge [cm]\n" + valueOf(sherd, "number") + ";7,1\n";
+  const ImportReport typed = import(cm);
+  ASSERT_EQ(typed.questions.size(), 1u);
+  EXPECT_EQ(typed.questions[0].value, "7,1") << "as the column with its unit has it";
   EXPECT_EQ(valueOf(sherd, "note"), "") << "the whole row waits";
   ImportOptions options;
   options.mode = ImportMode::Enter;

@@ -100,6 +100,42 @@ class LookTest : public QObject {
     applyLook(*qApp, Theme::Light, 100);
   }
 
+  void anEmptyFieldIsToldFromAFilledOne_data() { themes_data(); }
+  void anEmptyFieldIsToldFromAFilledOne() {
+    QFETCH(int, theme);
+    applyLook(*qApp, static_cast<Theme>(theme), 100);
+    const QPalette palette = QApplication::palette();
+    for (const QPalette::ColorGroup group : {QPalette::Active, QPalette::Disabled}) {
+      const QColor empty = palette.color(group, QPalette::PlaceholderText);
+      QVERIFY(contrast(empty, palette.color(group, QPalette::Base)) >= 4.5);
+      QVERIFY(empty != palette.color(group, QPalette::Text));
+    }
+    // As if both had one colour: the shape of the letters tells it, too.
+    const auto shapeOf = [](QLineEdit& line, QPalette::ColorRole role) {
+      QPalette same = line.palette();
+      same.setColor(role, Qt::black);
+      same.setColor(QPalette::Base, Qt::white);
+      line.setPalette(same);
+      line.resize(300, 40);
+      return line.grab(line.rect().adjusted(8, 8, -8, -8)).toImage();
+    };
+    const auto ink = [](const QImage& shape) {
+      double sum = 0;
+      for (int y = 0; y < shape.height(); ++y)
+        for (int x = 0; x < shape.width(); ++x) sum += 255 - qGray(shape.pixel(x, y));
+      return sum;
+    };
+    QLineEdit empty, filled;
+    empty.setPlaceholderText("rim; neck; shoulder");
+    filled.setText("rim; neck; shoulder");
+    const QImage hint = shapeOf(empty, QPalette::PlaceholderText);
+    const QImage typed = shapeOf(filled, QPalette::Text);
+    QVERIFY(ink(hint) > 0);
+    QVERIFY(hint != typed);
+    if (QApplication::font().bold()) QVERIFY(ink(hint) < 0.9 * ink(typed));
+    applyLook(*qApp, Theme::Light, 100);
+  }
+
   // 4.5 : 1 for what is read, 3 : 1 for the edges of controls and for lines that mean something.
   void allPairsOfColoursHaveTheirContrast_data() { themes_data(); }
   void allPairsOfColoursHaveTheirContrast() {

@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScreen>
 #include <QTableView>
 #include <QUndoStack>
 #include <atomic>
@@ -21,6 +22,7 @@
 #include "ui/main/main_window.h"
 #include "ui/main/project_lock.h"
 #include "ui/main/start_screen.h"
+#include "ui/main/window_place.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/widgets/message_panel.h"
@@ -104,6 +106,20 @@ class MainWindowTest : public QObject {
     QVERIFY2(inFront(0), "nobody was in this project yet");
     window.openProject(folder_);
     QVERIFY(inFront(1));
+  }
+
+  void theWindowOfALargerScreenOpensWithinThisOne() {
+    const QRect room = QGuiApplication::primaryScreen()->availableGeometry();
+    QWidget large;
+    large.setGeometry(room.translated(60, 77));
+    const QByteArray kept = large.saveGeometry();
+    large.setWindowState(Qt::WindowMaximized);
+    for (const QByteArray& geometry : {kept, large.saveGeometry(), QByteArray()}) {
+      QWidget window;
+      placeWindow(window, geometry);
+      QVERIFY2(room.contains(window.normalGeometry()), geometry.toHex().constData());
+      QVERIFY(window.width() > room.width() / 2);
+    }
   }
 
   void aStepThatIsRefusedIsToldOnThePageInFront() {

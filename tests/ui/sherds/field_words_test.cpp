@@ -60,6 +60,14 @@ class FieldWordsTest : public QObject {
     QCOMPARE(withFieldNames("thickness>5 -ware:grey"), QString("thickness>5 -ware:grey"));
   }
 
+  void aMeasureHasNoDigitsThatNobodyTyped() {
+    QLocale::setDefault(QLocale(QLocale::German));
+    QCOMPARE(measureText(120), QString("120"));
+    QCOMPARE(measureText(49.4712), QString("49,47"));
+    QCOMPARE(measureText(1205.4), QLocale().toString(1205));
+    QLocale::setDefault(QLocale::c());
+  }
+
   void eachColumnOfASpreadsheetHasAWordOfItsOwn() {
     QSet<QString> words;
     for (const ostraka::tables::ColumnMeaning& one : ostraka::tables::columnMeanings()) {

@@ -144,6 +144,30 @@ class ImportTest : public QObject {
     QCOMPARE(child<QComboBox>("columnField3")->currentData().toString(), QString("weight_g"));
   }
 
+  void aRowThatAsksAsksUntilItIsConfirmed() {
+    open();
+    model_->setSource(
+        table("Nr;Gewicht;thickness;weight;Fabric code\n"
+              "ARM1-T3-0012-0001;21,5;4,2;22;F1\n"
+              "ARM1-T3-0012-0002;20;45;20;F2\n"
+              "ARM1-T3-0012-0900;7;5;7;F2\n"));
+    QTRY_COMPARE(summary(), QString("0 new, 1 updated, 0 unchanged, 1 rejected. "
+                                    "1 row(s) ask for a confirmation."));
+    QTest::mouseClick(child<QPushButton>("importEnter"), Qt::LeftButton);
+    QTRY_COMPARE(model_->state(), ImportModel::State::Done);
+    QCOMPARE(model_->report()->asked, 1);
+    QCOMPARE(child<QTableWidget>("importRows")->item(1, 1)->text(), QString("to confirm"));
+    QVERIFY(child<QPushButton>("importConfirm")->isVisible());
+    QVERIFY(!child<QPushButton>("importEnter")->isVisible());
+    QTest::mouseClick(child<QPushButton>("importConfirm"), Qt::LeftButton);
+    QCOMPARE(child<QPushButton>("importEnter")->text(), QString("Import 1 row(s)"));
+    QTest::mouseClick(child<QPushButton>("importEnter"), Qt::LeftButton);
+    QTRY_COMPARE(sample_->value(2, "thickness_mean_mm"), QString("45"));
+    QTRY_COMPARE(model_->state(), ImportModel::State::Done);
+    QCOMPARE(child<QTableWidget>("importRows")->item(1, 1)->text(), QString("updated"));
+    QVERIFY(!child<QPushButton>("importConfirm")->isVisible());
+  }
+
   void enterOpensWhatHasTheFocus() {
     open();
     auto* choose = child<QPushButton>("importTable");
@@ -161,6 +185,7 @@ class ImportTest : public QObject {
     QVERIFY(*sherds::Sherds(sample_->catalogue()).byNumber("ARM1-T3-0012-0900"));
     QCOMPARE(child<QLabel>("count")->text(), QString("11 sherd(s)"));
     QCOMPARE(said.count(), 1);
+    QVERIFY(child<QLabel>("importProblem")->text().contains("not take back new sherds"));
     const auto history = catalogue::History(sample_->catalogue()).of(sample_->sherds()[0]);
     QCOMPARE(history->front().source, std::string("import"));
     QVERIFY(static_cast<bool>(history->front().by));
@@ -195,7 +220,7 @@ class ImportTest : public QObject {
     QVERIFY(stopped.has_value());
     QTRY_COMPARE(model_->state(), ImportModel::State::Ready);
     QVERIFY(child<ImportDialog>("importDialog")->isVisible());
-    QCOMPARE(child<QLabel>("importProblem")->text(), QString("Cancelled. Nothing was imported."));
+    QVERIFY(child<QLabel>("importProblem")->text().startsWith("Cancelled. Nothing was imported."));
     QCOMPARE(sample_->value(0, "ware"), QString("grey"));
     QCOMPARE(sample_->session().undo().count(), 0);
   }

@@ -10811,9 +10811,9 @@
         <translation>Marken um die Scherben geben Fotos aus freier Hand ihren Maßstab</translation>
     </message>
     <message>
-        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Drucken Sie ihn mit 100 %, nicht an die Seite angepasst, und messen Sie den Balken der zweiten Seite: Er muss %1 mm lang sein. Der nächste Import schlägt diesen Bogen vor.</translation>
+        <translation>Drucken Sie ihn mit 100 %, nicht an die Seite angepasst, und messen Sie den Balken der zweiten Seite: Er muss %1 mm lang sein. Der nächste Import schlägt diesen Bogen vor. Ist der Balken nicht %1 mm lang, wählen Sie dort „Bogen entfernen“ und geben Sie die gemessene Seite eines schwarzen Quadrats ein.</translation>
     </message>
 </context>
 </TS>

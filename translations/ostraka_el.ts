@@ -10811,9 +10811,9 @@
         <translation>Οι δείκτες γύρω από τα όστρακα δίνουν κλίμακα στις φωτογραφίες που λαμβάνονται με το χέρι</translation>
     </message>
     <message>
-        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Εκτυπώστε το στο 100 %, χωρίς προσαρμογή στη σελίδα, και μετρήστε τη ράβδο της δεύτερης σελίδας: πρέπει να έχει μήκος %1 mm. Η επόμενη εισαγωγή προτείνει αυτό το φύλλο.</translation>
+        <translation>Εκτυπώστε το στο 100 %, χωρίς προσαρμογή στη σελίδα, και μετρήστε τη ράβδο της δεύτερης σελίδας: πρέπει να έχει μήκος %1 mm. Η επόμενη εισαγωγή προτείνει αυτό το φύλλο. Αν η ράβδος δεν έχει μήκος %1 mm, επιλέξτε εκεί «Αφαίρεση φύλλου» και πληκτρολογήστε τη μετρημένη πλευρά ενός μαύρου τετραγώνου.</translation>
     </message>
 </context>
 </TS>

@@ -10811,9 +10811,9 @@
         <translation>Las marcas alrededor de los fragmentos dan su escala a las fotografías hechas a mano</translation>
     </message>
     <message>
-        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Imprímala al 100 %, sin ajustar a la página, y mida la barra de la segunda página: debe medir %1 mm. La próxima importación propone esta hoja.</translation>
+        <translation>Imprímala al 100 %, sin ajustar a la página, y mida la barra de la segunda página: debe medir %1 mm. La próxima importación propone esta hoja. Si la barra no mide %1 mm, elija allí «Quitar la hoja» e introduzca el lado medido de un cuadrado negro.</translation>
     </message>
 </context>
 </TS>

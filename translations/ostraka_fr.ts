@@ -10811,9 +10811,9 @@
         <translation>Les marques autour des tessons donnent leur échelle aux photographies prises à main levée</translation>
     </message>
     <message>
-        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Imprimez-la à 100 %, sans ajustement à la page, et mesurez la barre de la deuxième page : elle doit avoir %1 mm de long. L’importation suivante propose cette feuille.</translation>
+        <translation>Imprimez-la à 100 %, sans ajustement à la page, et mesurez la barre de la deuxième page : elle doit avoir %1 mm de long. L’importation suivante propose cette feuille. Si la barre n’a pas %1 mm de long, choisissez-y « Retirer la feuille » et saisissez le côté mesuré d’un carré noir.</translation>
     </message>
 </context>
 </TS>

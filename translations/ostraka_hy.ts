@@ -10811,9 +10811,9 @@
         <translation>Բեկորների շուրջի նշիչները ձեռքից արված լուսանկարներին մասշտաբ են տալիս</translation>
     </message>
     <message>
-        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Տպեք այն 100 % չափով՝ առանց էջին հարմարեցնելու, և չափեք երկրորդ էջի գիծը․ այն պետք է լինի %1 մմ։ Հաջորդ ներմուծումն առաջարկում է այս թերթը։</translation>
+        <translation>Տպեք այն 100 % չափով՝ առանց էջին հարմարեցնելու, և չափեք երկրորդ էջի գիծը․ այն պետք է լինի %1 մմ։ Հաջորդ ներմուծումն առաջարկում է այս թերթը։ Եթե գիծը %1 մմ չէ, այնտեղ ընտրեք «Հեռացնել թերթը» և մուտքագրեք սև քառակուսու չափված կողմը։</translation>
     </message>
 </context>
 </TS>

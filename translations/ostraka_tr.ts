@@ -10762,9 +10762,9 @@
         <translation>Parçaların çevresindeki işaretler, elde çekilen fotoğraflara ölçeğini verir</translation>
     </message>
     <message>
-        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet.</source>
+        <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Onu sayfaya sığdırmadan, % 100 boyutta yazdırın ve ikinci sayfadaki çubuğu ölçün: uzunluğu %1 mm olmalıdır. Bir sonraki içe aktarma bu sayfayı önerir.</translation>
+        <translation>Onu sayfaya sığdırmadan, % 100 boyutta yazdırın ve ikinci sayfadaki çubuğu ölçün: uzunluğu %1 mm olmalıdır. Bir sonraki içe aktarma bu sayfayı önerir. Çubuğun uzunluğu %1 mm değilse orada “Sayfayı kaldır” seçeneğini seçin ve bir siyah karenin ölçülen kenarını yazın.</translation>
     </message>
 </context>
 </TS>

@@ -48,9 +48,10 @@ Sheet drawnBar(const Vector2d& paper) {
     const double tick = mm % 100 == 0 ? kTick : kTick / 2;
     sheet.line({kLeft + mm, kTop}, {kLeft + mm, kTop + tick}, 0.2);
   }
-  const std::array<std::string, 6> lines{
+  const std::array<std::string, 7> lines{
       formatted("Print at 100 %% (not 'fit to page'). This bar must measure %.0f mm.", kBar_mm),
-      "If it does not, print again, or write the file anew with --ruler-measured and the length.",
+      "If it does not, print again, or write the file anew with --ruler-measured and the length;",
+      "or, when you import, choose Clear sheet and type the measured side of a black square.",
       "Lay the other page flat on a table and the sherds within its markers, apart from each "
       "other.",
       "Photograph it from all around, 20 to 40 times, from high and from low, markers in sight.",

@@ -330,14 +330,15 @@ void CaptureScreen::showImported(const QString& number, int files, const QString
   if (!more.isEmpty())
     failure_->showSuccess(words, more.join(QLatin1Char('\n')), !doubts.isEmpty(), tr("OK"));
   emit said(words);
-  // Without a rig nothing is to be photographed meanwhile.
-  if (wizard_->phase() == CapturePhase::NoRig && doubts.isEmpty())
+  // Without a rig nothing is to be photographed meanwhile; what is to be read or typed here stays.
+  if (isVisible() && !import_ask_->isAsking() && wizard_->phase() == CapturePhase::NoRig &&
+      more.isEmpty())
     emit wantsScreen(QStringLiteral("queue"), number);
 }
 
 void CaptureScreen::placeTyped() {
   wizard_->description()->setPlace(place_->place());
-  if (session_ != nullptr && place_->isUsable()) session_->keepSetting(kPlaceKey, place_->text());
+  if (session_ != nullptr && place_->isUsable()) session_->noteSetting(kPlaceKey, place_->text());
   emit lineChanged();
 }
 

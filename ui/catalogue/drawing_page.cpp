@@ -47,6 +47,17 @@ constexpr std::pair<Surface, Dpi> kSurfaces[] = {{Surface::Relief, Dpi::Usual},
                                                  {Surface::Orthophoto, Dpi::Usual},
                                                  {Surface::Orthophoto, Dpi::Fine}};
 
+// The proposed ending gives way to that of the chosen kind, which a desktop's dialog leaves as it
+// was; one that was typed stays.
+QString fileOfKind(const QString& file, const QString& kind) {
+  const QString proposed = QStringLiteral(".pdf");
+  const QString ending =
+      kind.isEmpty() ? proposed : kind.section(QStringLiteral("(*"), -1).chopped(1);
+  if (file.endsWith(proposed, Qt::CaseInsensitive)) return file.chopped(proposed.size()) + ending;
+  const QStringList ours{"svg", "png", "tif", "tiff"};
+  return ours.contains(QFileInfo(file).suffix().toLower()) ? file : file + ending;
+}
+
 Result<void> onlyWhether(const Result<std::vector<std::filesystem::path>>& written) {
   return written ? Result<void>() : written.error();
 }
@@ -300,25 +311,24 @@ QString DrawingPage::fileName() const {
 // What is shown may become another drawing while somebody chooses where this one goes.
 void DrawingPage::save() {
   const std::shared_ptr<const Drawn> drawn = drawn_;
+  QString kind;
   const QString file = QFileDialog::getSaveFileName(
       this, tr("Save the drawing"), QDir::home().filePath(fileName() + ".pdf"),
       tr("PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd "
-         "(*.png);;TIFF, the views of each sherd (*.tif)"));
-  if (!file.isEmpty()) saveAs(file, drawn);
+         "(*.png);;TIFF, the views of each sherd (*.tif)"),
+      &kind);
+  if (!file.isEmpty()) saveAs(fileOfKind(file, kind), drawn);
 }
 
-void DrawingPage::saveTo(const QString& file) {
-  saveAs(file, drawn_);
+void DrawingPage::saveTo(const QString& file, const QString& kind) {
+  saveAs(fileOfKind(file, kind), drawn_);
 }
 
 void DrawingPage::saveAs(const QString& file, const std::shared_ptr<const Drawn>& drawn) {
   if (!drawn || !session_) return;
-  QString named = file;
-  const QString ending = QFileInfo(file).suffix().toLower();
-  if (!QStringList{"pdf", "svg", "png", "tif", "tiff"}.contains(ending)) named += ".pdf";
   write(
       drawn,
-      [drawn, folder = session_->folder(), path = std::filesystem::path(named.toStdString())](
+      [drawn, folder = session_->folder(), path = std::filesystem::path(file.toStdString())](
           const std::vector<Page>& pages, Progress& progress,
           std::stop_token stop) -> Result<void> {
         const Result<drawing::DrawnAs> as = drawing::drawnAs(path);
@@ -331,7 +341,7 @@ void DrawingPage::saveAs(const QString& file, const std::shared_ptr<const Drawn>
         if (!pictures) return pictures.error();
         return onlyWhether(drawing::writePictures(path, *pictures));
       },
-      tr("Saved: %1").arg(named));
+      tr("Saved: %1").arg(file));
 }
 
 void DrawingPage::print() {

@@ -38,7 +38,8 @@ class DrawingPage final : public QWidget {
   void draw();
   void stop();
   /// .svg: a file each sheet; .png, .tif: the views of each sherd; everything else is a PDF of all.
-  void saveTo(const QString& file);
+  /// kind: as a dialog names it, "PNG (*.png)"; it counts where no other ending than .pdf is typed.
+  void saveTo(const QString& file, const QString& kind = {});
 
  signals:
   void said(const QString& sentence);

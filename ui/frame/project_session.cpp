@@ -67,8 +67,7 @@ QString ProjectSession::setting(const char* key) const {
 }
 
 void ProjectSession::keepSetting(const char* key, const QString& value) {
-  (void)catalogue::Settings(project_->catalogue())
-      .setValue(key, value.toStdString(), {{person_row_}, "window", {}});
+  (void)catalogue::Settings(project_->catalogue()).setValue(key, value.toStdString(), provenance());
 }
 
 void ProjectSession::noteSetting(const char* key, const QString& value) {

@@ -86,8 +86,8 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
       return;
     }
     if (options.kind == ImportKind::Photographs) recordPhotographs(*session_, *number, "import");
+    session_->tellBatchChanged(*number);  // who hears of the import finds its batch
     emit imported(*number, copied->files, doubts_, noteOn(*copied));
-    session_->tellBatchChanged(*number);
   });
   emit started(tr("Import of %1").arg(folder));
 }

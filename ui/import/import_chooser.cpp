@@ -15,7 +15,7 @@ namespace ostraka::ui {
 namespace {
 
 constexpr const char* kSheetKey = "import.sheet";
-constexpr QLatin1String kNoSheet("none");  // a person cleared it
+constexpr QLatin1String kNoSheet("none");  // a person cleared it, or typed a marker's size
 constexpr const char* kMarkerKey = "import.marker_mm";
 
 }  // namespace
@@ -26,9 +26,14 @@ ImportChooser::ImportChooser(QWidget* screen, ImportAsk* ask)
   connect(ask_->sides(), &SidesView::sheetChosen, this, [this](const QString& file) {
     if (session_ != nullptr) session_->keepSetting(kSheetKey, file.isEmpty() ? kNoSheet : file);
   });
+  connect(ask_->sides(), &SidesView::sheetPrinted, this, [this] {
+    if (session_ != nullptr) session_->keepSetting(kSheetKey, {});  // the printed one is proposed
+  });
   connect(ask_->sides(), &SidesView::backWanted, this, &ImportChooser::chooseBack);
   connect(ask_->sides(), &SidesView::markerChosen, this, [this](double side_mm) {
-    if (session_ != nullptr) session_->keepSetting(kMarkerKey, QString::number(side_mm));
+    if (session_ == nullptr) return;
+    session_->keepSetting(kMarkerKey, QString::number(side_mm));
+    session_->keepSetting(kSheetKey, kNoSheet);
   });
 }
 

@@ -56,18 +56,20 @@ Error severalFolders(const fs::path& folder, const std::vector<fs::path>& within
 }
 
 // The folders of both sides of a batch by hand that is no more than its photographs and the sheet;
-// else none: masks and lengths come only with the whole folder.
-std::vector<fs::path> sidesOfBatch(const fs::path& folder) {
+// else none: masks and lengths come only with the whole folder. Errors: as readBatch.
+Result<std::vector<fs::path>> sidesOfBatch(const fs::path& folder) {
+  const std::vector<fs::path> none;
   QuietProgress quiet;
   const Result<batch::Batch> read = batch::readBatch(folder, {}, quiet);
-  if (!read || read->way != batch::Way::FreeCamera || read->board || !read->known_lengths.empty())
-    return {};
+  if (!read) return read.error();
+  if (read->way != batch::Way::FreeCamera || read->board || !read->known_lengths.empty())
+    return none;
   const std::vector<batch::Shot>& shots = read->shots;
   if (shots.front().side == shots.back().side ||
       std::any_of(shots.begin(), shots.end(),
                   [](const batch::Shot& shot) { return !shot.mask_file.empty(); }))
-    return {};
-  return {shots.front().file.parent_path(), shots.back().file.parent_path()};
+    return none;
+  return std::vector<fs::path>{shots.front().file.parent_path(), shots.back().file.parent_path()};
 }
 
 std::optional<fs::path> sheetBeside(const std::vector<fs::path>& folders) {
@@ -134,8 +136,10 @@ Result<std::optional<SidesPlan>> planSides(const QStringList& dropped, const fs:
   SidesPlan plan;
   plan.from = dropped.join(QStringLiteral(", "));
   if (is_batch) {
-    paths = sidesOfBatch(paths.front());
-    if (paths.empty()) return std::optional<SidesPlan>();
+    Result<std::vector<fs::path>> sides = sidesOfBatch(paths.front());
+    if (!sides) return sides.error();
+    if (sides->empty()) return std::optional<SidesPlan>();
+    paths = std::move(*sides);
   } else if (paths.size() == 1 && batch::photographsIn(paths.front()).empty()) {
     const std::vector<fs::path> within = withPhotographsIn(paths.front());
     if (within.size() > 2) return severalFolders(paths.front(), within);

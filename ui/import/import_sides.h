@@ -42,7 +42,7 @@ inline constexpr std::size_t kLeastOfASide = 3;
 /// themselves; nothing when the one folder is a batch of a rig, or one by hand with more than its
 /// photographs and the sheet: that is imported whole. The sheet is plate.json beside the
 /// photographs or in the folder above, else the one that was used last. Reads what the cameras
-/// wrote about each photograph: for a job. Errors: UnusableInput.
+/// wrote about each photograph: for a job. Errors: UnusableInput; of a batch: as readBatch.
 Result<std::optional<SidesPlan>> planSides(const QStringList& dropped,
                                            const std::filesystem::path& last_sheet);
 

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QStandardPaths>
+#include <system_error>
 
 #include "rig/printed_sheet.h"
 #include "ui/look/look.h"
@@ -32,11 +33,16 @@ PrintSheetButton::PrintSheetButton(const QString& name, QWidget* parent)
       const QString pdf = sheetsFolder().filePath(words + QStringLiteral("/sheet.pdf"));
       const Result<rig::SheetPrint> print = rig::writeSheetPrint(pdf.toStdString(), {size});
       if (!print) return emit failed(print.error());
+      // The same sheet is not written again, and yet it is the last one.
+      std::error_code ignored;
+      std::filesystem::last_write_time(std::filesystem::path(pdf.toStdString()).parent_path(),
+                                       std::filesystem::file_time_type::clock::now(), ignored);
       const QString why_not = openOutside(pdf);
       emit printed(
           why_not.isEmpty() ? pdf : why_not,
           tr("Print it at 100 %, not fitted to the page, and measure the bar of the second "
-             "page: it must be %1 mm long. The next import proposes this sheet.")
+             "page: it must be %1 mm long. The next import proposes this sheet. If the bar is not "
+             "%1 mm long, choose Clear sheet there and type the measured side of a black square.")
               .arg(print->bar_mm));
     });
   };

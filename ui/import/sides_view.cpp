@@ -45,6 +45,7 @@ SidesView::SidesView(QWidget* parent)
   choose->setObjectName(QStringLiteral("importChooseSheet"));
   clear_sheet_->setObjectName(QStringLiteral("importClearSheet"));
   marker_->setObjectName(QStringLiteral("importMarker"));
+  marker_->setKeyboardTracking(false);  // a size is typed when it is whole
   marker_->setRange(0, kLargestMarker_mm);
   marker_->setDecimals(2);
   marker_->setSpecialValueText(tr("Unknown"));
@@ -90,6 +91,12 @@ SidesView::SidesView(QWidget* parent)
   column->addLayout(dividing);
   column->addLayout(beneath);
   column->addLayout(marked);
+  QWidget* before = swap_;
+  for (QWidget* next :
+       std::initializer_list<QWidget*>{back, clear_sheet_, choose, print, marker_}) {
+    setTabOrder(before, next);
+    before = next;
+  }
   connect(where_, &QSlider::valueChanged, this, [this](int at) {
     plan_.first_second = static_cast<std::size_t>(at);
     plan_.flip_found = true;  // a person said so

@@ -209,6 +209,7 @@ void MainWindow::tryVirtualRig() {
 
 // What holds no photographs leaves no empty project behind.
 void MainWindow::beginWith(const QStringList& photographs) {
+  if (photographs.isEmpty()) return;
   if (photographs.size() == 1 && upkeep::Project::isProject(photographs.front().toStdString()))
     return openProject(photographs.front());
   JobHandle* job = runner_.start(
@@ -236,8 +237,10 @@ void MainWindow::showScreen(int index) {
 
 void MainWindow::showScreenNamed(const QString& icon_name, const QString& what) {
   const int index = work_->screenNamed(icon_name);
+  const bool imported = icon_name == QLatin1String("queue") &&
+                        screens()[static_cast<std::size_t>(work_->shown())] == capture_screen_;
   showScreen(index);
-  work_->await(icon_name == QLatin1String("queue") ? what : QString());
+  work_->await(imported ? what : QString());
   if (index >= 0 && !what.isEmpty()) screens()[static_cast<std::size_t>(index)]->showItem(what);
 }
 

@@ -59,21 +59,27 @@ void NewProject::clear() {
   name_.clear();
   site_.clear();
   folder_.clear();
+  proposed_ = {};
   folder_typed_ = false;
   numbering_ = QString::fromStdString(records::ProjectRecord().numbering);
   follow();
 }
 
 void NewProject::proposeFor(const QStringList& photographs) {
+  if (name_ == proposed_.name) name_.clear();
+  if (site_ == proposed_.site) site_.clear();
+  if (folder_ == proposed_.folder) folder_typed_ = false;
+  proposed_ = {};
   const QString name = name_.isEmpty() ? folderNameOf(photographs) : name_;
   if (site_.isEmpty()) {
     site_ = name.normalized(QString::NormalizationForm_D).toUpper();
     site_.remove(QRegularExpression(QStringLiteral("[^A-Z0-9]")));
     site_.truncate(kLongestCode);
     if (!siteForm().match(site_).hasMatch()) site_ = QStringLiteral("SITE");
+    proposed_.site = site_;
   }
-  if (!folder_typed_) setFolder(freshFolder(name));
-  name_ = name;
+  if (!folder_typed_) setFolder(proposed_.folder = freshFolder(name));
+  if (name_.isEmpty()) name_ = proposed_.name = name;
   follow();
 }
 

@@ -35,7 +35,8 @@ class NewProject final : public QObject {
 
  public slots:
   void clear();  ///< as it was at first
-  /// Name, code and folder that nobody typed, after the folder of these photographs.
+  /// Name, code and folder that nobody typed, after the folder of these photographs; what was
+  /// proposed for others before is forgotten.
   void proposeFor(const QStringList& photographs);
   void setName(const QString& name);  ///< the folder follows until it was typed
   void setSiteCode(const QString& code);
@@ -51,6 +52,9 @@ class NewProject final : public QObject {
   QString place() const { return folder_.trimmed(); }
 
   QString name_, site_, folder_, numbering_, example_, numbering_refusal_;
+  struct Proposal {
+    QString name, site, folder;
+  } proposed_;
   bool folder_typed_ = false;
 };
 

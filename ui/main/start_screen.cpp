@@ -161,6 +161,7 @@ QWidget* StartScreen::buildNew() {
   const auto field = [this, box](const QString& object) {
     auto* edit = new QLineEdit(box);
     edit->setObjectName(object);
+    edit->setAcceptDrops(false);  // a folder is dropped onto the page
     return edit;
   };
   name_ = field(QStringLiteral("newName"));

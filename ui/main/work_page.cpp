@@ -44,8 +44,9 @@ WorkPage::WorkPage(BatchQueue& queue, CaptureScreen& capture, QueueScreen& queue
   // Queued: the other screens have heard of the results by then.
   connect(
       &queue, &BatchQueue::batchComputed, this,
-      [this](const QString& number) {
-        if (number == awaited_) emit resultsWanted(QStringLiteral("catalogue"), number);
+      [this, &queue_screen](const QString& number) {
+        if (number == awaited_ && !queue_screen.masksPage()->isVisible())
+          emit resultsWanted(QStringLiteral("catalogue"), number);
       },
       Qt::QueuedConnection);
   connect(&queue, &BatchQueue::batchFailed, this,

@@ -36,7 +36,8 @@ class WorkPage final : public QWidget {
   /// What is chosen in the screen in front goes along to this one.
   void bringChosen(int index);
   void showScreen(int index);
-  /// Whoever waits before the queue for this batch is shown what came of it. Empty: nobody waits.
+  /// Whoever waits before the queue for this batch is shown what came of it, unless masks are
+  /// edited there. Empty: nobody waits.
   void await(const QString& batch) { awaited_ = batch; }
   void rest();  ///< it is hidden: no live picture
   void fit(const QSize& window);

@@ -1,6 +1,7 @@
 #include "ui/sherds/sherd_table_model.h"
 
 #include <QFont>
+#include <QTimer>
 
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
@@ -26,11 +27,15 @@ void SherdTableModel::setCatalogue(const catalogue::Catalogue* catalogue,
                                    const std::filesystem::path& project, JobRunner* jobs) {
   delete pictures_;
   pictures_ = jobs == nullptr ? nullptr : new Thumbnails(*jobs, this);
-  if (pictures_ != nullptr)
-    connect(pictures_, &Thumbnails::ready, this, [this] {
+  if (pictures_ != nullptr) {
+    auto* arrived = new QTimer(pictures_);  // those that come together are drawn together
+    arrived->setSingleShot(true);
+    connect(pictures_, &Thumbnails::ready, arrived, qOverload<>(&QTimer::start));
+    connect(arrived, &QTimer::timeout, this, [this] {
       if (rowCount() > 0)
         emit dataChanged(index(0, 0), index(rowCount() - 1, 0), {Qt::DecorationRole});
     });
+  }
   catalogue_ = catalogue;
   project_ = project;
   filter_ = {};

@@ -52,6 +52,7 @@ TEST(PrintedSheet, HasABarOfTheLengthThatItNames) {
   EXPECT_NEAR(longest, print->bar_mm, 1e-9);
   EXPECT_THAT(words, HasSubstr("Print at 100 %"));
   EXPECT_THAT(words, HasSubstr("must measure 200 mm"));
+  EXPECT_THAT(words, HasSubstr("choose Clear sheet"));
 }
 
 TEST(PrintedSheet, IsWrittenWithItsFileWhichFollowsTheMeasuredBar) {

@@ -53,11 +53,36 @@ class CaptureImportTest : public CaptureBench {
     QVERIFY(child<QLabel>("importFront")->text().contains("IMG_0.jpg to IMG_2.jpg"));
     QTest::mouseClick(child<QPushButton>("importSwap"), Qt::LeftButton);
     QSignalSpy imported(screen_->importer(), &BatchImporter::imported);
+    QSignalSpy wanted(screen_.get(), &Screen::wantsScreen);
     QTest::mouseClick(child<QPushButton>("importStart"), Qt::LeftButton);
     QTRY_COMPARE(imported.count(), 1);
+    QCOMPARE(wanted.count(), 1);
     const auto batch = catalogue::Batches(session_->project().catalogue()).byNumber("B0001");
     QVERIFY(batch.has_value());
     QCOMPARE(batch->state, records::BatchState::Queued);
+  }
+
+  void whoDoesSomethingElseMeanwhileIsNotTakenToTheQueue() {
+    QVERIFY(virtualrig::writePlateAndBoard(disk_->path().toStdString()).has_value());
+    QSignalSpy imported(screen_->importer(), &BatchImporter::imported);
+    QSignalSpy wanted(screen_.get(), &Screen::wantsScreen);
+    auto* ask = screen_->findChild<ImportAsk*>();
+    const auto start = [&](const QString& front, const QString& back) {
+      photographs(front, 4);
+      photographs(back, 3);
+      drop({disk_->filePath(front), disk_->filePath(back)});
+      QTRY_VERIFY(ask->isVisible());
+      QTest::mouseClick(child<QPushButton>("importStart"), Qt::LeftButton);
+    };
+    start("f", "bb");
+    ask->ask("another", ImportKind::Scans);
+    QTRY_COMPARE(imported.count(), 1);
+    QVERIFY(ask->isVisible());
+    ask->leave();
+    start("ffff", "bbbbbb");
+    screen_->hide();
+    QTRY_COMPARE(imported.count(), 2);
+    QCOMPARE(wanted.count(), 0);
   }
 
   void aSeriesWithoutAPauseIsDividedByAPersonOrImportedAsOneSide() {
@@ -129,12 +154,14 @@ class CaptureImportTest : public CaptureBench {
     QVERIFY(child<QLabel>("importSheet")->text().contains("no scale"));
     marker->setValue(side(*described));
     QVERIFY(child<QLabel>("importSheet")->text().contains("will be found"));
+    QSignalSpy wanted(screen_.get(), &Screen::wantsScreen);
     QSignalSpy imported(screen_->importer(), &BatchImporter::imported);
     QTest::mouseClick(child<QPushButton>("importStart"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, 60'000);
     QVERIFY(!imported[0][2].toStringList().join(' ').contains("plate.json"));  // all is well
     QVERIFY(imported[0][3].toString().contains("with a ruler"));
     QVERIFY(shownMessage() != nullptr && shownMessage()->words().contains("was recognised"));
+    QCOMPARE(wanted.count(), 0);  // it is to be read
     const auto found = batch::readPlate(session_->project().batchFolder("B0001") / "plate.json");
     QVERIFY(found.has_value());
     QVERIFY(found->markers.size() >= described->markers.size() / 2);

@@ -192,9 +192,15 @@ class DrawingPageTest : public QObject {
     page_->saveTo(sample_->folder() + "/one.png");
     QTRY_COMPARE(said.count(), 3);
     QVERIFY(bytesOf(sample_->folder() + "/one.png").contains("pHYs"));
+    page_->saveTo(sample_->folder() + "/kind.pdf", "TIFF, the views of each sherd (*.tif)");
+    QTRY_COMPARE(said.count(), 4);
+    QVERIFY(QFile::exists(sample_->folder() + "/kind.tif"));
+    page_->saveTo(sample_->folder() + "/typed.svg", "PNG, the views of each sherd (*.png)");
+    QTRY_COMPARE(said.count(), 5);
+    QVERIFY(QFile::exists(sample_->folder() + "/typed.svg"));
     page_->saveTo(sample_->folder() + "/one.svg/within.pdf");  // a file is no folder
     QTRY_VERIFY(words().contains("one.svg"));
-    QCOMPARE(said.count(), 3);
+    QCOMPARE(said.count(), 5);
   }
 
   // A batch was entered meanwhile, say, and the table is read again.

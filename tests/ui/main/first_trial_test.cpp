@@ -3,17 +3,21 @@
 #include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListView>
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QTableView>
 #include <QUrl>
 #include <atomic>
+#include <chrono>
 
 #include "catalogue/batches.h"
 #include "catalogue/settings.h"
@@ -23,11 +27,13 @@
 #include "ui/capture/capture_screen.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/screen.h"
+#include "ui/import/print_sheet_button.h"
 #include "ui/jobs/job.h"
 #include "ui/look/look.h"
 #include "ui/main/main_window.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/queue/queue_screen.h"
 #include "ui/viewport/sherd_view.h"
 #include "ui/widgets/message_panel.h"
 #include "upkeep/project.h"
@@ -100,11 +106,77 @@ class FirstTrialTest : public QObject {
     click(shown("importStart"));
     QTRY_VERIFY(screen("queue")->isVisible());
     window_->showScreenNamed("map", {});
-    window_->showScreenNamed("queue", {});
+    window_->showScreenNamed("queue", "B0001");
     computed_ = true;
     QTRY_VERIFY(window_->queue()->row(0).figures.has_value());
     QTest::qWait(50);  // for what is queued
     QVERIFY(screen("queue")->isVisible());
+  }
+
+  void whoEditsMasksIsNotTakenToTheModels() {
+    photographs("fronts", 4);
+    photographs("backs", 3);
+    QVERIFY(virtualrig::writePlateAndBoard(path("")).has_value());
+    drop({home_->path("fronts"), home_->path("backs")});
+    click(shown("importStart"));
+    QTRY_VERIFY(screen("queue")->isVisible());
+    auto* masks = window_->findChild<QAction*>("queueMasks");
+    masks->setEnabled(true);  // as of a batch that is there from before
+    masks->trigger();
+    const auto* queue = static_cast<const QueueScreen*>(screen("queue"));
+    QVERIFY(queue->masksPage()->isVisible());
+    computed_ = true;
+    QTRY_VERIFY(window_->queue()->row(0).figures.has_value());
+    QTest::qWait(50);  // for what is queued
+    QVERIFY(queue->masksPage()->isVisible());
+  }
+
+  void aSecondBatchIsTheOneThatTheQueueShows() {
+    photographs("fronts", 4);
+    photographs("backs", 3);
+    QVERIFY(virtualrig::writePlateAndBoard(path("")).has_value());
+    drop({home_->path("fronts"), home_->path("backs")});
+    importThem();
+    computed_ = false;
+    photographs("Other/fronts", 4);
+    photographs("Other/backs", 3);
+    QVERIFY(virtualrig::writePlateAndBoard(path("Other")).has_value());
+    window_->showScreenNamed("capture", {});
+    named<CaptureScreen>(*window_, "capture")
+        ->importPhotographs({home_->path("Other/fronts"), home_->path("Other/backs")});
+    click(shown("importStart"));
+    QTRY_VERIFY(screen("queue")->isVisible());
+    QCOMPARE(named<QListView>(*window_, "queueList")->currentIndex().data().toString(),
+             QString("B0002"));
+  }
+
+  void aBatchFolderWithoutPhotographsLeavesNoProject() {
+    QVERIFY(QDir(home_->path("")).mkpath("nothing/front"));
+    drop({home_->path("nothing")});
+    auto* message = named<MessagePanel>(*window_, "startMessage");
+    QTRY_VERIFY(message->isVisible());
+    QVERIFY(window_->session() == nullptr);
+    QVERIFY(!QDir(home_->path("Ostraka")).exists());
+  }
+
+  void aFolderIsDroppedOntoThePageNotIntoAField() {
+    for (const char* name : {"newName", "newSite", "newFolder", "newNumbering"})
+      QVERIFY(!named<QLineEdit>(*window_, name)->acceptDrops());
+  }
+
+  void aTypedMarkerSizeIsProposedBeforeASheetThatWasPrintedOnce() {
+    photographs("fronts", 4);
+    photographs("backs", 3);
+    drop({home_->path("fronts"), home_->path("backs")});
+    auto* sheet = named<QLabel>(*window_, "importSheet");
+    QTRY_VERIFY(sheet->isVisible());
+    named<QDoubleSpinBox>(*window_, "importMarker")->setValue(18);
+    QTest::mouseClick(named<QPushButton>(*window_, "importLeave"), Qt::LeftButton);
+    print("startPrintSheet");
+    named<CaptureScreen>(*window_, "capture")
+        ->importPhotographs({home_->path("fronts"), home_->path("backs")});
+    QTRY_VERIFY2(sheet->isVisible() && sheet->text().contains("last import"),
+                 qPrintable(sheet->text()));
   }
 
   void whatHoldsNoPhotographsIsSaidAndLeavesNoProject() {
@@ -117,10 +189,7 @@ class FirstTrialTest : public QObject {
   }
 
   void whoHasNoSheetPrintsOursAndTheImportProposesIt() {
-    QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "take");
-    auto* print = named<QPushButton>(*window_, "startPrintSheet");
-    print->menu()->actions().at(0)->trigger();
-    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+    print("startPrintSheet");
     QCOMPARE(opened_, home_->path("Ostraka/sheets/A4/sheet.pdf"));
     QVERIFY(QFileInfo::exists(opened_));
     auto* message = named<MessagePanel>(*window_, "startMessage");
@@ -141,6 +210,25 @@ class FirstTrialTest : public QObject {
         ->importPhotographs({home_->path("fronts"), home_->path("backs")});
     QTRY_VERIFY2(sheet->isVisible() && sheet->text().contains("no scale"),
                  qPrintable(sheet->text()));
+    // Unless it is printed after that.
+    print("importPrintSheet");
+    QTest::mouseClick(named<QPushButton>(*window_, "importLeave"), Qt::LeftButton);
+    named<CaptureScreen>(*window_, "capture")
+        ->importPhotographs({home_->path("fronts"), home_->path("backs")});
+    QTRY_VERIFY2(sheet->isVisible() && sheet->text().contains("sheets/A4/plate.json"),
+                 qPrintable(sheet->text()));
+  }
+
+  void theSheetThatWasPrintedLastIsProposedAlsoWhenItWasThereAlready() {
+    print("startPrintSheet");
+    print("startPrintSheet", 1);
+    const QString first = home_->path("Ostraka/sheets/A4");
+    std::filesystem::last_write_time(
+        first.toStdString(),
+        std::filesystem::last_write_time(first.toStdString()) - std::chrono::hours(1));
+    QVERIFY(QString::fromStdString(printedSheet().string()).contains("sheets/A3"));
+    print("startPrintSheet");
+    QVERIFY(QString::fromStdString(printedSheet().string()).contains("sheets/A4"));
   }
 
   void aDroppedProjectIsOpened() {
@@ -154,6 +242,12 @@ class FirstTrialTest : public QObject {
   }
 
  private:
+  void print(const char* button, int size = 0) {
+    QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "take");
+    named<QPushButton>(*window_, button)->menu()->actions().at(size)->trigger();
+    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+  }
+
   std::filesystem::path path(const char* name) const {
     return home_->path(QString::fromLatin1(name)).toStdString();
   }

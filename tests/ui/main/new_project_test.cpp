@@ -54,6 +54,23 @@ class NewProjectTest : public QObject {
     QCOMPARE(other.siteCode(), QStringLiteral("SITE"));
   }
 
+  // The first attempt failed, say, and other photographs are dropped.
+  void whatWasProposedGivesWayToTheNextProposalAndWhatWasTypedStays() {
+    const QTemporaryDir folder;
+    qputenv("HOME", folder.path().toUtf8());
+    QVERIFY(QDir(folder.path()).mkpath("Hill") && QDir(folder.path()).mkpath("Valley"));
+    NewProject fresh;
+    fresh.proposeFor({folder.filePath("Hill")});
+    fresh.proposeFor({folder.filePath("Valley")});
+    QCOMPARE(fresh.name(), QStringLiteral("Valley"));
+    QCOMPARE(fresh.siteCode(), QStringLiteral("VALLEY"));
+    QCOMPARE(fresh.folder(), folder.filePath("Ostraka/Valley"));
+    fresh.setSiteCode("arm1");
+    fresh.proposeFor({folder.filePath("Hill")});
+    QCOMPARE(fresh.name(), QStringLiteral("Hill"));
+    QCOMPARE(fresh.siteCode(), QStringLiteral("ARM1"));
+  }
+
   void isEmptyAgainForTheNextOne() {
     NewProject fresh;
     fresh.setName("Aragats");

@@ -118,6 +118,17 @@ class SherdTableModelTest : public QObject {
     QVERIFY(sizes().contains(QSize(240, 240)));
   }
 
+  void picturesThatArriveTogetherAreDrawnTogether() {
+    SampleProject sample(5);
+    InlineJobRunner inline_jobs;
+    SherdTableModel model;
+    model.setCatalogue(&sample.catalogue(), sample.session().folder(), &inline_jobs);
+    const QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
+    for (int row = 0; row < 5; ++row) model.data(model.index(row, 0), Qt::DecorationRole);
+    QTRY_VERIFY(changed.count() > 0);
+    QCOMPARE(changed.count(), 1);
+  }
+
   void readersHearTheFieldWithItsValue() {
     SampleProject sample(1);
     SherdTableModel model;

@@ -102,9 +102,9 @@ int runMerge(const MergeArguments& arguments, Session& session) {
     show(stderr, "Batch %s of B is batch %s here.\n", there.c_str(), here.c_str());
   for (const std::string& file : report->missing)
     show(stderr, "B does not have this file, which its catalogue names: %s\n", file.c_str());
-  const int status = report->unsettled()        ? PersonMustDecide
-                     : !report->missing.empty() ? NotWhole
-                                                : Whole;
+  const int status = report->unsettled()                                 ? PersonMustDecide
+                     : !report->missing.empty() || !report->kept.empty() ? NotWhole
+                                                                         : Whole;
   return finish(session, status,
                 {{"merged", report->entered},
                  {"added", report->added},
@@ -113,6 +113,7 @@ int runMerge(const MergeArguments& arguments, Session& session) {
                  {"bytes", report->bytes},
                  {"batches", report->renumbered},
                  {"missing", report->missing},
+                 {"kept", report->kept},
                  {"conflicts", conflictsJson(report->conflicts)}},
                 summaryOf(*report));
 }

@@ -10203,6 +10203,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Nummer braucht den Schnitt der Scherbe, der nicht eingetragen ist; wählen Sie einen Befund in einem Schnitt oder ändern Sie die Nummerierung in den Einstellungen.</translation>
     </message>
+    <message>
+      <source>This folder on the cluster belongs to another project, to another copy of this one, or to this one before it was moved; nothing was sent. Name another folder with --host. If nothing else uses this one, delete &apos;cluster/owner&apos; in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Ordner auf dem Cluster gehört einem anderen Projekt, einer anderen Kopie von diesem oder diesem, bevor es verschoben wurde; nichts wurde gesendet. Mit --host einen anderen Ordner nennen. Wenn sonst nichts diesen Ordner benutzt, darin &apos;cluster/owner&apos; löschen.</translation>
+    </message>
+    <message>
+      <source>This changed while a merge was being completed, so it was kept, but the catalogue has what was merged. Reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dies änderte sich, während eine Zusammenführung abgeschlossen wurde; es blieb erhalten, aber der Katalog hat, was zusammengeführt wurde. Den Durchgang noch einmal verarbeiten.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

@@ -10203,6 +10203,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο αριθμός χρειάζεται την τομή του οστράκου, που δεν έχει καταχωριστεί· επιλέξτε πλαίσιο μέσα σε τομή ή αλλάξτε την αρίθμηση στις ρυθμίσεις.</translation>
     </message>
+    <message>
+      <source>This folder on the cluster belongs to another project, to another copy of this one, or to this one before it was moved; nothing was sent. Name another folder with --host. If nothing else uses this one, delete &apos;cluster/owner&apos; in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτός ο φάκελος της συστοιχίας ανήκει σε άλλο έργο, σε άλλο αντίγραφο αυτού του έργου ή σε αυτό το έργο πριν μετακινηθεί· δεν στάλθηκε τίποτα. Δώστε άλλον φάκελο με --host. Αν δεν τον χρησιμοποιεί τίποτε άλλο, διαγράψτε μέσα του το &apos;cluster/owner&apos;.</translation>
+    </message>
+    <message>
+      <source>This changed while a merge was being completed, so it was kept, but the catalogue has what was merged. Reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτό άλλαξε ενώ ολοκληρωνόταν μια συγχώνευση, γι’ αυτό διατηρήθηκε, αλλά ο κατάλογος έχει ό,τι συγχωνεύτηκε. Επανεπεξεργαστείτε την παρτίδα.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

@@ -10203,6 +10203,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El número necesita el corte del fragmento, que no está registrado; elija un contexto dentro de un corte o cambie la numeración en los ajustes.</translation>
     </message>
+    <message>
+      <source>This folder on the cluster belongs to another project, to another copy of this one, or to this one before it was moved; nothing was sent. Name another folder with --host. If nothing else uses this one, delete &apos;cluster/owner&apos; in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta carpeta del clúster pertenece a otro proyecto, a otra copia de este, o a este antes de que se moviera; no se envió nada. Indique otra carpeta con --host. Si nada más usa esta carpeta, borre en ella &apos;cluster/owner&apos;.</translation>
+    </message>
+    <message>
+      <source>This changed while a merge was being completed, so it was kept, but the catalogue has what was merged. Reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esto cambió mientras se completaba una fusión, por lo que se conservó, pero el catálogo tiene lo fusionado. Reprocese la tanda.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

@@ -10203,6 +10203,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le numéro demande la tranchée du tesson, qui n’est pas enregistrée ; choisissez un contexte dans une tranchée ou changez la numérotation dans les réglages.</translation>
     </message>
+    <message>
+      <source>This folder on the cluster belongs to another project, to another copy of this one, or to this one before it was moved; nothing was sent. Name another folder with --host. If nothing else uses this one, delete &apos;cluster/owner&apos; in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce dossier du cluster appartient à un autre projet, à une autre copie de celui-ci, ou à celui-ci avant son déplacement ; rien n&apos;a été envoyé. Indiquez un autre dossier avec --host. Si rien d&apos;autre n&apos;utilise ce dossier, supprimez-y &apos;cluster/owner&apos;.</translation>
+    </message>
+    <message>
+      <source>This changed while a merge was being completed, so it was kept, but the catalogue has what was merged. Reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ceci a changé pendant l’achèvement d’une fusion et a donc été conservé, mais le catalogue contient ce qui a été fusionné. Retraitez le lot.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

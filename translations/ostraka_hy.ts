@@ -10203,6 +10203,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Համարին պետք է բեկորի խրամատը, որը գրանցված չէ. ընտրեք խրամատի մեջ գտնվող համատեքստ կամ փոխեք համարակալումը կարգավորումներում։</translation>
     </message>
+    <message>
+      <source>This folder on the cluster belongs to another project, to another copy of this one, or to this one before it was moved; nothing was sent. Name another folder with --host. If nothing else uses this one, delete &apos;cluster/owner&apos; in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կլաստերի այս պանակը պատկանում է մեկ այլ նախագծի, այս նախագծի մեկ այլ պատճենի կամ այս նախագծին՝ մինչև տեղափոխվելը. ոչինչ չուղարկվեց։ --host-ով նշեք մեկ այլ պանակ։ Եթե այս պանակն ուրիշ ոչինչ չի օգտագործում, ջնջեք դրա միջի &apos;cluster/owner&apos;-ը։</translation>
+    </message>
+    <message>
+      <source>This changed while a merge was being completed, so it was kept, but the catalogue has what was merged. Reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա փոխվել է միավորումն ավարտելու ընթացքում, ուստի պահպանվել է, բայց կատալոգում միավորվածն է։ Վերամշակեք խմբաքանակը։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

@@ -10158,6 +10158,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Numara için parçanın açması gerekir, o da kayıtlı değil; açması olan bir konteks seçin veya ayarlarda numaralandırmayı değiştirin.</translation>
     </message>
+    <message>
+      <source>This folder on the cluster belongs to another project, to another copy of this one, or to this one before it was moved; nothing was sent. Name another folder with --host. If nothing else uses this one, delete &apos;cluster/owner&apos; in it.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kümedeki bu klasör başka bir projeye, bu projenin başka bir kopyasına ya da taşınmadan önceki bu projeye ait; hiçbir şey gönderilmedi. --host ile başka bir klasör belirtin. Bu klasörü başka hiçbir şey kullanmıyorsa içindeki &apos;cluster/owner&apos; bağlantısını silin.</translation>
+    </message>
+    <message>
+      <source>This changed while a merge was being completed, so it was kept, but the catalogue has what was merged. Reprocess the batch.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu, bir birleştirme tamamlanırken değişti; bu yüzden korundu, ama katalogda birleştirilen var. Partiyi yeniden işleyin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/message.h"
+#include "base/uuid.h"
 #include "catalogue/settings.h"
 #include "files/files.h"
 #include "files/json.h"
@@ -26,16 +27,32 @@ fs::path memoryOf(const std::string& project_id) {
   return {};
 }
 
-Result<std::string> rememberedHost(const fs::path& memory) {
+struct Memory {
+  std::string host;
+  std::string computer;  // random: tells this computer's copies of the project from all others
+};
+
+Result<Memory> readMemory(const fs::path& memory) {
   std::error_code failed;
-  if (memory.empty() || !fs::exists(memory, failed)) return std::string();
+  if (memory.empty() || !fs::exists(memory, failed)) return Memory();
   const Result<nlohmann::json> value = readJson(memory);
   if (!value) return value.error();
   if (!value->is_object() || !value->contains("host") || !value->at("host").is_string())
     return Error::unusable(message("Not a file in which Ostraka remembers the host of a cluster; "
                                    "delete it, then name the host with --host."),
                            memory.string());
-  return value->at("host").get<std::string>();
+  const auto computer = value->find("computer");
+  return Memory{value->at("host").get<std::string>(),
+                computer != value->end() && computer->is_string() ? computer->get<std::string>()
+                                                                  : std::string()};
+}
+
+Result<void> writeMemory(const fs::path& file, const std::string& project_id,
+                         const Memory& memory) {
+  if (file.empty()) return {};
+  if (const Result<void> made = makeFolder(file.parent_path()); !made) return made;
+  return writeJson(file,
+                   {{"project", project_id}, {"host", memory.host}, {"computer", memory.computer}});
 }
 
 Result<std::string> hostFor(const std::string& named, const std::string& remembered,
@@ -61,21 +78,36 @@ Result<Place> reach(const catalogue::Catalogue& catalogue, const fs::path& proje
   const Result<records::ProjectRecord> record = catalogue::Settings(catalogue).project();
   if (!record) return record.error();
   const fs::path memory = memoryOf(record->id);
-  const Result<std::string> remembered = rememberedHost(memory);
+  const Result<Memory> remembered = readMemory(memory);
   if (!remembered) return remembered.error();
-  const Result<std::string> host = hostFor(access.host, *remembered, tasks);
+  const Result<std::string> host = hostFor(access.host, remembered->host, tasks);
   if (!host) return host.error();
   Result<Place> place = Place::of(project, *host);
   if (!place) return place;
   tasks.host = *host;
-  if (!access.host.empty() && access.host != *remembered && !memory.empty()) {
-    if (const Result<void> made = makeFolder(memory.parent_path()); !made) return made.error();
-    const Result<void> written =
-        writeJson(memory, {{"project", record->id}, {"host", access.host}});
-    if (!written) return written.error();
-  }
+  if (!access.host.empty() && access.host != remembered->host)
+    if (const Result<void> written =
+            writeMemory(memory, record->id, {access.host, remembered->computer});
+        !written)
+      return written.error();
   if (place->isRemote() && access.contacting) access.contacting(place->name());
   return place;
+}
+
+Result<std::string> ownerOf(const catalogue::Catalogue& catalogue, const fs::path& project) {
+  const Result<records::ProjectRecord> record = catalogue::Settings(catalogue).project();
+  if (!record) return record.error();
+  const fs::path file = memoryOf(record->id);
+  Result<Memory> memory = readMemory(file);
+  if (!memory) return memory.error();
+  if (memory->computer.empty()) {
+    memory->computer = newId(catalogue.now());
+    if (const Result<void> written = writeMemory(file, record->id, *memory); !written)
+      return written.error();
+  }
+  std::error_code ignored;
+  return sha256(record->id + "\n" + memory->computer + "\n" +
+                fs::weakly_canonical(project, ignored).string());
 }
 
 }  // namespace ostraka::cluster

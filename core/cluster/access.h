@@ -25,4 +25,10 @@ struct Access {
 Result<Place> reach(const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
                     const Access& access, Tasks& tasks);
 
+/// For Place::prepare: differs between projects, between computers and between the copies of a
+/// project on one computer, which may all be sent to one login node. A project that is moved is
+/// another one, too, so that doubt never overwrites anything. Errors: as reach.
+Result<std::string> ownerOf(const catalogue::Catalogue& catalogue,
+                            const std::filesystem::path& project);
+
 }  // namespace ostraka::cluster

@@ -14,6 +14,7 @@
 #include "files/folder_lock.h"
 #include "files/open_folder.h"
 #include "intake/compute_batch.h"
+#include "intake/results_owner.h"
 #include "intake/side_photographs.h"
 #include "review/review.h"
 
@@ -53,14 +54,47 @@ fs::path replacedOf(const upkeep::Project& project, const std::string& batch) {
   return clusterFolder(project.folder()) / "replaced" / batch;
 }
 
-// Killed between the two renamings, the old results stand aside and nothing is in their place.
-Result<void> undoHalf(const upkeep::Project& project, const std::string& batch) {
+Result<void> removed(const fs::path& folder) {
   std::error_code error;
-  const fs::path replaced = replacedOf(project, batch), results = project.resultsFolder(batch);
+  fs::remove_all(folder, error);
+  return error ? Result<void>(cannotWrite(folder, error.value())) : Result<void>();
+}
+
+// What people say of the batch stays with it, whichever results it has.
+Result<void> keepPeoplesFiles(const fs::path& results, const fs::path& folder) {
+  std::error_code error;
+  for (const std::string name : batch::kPeoplesFiles) {
+    if (!fs::exists(results / name, error)) continue;
+    const Result<std::string> text = readFile(results / name);
+    if (!text) return text.error();
+    if (const Result<void> kept = writeFileAtomically(folder / name, *text); !kept) return kept;
+  }
+  return {};
+}
+
+// Of a collection that was killed or failed: what was not entered gives way again to the results
+// that it replaced.
+Result<void> putBack(const upkeep::Project& project, const std::string& batch) {
+  std::error_code error;
+  const fs::path replaced = replacedOf(project, batch), results = project.resultsFolder(batch),
+                 incoming = project.folder() / (kIncoming + batch);
   if (!fs::exists(replaced, error)) return {};
-  if (!fs::exists(results, error)) return moved(replaced, results);
-  fs::remove_all(replaced, error);
-  return error ? Result<void>(cannotWrite(replaced, error.value())) : Result<void>();
+  if (fs::exists(results, error)) {
+    if (const Result<void> kept = keepPeoplesFiles(results, replaced); !kept) return kept;
+    if (const Result<void> gone = removed(incoming); !gone) return gone;
+    if (const Result<void> made = makeFolder(incoming.parent_path()); !made) return made;
+    if (const Result<void> aside = moved(results, incoming); !aside) return aside;
+  }
+  return moved(replaced, results);
+}
+
+// What was entered before an error stays.
+Result<void> settleReplaced(const upkeep::Project& project, const records::BatchRecord& batch,
+                            bool entered) {
+  const Result<records::BatchRecord> now = catalogue::Batches(project.catalogue()).get(batch.row);
+  if (!now) return now.error();
+  entered |= now->state == BatchState::Review || now->state == BatchState::Done;
+  return entered ? removed(replacedOf(project, batch.number)) : putBack(project, batch.number);
 }
 
 struct Entry {
@@ -76,6 +110,7 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const Task& ta
       catalogue::Batches(project.catalogue()).byNumber(batch);
   if (!record) return record.error();
   if (record->state != BatchState::Queued && record->state != BatchState::Computed) {
+    if (const Result<void> gone = removed(replacedOf(project, batch)); !gone) return gone.error();
     progress.note(
         NoteLevel::Warning,
         about(batch, message("This batch was processed here or reshot in the meantime; the "
@@ -91,19 +126,25 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const Task& ta
         about(batch, message("This batch was photographed again after it was submitted; the "
                              "cluster's results are not entered. Submit it again."))};
   if (place.isRemote()) {
-    if (const Result<void> whole = undoHalf(project, batch); !whole) return whole.error();
+    if (const Result<void> whole = putBack(project, batch); !whole) return whole.error();
     // Of what people say the cluster has copies as old as the job.
     const std::vector<std::string> but(std::begin(batch::kPeoplesFiles),
                                        std::end(batch::kPeoplesFiles));
     if (const Result<void> here = place.fetch("results/" + batch, kIncoming + batch, 0, but, stop);
         !here)
       return here.error();
-    if (const Result<void> taken =
-            takePlace(project, batch, project.folder() / (kIncoming + batch));
-        !taken)
+    const fs::path incoming = project.folder() / (kIncoming + batch);
+    const auto own =
+        intake::checkResultsAreOf(project.catalogue(), project.folder(), *record, incoming, stop);
+    if (!own) return own.error();
+    if (const Result<void> taken = takePlace(project, batch, incoming); !taken)
       return taken.error();
   }
   Result<intake::BatchFigures> figures = intake::enterComputed(project, *record, progress, stop);
+  if (place.isRemote())
+    if (const Result<void> settled = settleReplaced(project, *record, figures.has_value());
+        !settled)
+      progress.note(NoteLevel::Warning, settled.error().sentence());
   if (!figures) return figures.error();
   return Entry{true, std::move(*figures), {}};
 }
@@ -122,19 +163,11 @@ Result<void> takePlace(const upkeep::Project& project, const std::string& batch,
     if (!taken) return taken.error();
     held.emplace(std::move(*taken));
   }
-  for (const std::string name : batch::kPeoplesFiles) {
-    if (!fs::exists(results / name, error)) continue;
-    const Result<std::string> text = readFile(results / name);
-    if (!text) return text.error();
-    if (const Result<void> kept = writeFileAtomically(folder / name, *text); !kept) return kept;
-  }
+  if (const Result<void> kept = keepPeoplesFiles(results, folder); !kept) return kept;
   if (const Result<void> made = makeFolder(replaced.parent_path()); !made) return made;
-  fs::remove_all(replaced, error);
-  if (error) return cannotWrite(replaced, error.value());
+  if (const Result<void> gone = removed(replaced); !gone) return gone;
   if (const Result<void> aside = moved(results, replaced); !aside) return aside;
-  if (const Result<void> there = moved(folder, results); !there) return there;
-  fs::remove_all(replaced, error);
-  return {};
+  return moved(folder, results);
 }
 
 Result<Collected> collect(upkeep::Project& project, const Access& access, Progress& progress,

@@ -30,8 +30,9 @@ Result<Collected> collect(upkeep::Project& project, const Access& access, Progre
                           std::stop_token stop);
 
 /// Results in `folder`, which came from elsewhere, replace those of the batch: only regular files
-/// with plain names, and a report. The batch keeps its decisions.json and mask_strokes.json.
-/// Errors: UnusableInput, which names the file; CannotWrite.
+/// with plain names, and a report. The batch keeps its decisions.json and mask_strokes.json; its
+/// results of before wait in cluster/replaced until the new ones are entered. Errors:
+/// UnusableInput, which names the file; CannotWrite.
 Result<void> takePlace(const upkeep::Project& project, const std::string& batch,
                        const std::filesystem::path& folder);
 

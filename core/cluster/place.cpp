@@ -18,6 +18,11 @@ constexpr std::size_t kMostOutput = std::size_t{64} << 20, kShownOutput = 400;
 // It never asks: what runs beside a window or in a script has nobody who answers.
 constexpr const char* kNeverAsk = "BatchMode=yes";
 constexpr const char* kSoon = "ConnectTimeout=30";
+// Prints the owner of the folder, which is the first who asks. The text of a link is written whole
+// or not at all, also on a full disk, and never over another.
+constexpr const char* kClaim =
+    "[ -e catalogue.sqlite ] || [ -L cluster/owner ] || ln -s \"$1\" cluster/owner || exit; "
+    "echo \"owner: $(readlink cluster/owner)\"";
 
 // Letters, digits and what neither a shell, ssh, rsync nor Slurm reads as something else.
 bool isPlain(std::string_view text, std::string_view also) {
@@ -153,7 +158,7 @@ Result<void> Place::copy(std::vector<std::string> arguments, const std::stop_tok
   return done ? Result<void>() : done.error();
 }
 
-Result<void> Place::prepare(const std::stop_token& stop) const {
+Result<void> Place::prepare(const std::string& owner, const std::stop_token& stop) const {
   const std::vector<std::string> folders{"batches", "results", "cluster/state", "cluster/log"};
   std::string command = "mkdir -p";
   for (const std::string& folder : folders) {
@@ -163,7 +168,15 @@ Result<void> Place::prepare(const std::stop_token& stop) const {
   if (!isRemote()) return {};
   const Result<std::string> made =
       runHere("ssh", {"-o", kNeverAsk, "-o", kSoon, host_, command}, "mkdir", stop);
-  return made ? Result<void>() : made.error();
+  if (!made) return made.error();
+  const Result<std::string> told = run({"sh", "-c", kClaim, "sh", owner}, stop);
+  if (!told) return told.error();
+  if (told->find("owner: " + owner) != std::string::npos) return {};
+  return Error::unusable(
+      message("This folder on the cluster belongs to another project, to another copy of this one, "
+              "or to this one before it was moved; nothing was sent. Name another folder with "
+              "--host. If nothing else uses this one, delete 'cluster/owner' in it."),
+      name());
 }
 
 Result<void> Place::send(const std::vector<std::string>& paths, const std::stop_token& stop) const {

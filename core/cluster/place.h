@@ -25,8 +25,11 @@ class Place {
   /// computer's PATH), Failed with its output, Cancelled.
   Result<std::string> run(const std::vector<std::string>& words, const std::stop_token& stop) const;
 
-  /// Creates the folders that jobs need if they are missing. Errors: those of run.
-  Result<void> prepare(const std::stop_token& stop) const;
+  /// Creates the folders that jobs need if they are missing. A folder on another computer belongs
+  /// to the first owner who prepares it (FOLDER/cluster/owner): what send() puts there replaces
+  /// what lies there. Errors: those of run; UnusableInput for a folder that is another's, or a
+  /// project.
+  Result<void> prepare(const std::string& owner, const std::stop_token& stop) const;
   /// Copies files and folders of the project, such as "batches/B0031", to the other computer; files
   /// with the same checksum are skipped, and files no longer in such a folder are removed there.
   /// Does nothing in the project's own folder, or for what does not exist. Errors: Failed,

@@ -221,7 +221,11 @@ Result<Submitted> submit(upkeep::Project& project, const SubmitOptions& options,
   const Result<std::vector<Wanted>> wanted = wantedOf(project, *known, options, submitted, stop);
   if (!wanted) return wanted.error();
   if (wanted->empty()) return submitted;
-  if (const Result<void> ready = place->prepare(stop); !ready) return ready.error();
+  const Result<std::string> owner = place->isRemote()
+                                        ? ownerOf(project.catalogue(), project.folder())
+                                        : Result<std::string>(std::string());
+  if (!owner) return owner.error();
+  if (const Result<void> ready = place->prepare(*owner, stop); !ready) return ready.error();
   if (const Result<void> room = hasRoom(project, *place, wanted->size(), stop); !room)
     return room.error();
   for (std::size_t done = 0; done < wanted->size();) {

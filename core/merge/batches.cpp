@@ -30,7 +30,7 @@ void Merging::numberBatch(const Table& table, const Row& theirs, Values& values)
   Value& number = values[table.column("number")];
   const std::string there = number.value_or("");
   bool taken = database_.sql("SELECT 1 FROM batch WHERE number = ?", there).next();
-  for (const char* folder : kFoldersOfBatches) {
+  for (const char* folder : upkeep::kFoldersOfBatches) {
     std::error_code failed;
     taken |= fs::exists(fs::symlink_status(projects_.a_folder / folder / there, failed));
   }
@@ -41,7 +41,7 @@ void Merging::numberBatch(const Table& table, const Row& theirs, Values& values)
 }
 
 std::string Merging::placed(const std::string& path) const {
-  for (const std::string folder : kFoldersOfBatches) {
+  for (const std::string folder : upkeep::kFoldersOfBatches) {
     if (!path.starts_with(folder)) continue;
     const std::size_t end = path.find('/', folder.size());
     if (end == std::string::npos) break;
@@ -117,10 +117,23 @@ void Merging::mergeBags() {
 
 FileCopy& Merging::addFile(const Table& table, const Values& values, const std::string& from) {
   const std::string to = values[table.column("path")].value_or("");
-  if (!isPlaceOfFiles(to)) throw store::Refused(notAPlaceOfFiles(to));
+  if (!upkeep::isPlaceOfFiles(to)) throw store::Refused(upkeep::notAPlaceOfFiles(to));
   FileCopy& copy = outcome_.copies[to];
   copy = {from, to, values[table.column("sha256")].value_or("")};
   return copy;
+}
+
+// Of a merge in which B lacked it, for example: the rows came, and the file did not.
+void Merging::restoreFile(const Table& table, const Row& mine, const Row& theirs) {
+  const std::size_t hash = table.column("sha256"), path = table.column("path");
+  const std::string place = mine.values[path].value_or("");
+  std::error_code failed;
+  if (mine.values[hash] != theirs.values[hash] || !upkeep::isPlaceOfFiles(place) ||
+      fs::exists(fs::symlink_status(projects_.a_folder / place, failed)))
+    return;
+  FileCopy& copy = outcome_.copies[place];
+  copy = {theirs.values[path].value_or(""), place, theirs.values[hash].value_or("")};
+  copy.restores = true;
 }
 
 // A term that one project took away goes, unless a sherd has it or the other project took it up
@@ -230,6 +243,9 @@ bool Merging::isOfResults(const Table& table, const Values& values,
 
 void Merging::finishBatches() {
   const Table& batches = b_.table("batch");
+  std::string incomplete;  // numbers of A
+  for (const auto& [key, value] : a_.settings)
+    if (key == kIncompleteBatches) incomplete = value;
   for (const Row& batch : batches.rows) {
     const std::string& id = batch.id;
     const std::string there = batch.values[batches.column("number")].value_or(""),
@@ -238,6 +254,10 @@ void Merging::finishBatches() {
       for (const std::string folder : {"batches/", "results/"})
         outcome_.files_of[folder + there] = folder + here;
       continue;
+    }
+    if ((incomplete + " ").find(here + " ") != std::string::npos) {
+      outcome_.incomplete["batches/" + there] = "batches/" + here;
+      if (!computed_in_a_.contains(id)) outcome_.incomplete["results/" + there] = "results/" + here;
     }
     if (computed_in_b_.contains(id) && !computed_in_a_.contains(id))
       outcome_.files_of["results/" + there] = "results/" + here;

@@ -58,7 +58,7 @@ Result<void> checkProjects(const upkeep::Project& a, const fs::path& b) {
 // What would be copied; a file of A at its place is the same one, or is refused on entering.
 Result<void> countFiles(const fs::path& a, const fs::path& b, const Outcome& outcome,
                         MergeReport& report) {
-  const Result<std::vector<FileCopy>> list = filesToCopy(b, outcome);
+  const Result<std::vector<FileCopy>> list = filesToCopy(a, b, outcome);
   if (!list) return list.error();
   for (const FileCopy& file : *list) {
     std::error_code failed;
@@ -101,29 +101,29 @@ class Merge {
     const std::int64_t history = catalogue::History(a_.catalogue()).length();
     if (const Result<void> fits = pass(outcome, Keep::No, nullptr); !fits) return fits.error();
     MergeReport report = outcome;
-    if (mode == MergeMode::Preview || outcome.unsettled()) {
-      const Result<void> counted = countFiles(a_.folder(), b_folder_, outcome, report);
-      return counted ? Result<MergeReport>(std::move(report)) : counted.error();
-    }
-    const bool as_in_a = std::none_of(outcome.peoples_files.begin(), outcome.peoples_files.end(),
-                                      [](const auto& file) { return file.second.has_value(); });
-    if (!writes_ && as_in_a) {
-      report.entered = true;  // A has all of it
+    if (const Result<void> counted = countFiles(a_.folder(), b_folder_, outcome, report); !counted)
+      return counted.error();
+    if (mode == MergeMode::Preview || outcome.unsettled()) return report;
+    if (!writes_ && report.files == 0) {
+      report.entered = true;  // A has all that B has
       return report;
     }
     if (const auto saved = a_.backUp(); !saved) return saved.error();
-    Result<StagedFiles> files = StagedFiles::begin(a_.catalogue(), a_.folder());
-    if (!files) return files.error();
-    const Result<void> done = enter(outcome, history, *files, progress, stop);
+    StagedFiles files(a_.folder());
+    const Result<void> done = enter(outcome, history, files, progress, stop);
     if (!done) {
-      files->drop();
+      files.drop();
       return done.error();
     }
-    if (const Result<void> placed = files->finish(a_.catalogue()); !placed) return placed.error();
+    Result<std::vector<std::string>> kept =
+        upkeep::placeStaged(a_.catalogue(), a_.folder(), progress, {});
+    if (!kept) return kept.error();
+    files.drop();
     report.entered = true;
-    report.files = files->files();
-    report.bytes = files->bytes();
-    report.missing = files->missing();
+    report.files = files.files();
+    report.bytes = files.bytes();
+    report.missing = files.missing();
+    report.kept = std::move(*kept);
     return report;
   }
 
@@ -132,16 +132,19 @@ class Merge {
 
   Result<void> enter(const Outcome& outcome, std::int64_t history, StagedFiles& files,
                      Progress& progress, const std::stop_token& stop) {
-    const Result<std::vector<FileCopy>> list = filesToCopy(b_folder_, outcome);
+    const Result<std::vector<FileCopy>> list = filesToCopy(a_.folder(), b_folder_, outcome);
     if (!list) return list.error();
     // Nobody who wants to write waits for files to be copied.
     if (const Result<void> copied = files.copy(b_folder_, *list, progress, stop); !copied)
       return copied;
+    for (const auto& [to, text] : outcome.peoples_files)
+      if (const Result<void> expected = files.expect(to, stop); !expected) return expected;
     a_.catalogue().database().setWaiting({});
     Outcome entered;
     return pass(entered, Keep::Yes, [&]() -> Result<void> {
       if (catalogue_before_ != history || entered.copies != outcome.copies ||
-          entered.files_of != outcome.files_of || entered.unsettled())
+          entered.incomplete != outcome.incomplete || entered.files_of != outcome.files_of ||
+          entered.unsettled())
         return Error{ErrorCode::Failed,
                      message("The project changed while files were copied, so nothing was merged; "
                              "run the same command again."),
@@ -149,7 +152,7 @@ class Merge {
       for (const auto& [to, text] : entered.peoples_files)
         if (text)
           if (const Result<void> put = files.put(to, *text); !put) return put;
-      return files.note(a_.catalogue());
+      return files.note(a_.catalogue(), entered);
     });
   }
 
@@ -197,10 +200,13 @@ Result<MergeReport> mergeInto(upkeep::Project& a, const fs::path& b, MergeMode m
       message("Another import into this project is running; this one waits until it has finished."),
       progress, stop);
   if (!alone) return alone.error();
-  if (mode == MergeMode::Enter)  // what a merge that was killed left
-    if (const Result<StagedFiles> left = StagedFiles::begin(a.catalogue(), a.folder()); !left)
-      return left.error();
   MergeReport report;
+  std::vector<std::string> kept = a.keptFiles();
+  if (mode == MergeMode::Enter) {  // what was killed since A was opened
+    const auto left = upkeep::placeStaged(a.catalogue(), a.folder(), progress, stop);
+    if (!left) return left.error();
+    kept.insert(kept.end(), left->begin(), left->end());
+  }
   const Result<void> done = theirs->inSnapshot([&]() -> Result<void> {
     Result<MergeReport> merged =
         Merge(a, b, *theirs, settled, provenance).run(mode, progress, stop);
@@ -209,6 +215,7 @@ Result<MergeReport> mergeInto(upkeep::Project& a, const fs::path& b, MergeMode m
     return {};
   });
   if (!done) return done.error();
+  report.kept.insert(report.kept.end(), kept.begin(), kept.end());
   return report;
 }
 

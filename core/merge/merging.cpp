@@ -206,6 +206,7 @@ void Merging::mergeTable(const Table& a, const Table& b) {
 
 void Merging::mergeRow(const Table& table, const Row& mine, const Row& theirs) {
   Values wanted = canonical(table, theirs);
+  if (table.name == "file") restoreFile(table, mine, theirs);
   if (wanted == mine.values || isOfResults(table, wanted, computed_in_a_)) return;
   if (table.name == "sherd" && !takesNumber(mine.id, table, wanted))
     // Another sherd of A keeps the number that B gave to this one.

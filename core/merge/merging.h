@@ -104,12 +104,12 @@ class Merging {
   Take settleMasks(Conflict, const std::string& batch, const std::string& a, const std::string& b);
   void finishBatches();
   static bool isOfResults(const Table&, const Values&, const std::set<std::string>& batches);
+  void restoreFile(const Table& table, const Row& mine, const Row& theirs);
   FileCopy& addFile(const Table& table, const Values& values, const std::string& from);
   void mergeTerms();
   void mergeProject();
   void mergeSettings();
   void searchAnew();
-
   Projects projects_;
   const Settled& settled_;
   const records::Provenance& provenance_;

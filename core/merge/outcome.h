@@ -9,6 +9,10 @@
 
 namespace ostraka::merge {
 
+/// Setting: numbers of batches of which a merge did not find all files, each with a blank behind
+/// it.
+inline constexpr const char* kIncompleteBatches = "merge.incomplete";
+
 /// One thing that a row says in both projects, and how the history tells it.
 struct Said {
   std::string name, row;
@@ -29,6 +33,7 @@ struct FileCopy {
   std::string sha256;    ///< from B's catalogue; empty: the catalogue does not name the file
   bool replaces =
       false;  ///< the file in its place belonged to the same row, or to replaced results
+  bool restores = false;  ///< A has its row, too, and lacks the file
   bool operator==(const FileCopy&) const = default;
 };
 
@@ -41,13 +46,15 @@ struct MergeReport {
   std::vector<Conflict> conflicts;                ///< the settled ones, too
   std::map<std::string, std::string> renumbered;  ///< batches: numbers of B that are others in A
   std::vector<std::string> missing;               ///< files that B's catalogue names but B lacks
+  std::vector<std::string> kept;                  ///< changed meanwhile (upkeep::placeStaged)
   bool unsettled() const;
 };
 
 /// What one merge does, or would do.
 struct Outcome : MergeReport {
-  std::map<std::string, std::string> files_of;  ///< folder of B -> folder of A, all of its files
-  std::map<std::string, FileCopy> copies;       ///< by where they go: what B's catalogue names
+  std::map<std::string, std::string> files_of;    ///< folder of B -> folder of A, all of its files
+  std::map<std::string, std::string> incomplete;  ///< likewise, but only files that A lacks
+  std::map<std::string, FileCopy> copies;         ///< by where they go: what B's catalogue names
   /// Of batches that both have, by place in A: what it becomes; none: as A has it.
   std::map<std::string, std::optional<std::string>> peoples_files;
   std::map<std::string, std::string> withdrawn;  ///< in decisions.json: what lost -> its withdrawal

@@ -1,23 +1,18 @@
 #include "merge/staged_files.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/message.h"
 #include "catalogue/settings.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "files/folder_lock.h"
-#include "files/json_text.h"
-#include "store/database.h"
 
 namespace ostraka::merge {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kFolder = "merge.partial";
-constexpr const char* kJournal = "merge.files";
 
 Error unlikeInB(const std::string& path) {
   return Error::unusable(
@@ -26,47 +21,13 @@ Error unlikeInB(const std::string& path) {
       path);
 }
 
-// Nothing is there, or what may go. An error: a file that nobody gave up.
-Result<bool> isToBeWritten(const OpenFolder& project, const ContainedPath& place,
-                           const FileCopy& file, const std::string& sha256,
-                           const std::stop_token& stop) {
-  if (file.replaces || !project.has(place)) return true;
-  Result<OpenFile> there = project.read(place);
-  if (!there) return there.error();
-  const Result<Checksum> sum = checksumOf(*there, stop);
-  if (!sum) return sum.error();
-  if (sum->sha256 == sha256) return false;
+Error takenInA(const std::string& path) {
   return Error::unusable(message("Project A has another file with this name, which its catalogue "
                                  "does not list; nothing was merged. Move that file elsewhere."),
-                         there->name());
+                         path);
 }
 
 }  // namespace
-
-Error notAPlaceOfFiles(const std::string& path) {
-  return Error::unusable(
-      message("Not a location of photographs, results, models or imported files, "
-              "the only files that a merge writes; nothing was merged."),
-      path);
-}
-
-bool isPlaceOfFiles(const std::string& path) {
-  return path.starts_with("imported/") ||
-         std::any_of(std::begin(kFoldersOfBatches), std::end(kFoldersOfBatches),
-                     [&](const char* folder) { return path.starts_with(folder); });
-}
-
-Result<StagedFiles> StagedFiles::begin(catalogue::Catalogue& catalogue, const fs::path& project) {
-  StagedFiles files(project);
-  const Result<std::string> journal = catalogue::Settings(catalogue).value(kJournal);
-  if (!journal) return journal.error();
-  const nlohmann::json json = jsonOrDiscarded(*journal);
-  if (json.is_object())
-    for (const auto& [to, name] : json.items())
-      if (name.is_string()) files.staged_[to] = name.get<std::string>();
-  if (Result<void> done = files.finish(catalogue); !done) return done.error();
-  return StagedFiles(project);
-}
 
 std::string StagedFiles::nextName() {
   return std::to_string(++names_);
@@ -75,8 +36,9 @@ std::string StagedFiles::nextName() {
 Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& files,
                                Progress& progress, const std::stop_token& stop) {
   if (files.empty()) return {};
-  if (const Result<void> made = makeFolder(project_ / kFolder); !made) return made;
-  const Result<OpenFolder> from = OpenFolder::open(b), to = OpenFolder::open(project_ / kFolder),
+  const fs::path staging = project_ / upkeep::kStagingFolder;
+  if (const Result<void> made = makeFolder(staging); !made) return made;
+  const Result<OpenFolder> from = OpenFolder::open(b), to = OpenFolder::open(staging),
                            project = OpenFolder::open(project_);
   if (!from) return from.error();
   if (!to) return to.error();
@@ -88,8 +50,13 @@ Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& f
                                 place = ContainedPath::parse(files[i].to);
     if (!path) return path.error();
     if (!place) return place.error();
-    if (!from->has(*path)) {
+    const auto miss = [&] {
       missing_.push_back(files[i].from);
+      if (place->parts().size() > 2 && !place->text().starts_with("imported/"))
+        incomplete_.insert(place->parts()[1]);
+    };
+    if (!from->has(*path)) {
+      miss();
       continue;
     }
     Result<OpenFile> file = from->read(*path);
@@ -101,11 +68,15 @@ Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& f
     const Result<Checksum> sum =
         checksumOf(*file, stop, [&](std::string_view bytes) { return copy->write(bytes); });
     if (!sum) return sum.error();
-    if (!files[i].sha256.empty() && files[i].sha256 != sum->sha256)
-      return unlikeInB((b / files[i].from).string());
-    const Result<bool> needed = isToBeWritten(*project, *place, files[i], sum->sha256, stop);
-    if (!needed) return needed.error();
-    if (!*needed) continue;
+    if (!files[i].sha256.empty() && files[i].sha256 != sum->sha256) {
+      if (!files[i].restores) return unlikeInB((b / files[i].from).string());
+      miss();
+      continue;
+    }
+    const Result<std::string> there = upkeep::sha256At(*project, *place, stop);
+    if (!there) return there.error();
+    if (!files[i].replaces && *there == sum->sha256) continue;
+    if (!files[i].replaces && !there->empty()) return takenInA((project_ / files[i].to).string());
     if (const Result<void> whole = copy->finish(); !whole) return whole;
     Result<OpenFile> written = to->read(staged);
     if (!written) return written.error();
@@ -115,59 +86,67 @@ Result<void> StagedFiles::copy(const fs::path& b, const std::vector<FileCopy>& f
       return Error{ErrorCode::CannotWrite,
                    message("The disk does not return what was written to it; nothing was merged. "
                            "Check the disk."),
-                   (project_ / kFolder / name).string()};
-    staged_[files[i].to] = name;
+                   (staging / name).string()};
+    staged_[files[i].to] = {name, *there};
     bytes_ += sum->bytes;
   }
   return {};
 }
 
+Result<void> StagedFiles::expect(const std::string& to, const std::stop_token& stop) {
+  const Result<OpenFolder> project = OpenFolder::open(project_);
+  if (!project) return project.error();
+  const Result<ContainedPath> place = ContainedPath::parse(to);
+  if (!place) return place.error();
+  Result<std::string> there = upkeep::sha256At(*project, *place, stop);
+  if (!there) return there.error();
+  expected_[to] = std::move(*there);
+  return {};
+}
+
 Result<void> StagedFiles::put(const std::string& to, const std::string& bytes) {
   const std::string name = nextName();
-  if (const Result<void> written = writeFileAtomically(project_ / kFolder / name, bytes); !written)
+  if (const Result<void> written =
+          writeFileAtomically(project_ / upkeep::kStagingFolder / name, bytes);
+      !written)
     return written;
-  staged_[to] = name;
+  staged_[to] = {name, expected_[to]};
   bytes_ += static_cast<std::int64_t>(bytes.size());
   return {};
 }
 
-Result<void> StagedFiles::note(catalogue::Catalogue& catalogue) const {
-  if (staged_.empty()) return {};
-  return catalogue::Settings(catalogue).setValue(kJournal, nlohmann::json(staged_).dump());
-}
-
-Result<void> StagedFiles::finish(catalogue::Catalogue& catalogue) {
-  // The journal may have come with a stranger's project.
-  const Result<OpenFolder> project = OpenFolder::open(project_);
-  if (!project) return project.error();
-  for (const auto& [to, name] : staged_) {
-    const Result<ContainedPath> place = ContainedPath::parse(to),
-                                from = ContainedPath::parse(std::string(kFolder) + "/" + name);
-    if (!place) return place.error();
-    if (!from) return from.error();
-    if (!isPlaceOfFiles(to)) return notAPlaceOfFiles(to);
-    if (!project->has(*from)) continue;  // it has its place
-    if (const Result<void> moved = project->move(*from, *place); !moved) return moved;
-  }
-  if (!staged_.empty())
-    if (const Result<void> forgotten = catalogue.database().inTransaction(
-            [&] { catalogue.database().run("DELETE FROM setting WHERE key = ?", kJournal); });
-        !forgotten)
-      return forgotten;
-  drop();
-  return {};
+Result<void> StagedFiles::note(catalogue::Catalogue& catalogue, const Outcome& outcome) const {
+  catalogue::Settings settings(catalogue);
+  const Result<std::string> before = settings.value(kIncompleteBatches);
+  if (!before) return before.error();
+  // Those that this B does not have wait for another.
+  std::set<std::string> batches = incomplete_;
+  std::istringstream words(*before);
+  for (std::string batch; words >> batch;)
+    if (std::none_of(outcome.incomplete.begin(), outcome.incomplete.end(),
+                     [&](const auto& folder) { return folder.second == "batches/" + batch; }))
+      batches.insert(batch);
+  std::string after;
+  for (const std::string& batch : batches) after += batch + " ";
+  if (after != *before)
+    if (const Result<void> noted = settings.setValue(kIncompleteBatches, after); !noted)
+      return noted;
+  return upkeep::noteStaged(catalogue, staged_);
 }
 
 void StagedFiles::drop() {
   std::error_code ignored;
-  fs::remove_all(project_ / kFolder, ignored);
+  fs::remove_all(project_ / upkeep::kStagingFolder, ignored);
 }
 
-Result<std::vector<FileCopy>> filesToCopy(const fs::path& b, const Outcome& outcome) {
+Result<std::vector<FileCopy>> filesToCopy(const fs::path& a, const fs::path& b,
+                                          const Outcome& outcome) {
   std::map<std::string, FileCopy> all = outcome.copies;
   const Result<OpenFolder> folder = OpenFolder::open(b);
   if (!folder) return folder.error();
-  for (const auto& [from, to] : outcome.files_of) {
+  std::map<std::string, std::string> folders = outcome.files_of;
+  folders.insert(outcome.incomplete.begin(), outcome.incomplete.end());
+  for (const auto& [from, to] : folders) {
     const Result<ContainedPath> path = ContainedPath::parse(from);
     if (!path) return path.error();
     std::error_code failed;
@@ -187,6 +166,8 @@ Result<std::vector<FileCopy>> filesToCopy(const fs::path& b, const Outcome& outc
           entry.path.starts_with(from + "/") ? entry.path.substr(from.size() + 1) : entry.path;
       const std::string place = to + "/" + below;
       if (outcome.peoples_files.contains(place)) continue;
+      if (!outcome.files_of.contains(from) && fs::exists(fs::symlink_status(a / place, failed)))
+        continue;
       all.emplace(place, FileCopy{from + "/" + below, place, {}});
     }
   }

@@ -13,11 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 19> kShares = {
-    "nfs",        "nfs4",   "cifs",       "smb3",        "smbfs",           "ncpfs",
-    "afs",        "ceph",   "glusterfs",  "9p",          "vboxsf",          "vmhgfs",
-    "davfs",      "lustre", "fuse.sshfs", "fuse.rclone", "fuse.gvfsd-fuse", "fuse.glusterfs",
-    "fuse.davfs2"};
+// SQLite's -shm is memory that two computers do not share, whichever of these it lies on; each
+// stands between blanks.
+constexpr std::string_view kShares =
+    " nfs nfs4 cifs smb3 smbfs ncpfs afs ceph glusterfs 9p vboxsf vmhgfs virtiofs davfs lustre "
+    "gpfs "
+    "beegfs fhgfs orangefs pvfs2 panfs wekafs fuse.sshfs fuse.rclone fuse.gvfsd-fuse "
+    "fuse.glusterfs "
+    "fuse.davfs2 fuse.s3fs fuse.juicefs ";
 
 bool contains(const std::string& mount, const std::string& path) {
   if (mount == "/") return true;
@@ -40,7 +43,7 @@ std::string networkShareOf(const fs::path& folder, const fs::path& mounts) {
     best_mount = mount;
     best_type = entry.mnt_type;
   }
-  const bool share = std::find(kShares.begin(), kShares.end(), best_type) != kShares.end();
+  const bool share = kShares.find(" " + best_type + " ") != std::string_view::npos;
   return share ? best_type : std::string();
 }
 

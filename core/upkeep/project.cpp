@@ -18,6 +18,7 @@
 #include "store/schema_check.h"
 #include "upkeep/backups.h"
 #include "upkeep/file_check.h"
+#include "upkeep/staged_files.h"
 
 namespace ostraka::upkeep {
 namespace {
@@ -175,10 +176,14 @@ Result<Project> Project::open(const fs::path& folder, const catalogue::Catalogue
   if (!catalogue) return catalogue.error();
   // Once for all connections: those of other threads come later, and read it for each sherd.
   if (const Result<void> inside = checkPaths(*catalogue); !inside) return inside.error();
-  if (!catalogue->readOnly())
-    for (const fs::path& place : {folder, folder / "backups"})
-      store::PartialFile::removeLeftovers(place);
-  return Project(fs::absolute(folder), std::move(*catalogue));
+  Project project(fs::absolute(folder), std::move(*catalogue));
+  if (project.catalogue().readOnly()) return project;
+  for (const fs::path& place : {folder, folder / "backups"})
+    store::PartialFile::removeLeftovers(place);
+  Result<std::vector<std::string>> kept = finishMerge(project.catalogue_, project.folder_, waiting);
+  if (!kept) return kept.error();
+  project.kept_files_ = std::move(*kept);
+  return project;
 }
 
 bool Project::isProject(const fs::path& folder) {

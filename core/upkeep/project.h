@@ -25,10 +25,11 @@ class Project {
   static Result<Project> create(const std::filesystem::path& folder,
                                 const records::ProjectRecord& record,
                                 const catalogue::Catalogue::Clock& clock = {});
-  /// Opens it; an older schema is brought up to date after a backup, a newer one is refused. Where
-  /// nothing can be written it is open for reading only (catalogue().readOnly()). Errors: Damaged,
-  /// see catalogue/repair.h; UnusableInput where the catalogue names a place outside the project,
-  /// and in an archive that can be written to.
+  /// Opens it; an older schema is brought up to date after a backup, a newer one is refused, and a
+  /// merge that was killed after its catalogue was saved is completed (keptFiles()). Where nothing
+  /// can be written it is open for reading only (catalogue().readOnly()). Errors: Damaged, see
+  /// catalogue/repair.h; UnusableInput where the catalogue names a place outside the project, and
+  /// in an archive that can be written to.
   static Result<Project> open(const std::filesystem::path& folder,
                               const catalogue::Catalogue::Clock& clock = {},
                               const store::Waiting& waiting = {});
@@ -39,6 +40,9 @@ class Project {
   const catalogue::Catalogue& catalogue() const { return catalogue_; }
   /// A separate connection for another thread; callable from any thread.
   static Result<catalogue::Catalogue> connect(const std::filesystem::path& folder);
+
+  /// What such a merge left as it is, since it was changed meanwhile.
+  const std::vector<std::string>& keptFiles() const { return kept_files_; }
 
   std::filesystem::path batchFolder(const std::string& number) const;
   std::filesystem::path resultsFolder(const std::string& number) const;
@@ -58,6 +62,7 @@ class Project {
       : folder_(std::move(folder)), catalogue_(std::move(catalogue)) {}
   std::filesystem::path folder_;
   catalogue::Catalogue catalogue_;
+  std::vector<std::string> kept_files_;
 };
 
 /// Refuses the data of an archive, wherever links lead from: opening it for writing alone changes

@@ -302,7 +302,7 @@ TEST_F(JsonOutput, MergesFollowTheirSchemaWithConflictsSettledAndWithout) {
   EXPECT_EQ(printed_["missing"].size(), 2u) << printed_;
   EXPECT_EQ(printed_["batches"], json::object({{"B0001", "B0002"}})) << printed_;
   expectFollows(kMerge);
-  EXPECT_EQ(printed_["exit_status"], 0) << printed_;
+  EXPECT_EQ(printed_["exit_status"], 1) << "they are still missing: " << printed_;
   EXPECT_TRUE(printed_["conflicts"].empty()) << printed_;
 }
 

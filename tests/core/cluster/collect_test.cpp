@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "decisions/decisions.h"
 #include "fake_cluster.h"
 #include "intake/computed_again.h"
 
@@ -189,6 +190,89 @@ TEST_F(CollectFromAfar, NothingIsDeletedThroughALink) {
     fs::remove(folder);
   }
   EXPECT_THAT(collectAll().batches, ElementsAre("B0001")) << "the results are still there";
+}
+
+TEST_F(CollectFromAfar, AFolderThatAnotherProjectUsesIsLeftAsItIs) {
+  if (!hasRsync()) GTEST_SKIP() << "rsync is not installed";
+  const store::BatchRow row = queuedBatch();
+  fs::copy(project_->folder(), folder_.path() / "copy", fs::copy_options::recursive);
+  ASSERT_TRUE(submitAll());
+  const std::string photograph = textOf(there() / "batches/B0001/front/cam0_pos00.png");
+  upkeep::Project copy = catalogue::valueIn(upkeep::Project::open(folder_.path() / "copy"));
+  const fs::path batch = copy.batchFolder("B0001");
+  fs::copy_file(batch / "back/cam0_pos00.png", batch / "front/cam0_pos00.png",
+                fs::copy_options::overwrite_existing);
+  const Result<Submitted> refused = submit(copy, submitting, quiet, {});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_THAT(refused.error().where, HasSubstr(there().string()));
+  EXPECT_EQ(textOf(there() / "batches/B0001/front/cam0_pos00.png"), photograph);
+  EXPECT_EQ(submissions(), 1);
+  queuedBatch();
+  EXPECT_THAT(submitAll()->batches, ElementsAre("B0002")) << "its own";
+  runTasks(there());
+  EXPECT_THAT(collectAll().batches, ElementsAre("B0001", "B0002"));
+  EXPECT_EQ(sherdsOf(row), 3u);
+}
+
+TEST_F(CollectFromAfar, NothingIsSentIntoAProject) {
+  if (!hasRsync()) GTEST_SKIP() << "rsync is not installed";
+  queuedBatch();
+  fs::create_directories(there());
+  put(there() / "catalogue.sqlite", "of the project that lies there");
+  EXPECT_FALSE(submitAll());
+  EXPECT_FALSE(fs::exists(there() / "batches/B0001"));
+}
+
+// Only what is entered replaces what was there.
+TEST_F(CollectFromAfar, ResultsThatAreNotOfTheBatchLeaveItsOwn) {
+  if (!hasRsync()) GTEST_SKIP() << "rsync is not installed";
+  const store::BatchRow row = queuedBatch();
+  const fs::path own = project_->resultsFolder("B0001");
+  fs::create_directories(own);
+  put(own / "report.json", "of an earlier run");
+  ASSERT_TRUE(submitAll());
+  runTasks(there());
+  fs::create_directories(there() / "results/B0001/work");
+  put(there() / "results/B0001/work/batch.json",
+      R"({"front/a.png": "of others", "back/a.png": "of others"})");
+  const Collected foreign = collectAll();
+  EXPECT_TRUE(foreign.batches.empty());
+  EXPECT_EQ(foreign.warnings.size(), 1u);
+  EXPECT_EQ(textOf(own / "report.json"), "of an earlier run");
+
+  fs::remove_all(there() / "results/B0001");
+  ASSERT_TRUE(submitAll());
+  runTasks(there());
+  put(there() / "results/B0001/pairs.json", "{");  // found while it is entered
+  EXPECT_TRUE(collectAll().batches.empty());
+  EXPECT_EQ(textOf(own / "report.json"), "of an earlier run");
+  EXPECT_EQ(sherdsOf(row), 0u);
+
+  ASSERT_TRUE(submitAll());
+  runTasks(there());
+  EXPECT_THAT(collectAll().batches, ElementsAre("B0001"));
+  EXPECT_FALSE(fs::exists(clusterFolder(project_->folder()) / "replaced/B0001"));
+}
+
+// Killed after the results had their place and before they were entered.
+TEST_F(CollectFromAfar, DecisionsBetweenAKillAndTheNextCollectionStay) {
+  if (!hasRsync()) GTEST_SKIP() << "rsync is not installed";
+  const store::BatchRow row = queuedBatch();
+  ASSERT_TRUE(submitAll());
+  runTasks(there());
+  const fs::path own = project_->resultsFolder("B0001"),
+                 replaced = clusterFolder(project_->folder()) / "replaced/B0001";
+  fs::create_directories(replaced);
+  put(replaced / "report.json", "of an earlier run");
+  fs::create_directories(own);
+  put(own / "report.json", "of the cluster");
+  const std::string decided = decisions::textOf({});
+  put(own / "decisions.json", decided);
+  EXPECT_THAT(collectAll().batches, ElementsAre("B0001"));
+  EXPECT_EQ(sherdsOf(row), 3u);
+  EXPECT_EQ(textOf(own / "decisions.json"), decided);
+  EXPECT_FALSE(fs::exists(replaced));
 }
 
 class TakePlace : public ClusterProject {

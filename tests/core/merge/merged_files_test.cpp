@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "decisions/decisions.h"
 #include "two_houses.h"
 #include "upkeep/file_check.h"
 
@@ -48,6 +49,13 @@ class MergedFiles : public TwoHouses {
     put(b_.folder() / path, bytes);
     EXPECT_TRUE(Files(b_.catalogue()).save(f, anna));
   }
+  // As a merge notes a file that waits in merge.partial.
+  void noteWaiting(const std::string& to, const std::string& name, const std::string& over = {}) {
+    nlohmann::json journal;
+    journal[to] = nlohmann::json::array({name, over});
+    ASSERT_TRUE(Settings(catalogue()).setValue("merge.files", journal.dump()));
+  }
+  upkeep::Project opened() { return valueIn(upkeep::Project::open(project_->folder())); }
   void everyFileIsThere() {
     for (const records::FileRecord& file : valueIn(Files(catalogue()).all()))
       EXPECT_EQ(sha256(bytesOf(project_->folder() / file.path)), file.sha256) << file.path;
@@ -97,6 +105,43 @@ TEST_F(MergedFiles, AFileThatBHasLostIsNamed) {
   EXPECT_THAT(report.missing, testing::ElementsAre("batches/B0002/front/cam0_pos00.jpg"));
 }
 
+TEST_F(MergedFiles, FilesThatBHasAgainComeWithTheNextMerge) {
+  const std::string named = "front/cam0_pos00.jpg", unnamed = "front/cam0_pos01.jpg";
+  const fs::path there = b_.folder() / "batches/B0002", away = folder_.path() / "away",
+                 here = project_->folder() / "batches/B0003";
+  put(there / unnamed, "that no row names");
+  fs::rename(there, away);
+  EXPECT_THAT(merged(*project_, b_).missing, testing::ElementsAre("batches/B0002/" + named));
+  const MergeReport still = merged(*project_, b_);
+  EXPECT_EQ(still.files, 0);
+  EXPECT_THAT(still.missing, testing::ElementsAre("batches/B0002/" + named)) << "said again";
+
+  fs::rename(away, there);
+  const MergeReport report = merged(*project_, b_);
+  EXPECT_THAT(report.missing, testing::IsEmpty());
+  EXPECT_EQ(report.added + report.changed, 0);
+  EXPECT_EQ(bytesOf(here / named), "of B");
+  EXPECT_EQ(bytesOf(here / unnamed), "that no row names");
+  everyFileIsThere();
+  const std::string after = contentIn(*project_);
+  fs::remove(here / unnamed);
+  EXPECT_EQ(merged(*project_, b_).files, 0) << "it was completed";
+  EXPECT_EQ(contentIn(*project_), after);
+}
+
+TEST_F(MergedFiles, AFileThatALostComesFromACopyThatHasItWhole) {
+  merged(*project_, b_);
+  const fs::path lost = project_->folder() / "batches/B0003/front/cam0_pos00.jpg",
+                 there = b_.folder() / "batches/B0002/front/cam0_pos00.jpg";
+  fs::remove(lost);
+  put(there, "oF B");
+  EXPECT_EQ(merged(*project_, b_).missing.size(), 1u);
+  EXPECT_FALSE(fs::exists(lost)) << "not whole";
+  put(there, "of B");
+  EXPECT_EQ(merged(*project_, b_).files, 1);
+  EXPECT_EQ(bytesOf(lost), "of B");
+}
+
 TEST_F(MergedFiles, APreviewCountsWhatWouldCome) {
   fs::remove(b_.folder() / "batches/B0002/front/cam0_pos00.jpg");
   const std::string before = contentIn(*project_);
@@ -115,21 +160,66 @@ TEST_F(MergedFiles, APreviewCountsWhatWouldCome) {
 }
 
 // As a process leaves it that is killed after the catalogue was saved.
-TEST_F(MergedFiles, AMergeThatWasKilledIsCompletedByTheNextOne) {
+TEST_F(MergedFiles, AMergeThatWasKilledIsCompletedWhenTheProjectIsOpened) {
   merged(*project_, b_);
   const fs::path photograph = project_->folder() / "batches/B0003/front/cam0_pos00.jpg";
   fs::create_directories(project_->folder() / "merge.partial");
   fs::rename(photograph, project_->folder() / "merge.partial/1");
-  const nlohmann::json journal = {{"batches/B0003/front/cam0_pos00.jpg", "1"}};
-  ASSERT_TRUE(Settings(catalogue()).setValue("merge.files", journal.dump()));
+  noteWaiting("batches/B0003/front/cam0_pos00.jpg", "1");
   const auto checked = upkeep::checkFiles(catalogue(), project_->folder(),
                                           upkeep::CheckDepth::NamesAndSizes, quiet, {});
   ASSERT_TRUE(checked);
   EXPECT_EQ(checked->damaged.size(), 1u) << "nothing half merged looks whole";
-  merged(*project_, b_);
+  EXPECT_TRUE(opened().keptFiles().empty());
   EXPECT_EQ(bytesOf(photograph), "of B");
   EXPECT_EQ(valueIn(Settings(catalogue()).value("merge.files")), "");
+  EXPECT_FALSE(fs::exists(project_->folder() / "merge.partial"));
   everyFileIsThere();
+}
+
+TEST_F(MergedFiles, WhatIsDecidedAfterAKillIsJoinedWithWhatTheMergeBrings) {
+  const auto decided = [](const std::string& id) {
+    decisions::PairDecision one;
+    one.id = id;
+    one.kind = decisions::DecisionKind::Aside;
+    one.at = "2026-07-14T09:30:12Z";
+    one.by = "AP";
+    one.scans = {{batch::Side::Front, id, Eigen::Vector2d(10, 10)}};
+    return one;
+  };
+  const auto before = decided("019f0000-0000-7000-8000-000000000001"),
+             of_b = decided("019f0000-0000-7000-8000-000000000002"),
+             later = decided("019f0000-0000-7000-8000-000000000003");
+  const std::string place = "results/B0002/decisions.json";
+  put(project_->folder() / "merge.partial/1", decisions::textOf({before, of_b}));
+  noteWaiting(place, "1", sha256(decisions::textOf({before})));
+  put(project_->folder() / place, decisions::textOf({before, later}));
+  EXPECT_TRUE(opened().keptFiles().empty());
+  const auto joined =
+      valueIn(decisions::parseDecisions(bytesOf(project_->folder() / place), "decisions.json"));
+  ASSERT_EQ(joined.size(), 3u);
+  EXPECT_EQ(joined[1].id, later.id);
+  EXPECT_EQ(joined[2].id, of_b.id);
+}
+
+TEST_F(MergedFiles, ResultsMadeAnewAfterAKillStayAsOneComputation) {
+  const fs::path results = project_->resultsFolder("B0002");
+  put(results / "report.json", "made anew");
+  put(results / "f009.ply", "of before");
+  put(project_->folder() / "merge.partial/1", "report of B");
+  put(project_->folder() / "merge.partial/2", "scan of B");
+  put(project_->folder() / "merge.partial/3", "photograph of B");
+  const nlohmann::json journal = {
+      {"results/B0002/report.json", {"1", sha256(std::string("of before"))}},
+      {"results/B0002/f009.ply", {"2", sha256(std::string("of before"))}},
+      {"batches/B0002/front/cam0_pos01.jpg", {"3", ""}}};
+  ASSERT_TRUE(Settings(catalogue()).setValue("merge.files", journal.dump()));
+  upkeep::Project again = opened();
+  EXPECT_THAT(again.keptFiles(), testing::ElementsAre("results/B0002"));
+  EXPECT_EQ(bytesOf(results / "report.json"), "made anew");
+  EXPECT_EQ(bytesOf(results / "f009.ply"), "of before");
+  EXPECT_EQ(bytesOf(project_->folder() / "batches/B0002/front/cam0_pos01.jpg"), "photograph of B");
+  EXPECT_THAT(merged(again, b_).kept, testing::ElementsAre("results/B0002"));
 }
 
 // And one that is killed before.
@@ -182,9 +272,9 @@ TEST_F(MergedFiles, AJournalOfAStrangerMovesNothingFromOrToElsewhere) {
        {std::pair("batches/B0008/mine.txt", "../../mine.txt"),
         std::pair("batches/B0009/mine.txt", "1"), std::pair("backups/mine.txt", "1")}) {
     put(project_->folder() / "merge.partial/1", "theirs");
-    ASSERT_TRUE(
-        Settings(catalogue()).setValue("merge.files", nlohmann::json::object({{to, name}}).dump()));
+    noteWaiting(to, name);
     EXPECT_FALSE(tried(*project_, b_, {})) << to;
+    EXPECT_FALSE(upkeep::Project::open(project_->folder())) << to;
     EXPECT_FALSE(fs::exists(project_->folder() / to)) << to;
   }
   EXPECT_EQ(bytesOf(folder_.path() / "mine.txt"), "mine");

@@ -28,6 +28,14 @@ TEST(NetworkShare, FoldersOnSharesAreRecognised) {
   EXPECT_EQ(shareOf("/mnt/far/a/b", kMounts), "fuse.sshfs");
 }
 
+TEST(NetworkShare, FileSystemsOfClustersAreShares) {
+  for (const std::string type : {"lustre", "gpfs", "beegfs", "nfs4", "orangefs", "fuse.juicefs"}) {
+    const std::string mounts =
+        std::string(kMounts) + "50 22 0:60 / /scratch rw - " + type + " server:/scratch rw\n";
+    EXPECT_EQ(networkShareOf("/scratch/anna/dig", mounts), type);
+  }
+}
+
 TEST(NetworkShare, FoldersOnOwnDisksAreFine) {
   EXPECT_EQ(shareOf("/data/anna/project", kMounts), "");
   EXPECT_EQ(shareOf("/media/usb stick/project", kMounts), "");

@@ -1129,6 +1129,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>von Hand geschätzt</translation>
     </message>
+    <message>
+      <source>%1 confident; below %2, a person decides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 sicher; unter %2 entscheidet ein Mensch.</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eingabe</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -2484,6 +2494,24 @@
         <numerusform>%n davon ohne Modell: %1</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alles, was im Projekt ist, mit Prüfsummen. „ostraka catalogue restore“ macht daraus wieder das Projekt.</translation>
+    </message>
+    <message>
+      <source>The whole project, %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ganze Projekt, %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of the project are missing, changed or links; damage.txt in the archive lists them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Datei des Projekts fehlt, ist geändert oder eine Verknüpfung; damage.txt im Archiv nennt sie.</numerusform>
+        <numerusform>%n Dateien des Projekts fehlen, sind geändert oder Verknüpfungen; damage.txt im Archiv nennt sie.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportScreen</name>
@@ -2684,6 +2712,11 @@
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tabellen (ODS): LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>The whole project, as an archive</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das ganze Projekt, als Archiv</translation>
     </message>
 </context>
 <context>
@@ -3410,14 +3443,9 @@
       <translation>Drehwinkel</translation>
     </message>
     <message>
-      <source>The turning angles differ by %1°.</source>
+      <source>The lines of a pair lie on each other.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Drehwinkel unterscheiden sich um %1°.</translation>
-    </message>
-    <message>
-      <source>differ by %1°</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Unterschied %1°</translation>
+      <translation>Bei einem Paar liegen die Linien aufeinander.</translation>
     </message>
 </context>
 <context>
@@ -3562,6 +3590,11 @@
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Paar kann entschieden werden, sobald es zu sehen ist.</translation>
+    </message>
+    <message>
+      <source>All pairs of this batch are decided.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alle Paare dieses Durchgangs sind entschieden.</translation>
     </message>
 </context>
 <context>
@@ -3782,11 +3815,6 @@
         <translation>Durchgang</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Eingabe</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Fortsetzen</translation>
@@ -3998,11 +4026,6 @@
         <translation>Rückseiten zusammenführen</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Eingabe</translation>
-    </message>
-    <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Brüche werden verglichen … Esc hält an.</translation>
@@ -4117,6 +4140,16 @@
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gespeichert. Nach dem Neuverarbeiten geht die Nummer %1 an die Hälfte, auf der sie getippt wurde, sonst an die größere. Rückgängig führt sie wieder zusammen.</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: the sherds in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert. Alle Paare von %1 sind entschieden. Als Nächstes: die Scherben im Katalog.</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert. Alle Paare von %1 sind entschieden. Als Nächstes: die geänderten Modelle aktualisieren.</translation>
     </message>
 </context>
 <context>

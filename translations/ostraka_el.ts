@@ -1129,6 +1129,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>εκτιμημένο με το χέρι</translation>
     </message>
+    <message>
+      <source>%1 confident; below %2, a person decides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Βεβαιότητα %1· κάτω από %2 αποφασίζει άνθρωπος.</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enter</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -2484,6 +2494,24 @@
         <numerusform>%n από αυτά χωρίς μοντέλο: %1</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλα όσα περιέχει το έργο, με αθροίσματα ελέγχου. Το «ostraka catalogue restore» ξαναφτιάχνει από αυτά το έργο.</translation>
+    </message>
+    <message>
+      <source>The whole project, %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ολόκληρο το έργο, %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of the project are missing, changed or links; damage.txt in the archive lists them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n αρχείο του έργου λείπει, έχει αλλάξει ή είναι σύνδεσμος· το damage.txt το αναφέρει.</numerusform>
+        <numerusform>%n αρχεία του έργου λείπουν, έχουν αλλάξει ή είναι σύνδεσμοι· το damage.txt τα αναφέρει.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportScreen</name>
@@ -2684,6 +2712,11 @@
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πίνακες (ODS): LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>The whole project, as an archive</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ολόκληρο το έργο, ως αρχείο φύλαξης</translation>
     </message>
 </context>
 <context>
@@ -3410,14 +3443,9 @@
       <translation>γωνίες στροφής</translation>
     </message>
     <message>
-      <source>The turning angles differ by %1°.</source>
+      <source>The lines of a pair lie on each other.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Οι γωνίες στροφής διαφέρουν κατά %1°.</translation>
-    </message>
-    <message>
-      <source>differ by %1°</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>διαφορά %1°</translation>
+      <translation>Σε ένα ζεύγος οι γραμμές συμπίπτουν.</translation>
     </message>
 </context>
 <context>
@@ -3562,6 +3590,11 @@
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Για ένα ζεύγος μπορείτε να αποφασίσετε μόλις εμφανιστεί.</translation>
+    </message>
+    <message>
+      <source>All pairs of this batch are decided.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όλα τα ζεύγη αυτής της παρτίδας έχουν αποφασιστεί.</translation>
     </message>
 </context>
 <context>
@@ -3782,11 +3815,6 @@
         <translation>Παρτίδα</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Enter</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Συνέχεια</translation>
@@ -3998,11 +4026,6 @@
         <translation>Συγχώνευση πίσω όψεων</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Enter</translation>
-    </message>
-    <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Σύγκριση των θραύσεων … Το Esc διακόπτει.</translation>
@@ -4117,6 +4140,16 @@
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αποθηκεύτηκε. Μετά την επανεπεξεργασία ο αριθμός %1 πηγαίνει στο μισό όπου πληκτρολογήθηκε, αλλιώς στο μεγαλύτερο. Η αναίρεση τα συγχωνεύει πάλι.</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: the sherds in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Όλα τα ζεύγη της %1 έχουν αποφασιστεί. Επόμενο: τα όστρακα στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε. Όλα τα ζεύγη της %1 έχουν αποφασιστεί. Επόμενο: ενημέρωση των μοντέλων που άλλαξαν.</translation>
     </message>
 </context>
 <context>

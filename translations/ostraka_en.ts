@@ -192,6 +192,14 @@
         <numerusform>%n of them without a model: %1</numerusform>
       </translation>
     </message>
+    <message numerus="yes">
+      <source>%n file(s) of the project are missing, changed or links; damage.txt in the archive lists them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n file of the project is missing, changed or a link; damage.txt in the archive lists it.</numerusform>
+        <numerusform>%n files of the project are missing, changed or links; damage.txt in the archive lists them.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportScreen</name>

@@ -1129,6 +1129,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>estimado a mano</translation>
     </message>
+    <message>
+      <source>%1 confident; below %2, a person decides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Certeza del %1; por debajo del %2 decide una persona.</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Intro</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -2484,6 +2494,24 @@
         <numerusform>%n de ellos sin modelo: %1</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Todo lo que hay en el proyecto, con sumas de comprobación. «ostraka catalogue restore» recupera de ello el proyecto.</translation>
+    </message>
+    <message>
+      <source>The whole project, %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El proyecto completo, %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of the project are missing, changed or links; damage.txt in the archive lists them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fichero del proyecto falta, ha cambiado o es un enlace; damage.txt lo indica.</numerusform>
+        <numerusform>%n ficheros del proyecto faltan, han cambiado o son enlaces; damage.txt los indica.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportScreen</name>
@@ -2684,6 +2712,11 @@
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablas (ODS): LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>The whole project, as an archive</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El proyecto completo, como archivo de conservación</translation>
     </message>
 </context>
 <context>
@@ -3410,14 +3443,9 @@
       <translation>ángulos de giro</translation>
     </message>
     <message>
-      <source>The turning angles differ by %1°.</source>
+      <source>The lines of a pair lie on each other.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Los ángulos de giro difieren en %1°.</translation>
-    </message>
-    <message>
-      <source>differ by %1°</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>difieren en %1°</translation>
+      <translation>En un par, las líneas coinciden.</translation>
     </message>
 </context>
 <context>
@@ -3562,6 +3590,11 @@
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Se puede decidir sobre una pareja en cuanto se muestra.</translation>
+    </message>
+    <message>
+      <source>All pairs of this batch are decided.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Todos los pares de este lote están decididos.</translation>
     </message>
 </context>
 <context>
@@ -3782,11 +3815,6 @@
         <translation>Tanda</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Intro</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Reanudar</translation>
@@ -3998,11 +4026,6 @@
         <translation>Unir reversos</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Intro</translation>
-    </message>
-    <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comparando las fracturas … Esc detiene.</translation>
@@ -4117,6 +4140,16 @@
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Guardado. Tras el reprocesado, el número %1 pasa a la mitad en la que se escribió o, si no, a la mayor. Deshacer las vuelve a unir.</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: the sherds in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado. Todos los pares de %1 están decididos. Lo siguiente: los fragmentos en el catálogo.</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado. Todos los pares de %1 están decididos. Lo siguiente: actualizar los modelos cambiados.</translation>
     </message>
 </context>
 <context>

@@ -1129,6 +1129,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>estimé à la main</translation>
     </message>
+    <message>
+      <source>%1 confident; below %2, a person decides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sûr à %1 ; au-dessous de %2, une personne décide.</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Entrée</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -2484,6 +2494,24 @@
         <numerusform>dont %n sans modèle : %1</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Tout ce que contient le projet, avec sommes de contrôle. « ostraka catalogue restore » en refait le projet.</translation>
+    </message>
+    <message>
+      <source>The whole project, %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le projet entier, %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of the project are missing, changed or links; damage.txt in the archive lists them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fichier du projet manque, a changé ou est un lien ; damage.txt dans l’archive l’indique.</numerusform>
+        <numerusform>%n fichiers du projet manquent, ont changé ou sont des liens ; damage.txt dans l’archive les indique.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportScreen</name>
@@ -2684,6 +2712,11 @@
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tableaux (ODS) : LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>The whole project, as an archive</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le projet entier, en archive</translation>
     </message>
 </context>
 <context>
@@ -3410,14 +3443,9 @@
       <translation>angles de rotation</translation>
     </message>
     <message>
-      <source>The turning angles differ by %1°.</source>
+      <source>The lines of a pair lie on each other.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Les angles de rotation diffèrent de %1°.</translation>
-    </message>
-    <message>
-      <source>differ by %1°</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>diffèrent de %1°</translation>
+      <translation>Pour une paire, les lignes se superposent.</translation>
     </message>
 </context>
 <context>
@@ -3562,6 +3590,11 @@
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Une paire peut être décidée dès qu’elle est affichée.</translation>
+    </message>
+    <message>
+      <source>All pairs of this batch are decided.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Toutes les paires de ce lot sont décidées.</translation>
     </message>
 </context>
 <context>
@@ -3782,11 +3815,6 @@
         <translation>Lot</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Entrée</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Reprendre</translation>
@@ -3998,11 +4026,6 @@
         <translation>Fusionner les faces arrière</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Entrée</translation>
-    </message>
-    <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Comparaison des cassures … Échap arrête.</translation>
@@ -4117,6 +4140,16 @@
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enregistré. Après le retraitement, le numéro %1 va à la moitié où il a été saisi, sinon à la plus grande. Annuler les fusionne de nouveau.</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: the sherds in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Toutes les paires de %1 sont décidées. Ensuite : les tessons au catalogue.</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré. Toutes les paires de %1 sont décidées. Ensuite : mettre à jour les modèles modifiés.</translation>
     </message>
 </context>
 <context>

@@ -1129,6 +1129,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>գնահատված ձեռքով</translation>
     </message>
+    <message>
+      <source>%1 confident; below %2, a person decides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վստահություն՝ %1. %2-ից ցածր որոշում է մարդը։</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enter</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -2484,6 +2494,24 @@
         <numerusform>որից %n-ն առանց մոդելի՝ %1</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախագծի ամբողջ պարունակությունը՝ ստուգիչ գումարներով։ «ostraka catalogue restore»-ը դրանից վերականգնում է նախագիծը։</translation>
+    </message>
+    <message>
+      <source>The whole project, %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ամբողջ նախագիծը, %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of the project are missing, changed or links; damage.txt in the archive lists them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Նախագծի %n ֆայլ բացակայում է, փոխվել է կամ հղում է. արխիվի damage.txt-ը նշում է այն։</numerusform>
+        <numerusform>Նախագծի %n ֆայլ բացակայում է, փոխվել է կամ հղում է. արխիվի damage.txt-ը նշում է դրանք։</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportScreen</name>
@@ -2684,6 +2712,11 @@
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Աղյուսակներ (ODS)՝ LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>The whole project, as an archive</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ամբողջ նախագիծը՝ որպես արխիվ</translation>
     </message>
 </context>
 <context>
@@ -3410,14 +3443,9 @@
       <translation>շրջադարձի անկյուններ</translation>
     </message>
     <message>
-      <source>The turning angles differ by %1°.</source>
+      <source>The lines of a pair lie on each other.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Շրջադարձի անկյունները տարբերվում են %1°։</translation>
-    </message>
-    <message>
-      <source>differ by %1°</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>տարբերություն՝ %1°</translation>
+      <translation>Զույգի գծերը համընկնում են։</translation>
     </message>
 </context>
 <context>
@@ -3562,6 +3590,11 @@
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Զույգի մասին կարելի է որոշել, երբ այն ցուցադրված է։</translation>
+    </message>
+    <message>
+      <source>All pairs of this batch are decided.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս խմբաքանակի բոլոր զույգերը որոշված են։</translation>
     </message>
 </context>
 <context>
@@ -3782,11 +3815,6 @@
         <translation>Խմբաքանակ</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Enter</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Շարունակել</translation>
@@ -3998,11 +4026,6 @@
         <translation>Միավորել հետևի երեսները</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Enter</translation>
-    </message>
-    <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կոտրվածքները համեմատվում են … Esc-ը կանգնեցնում է։</translation>
@@ -4117,6 +4140,16 @@
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահված է։ Վերամշակելիս %1 համարը կանցնի այն կեսին, որի վրա գրվել է, այլապես՝ մեծին։ Հետարկումը նորից կմիավորի դրանք։</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: the sherds in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահպանված է։ %1-ի բոլոր զույգերը որոշված են։ Հաջորդը՝ բեկորները կատալոգում։</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահպանված է։ %1-ի բոլոր զույգերը որոշված են։ Հաջորդը՝ թարմացնել փոփոխված մոդելները։</translation>
     </message>
 </context>
 <context>

@@ -1125,6 +1125,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>elle tahmin edildi</translation>
     </message>
+    <message>
+      <source>%1 confident; below %2, a person decides.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 emin; %2 altında bir kişi karar verir.</translation>
+    </message>
+    <message>
+      <source>Enter</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enter</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -2456,6 +2466,23 @@
         <numerusform>%n tanesinin modeli yok: %1</numerusform>
       </translation>
     </message>
+    <message>
+      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projedeki her şey, sağlama toplamlarıyla. “ostraka catalogue restore” projeyi bundan geri yükler.</translation>
+    </message>
+    <message>
+      <source>The whole project, %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projenin tamamı, %1</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n file(s) of the project are missing, changed or links; damage.txt in the archive lists them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Projenin %n dosyası eksik, değişmiş ya da bağlantı; arşivdeki damage.txt bunları listeler.</numerusform>
+      </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportScreen</name>
@@ -2655,6 +2682,11 @@
       <source>Tables (ODS): LibreOffice, Excel</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Tablolar (ODS): LibreOffice, Excel</translation>
+    </message>
+    <message>
+      <source>The whole project, as an archive</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projenin tamamı, arşiv olarak</translation>
     </message>
 </context>
 <context>
@@ -3372,14 +3404,9 @@
       <translation>dönüş açıları</translation>
     </message>
     <message>
-      <source>The turning angles differ by %1°.</source>
+      <source>The lines of a pair lie on each other.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Dönüş açıları %1° farklı.</translation>
-    </message>
-    <message>
-      <source>differ by %1°</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>fark %1°</translation>
+      <translation>Bir çiftte çizgiler üst üste gelir.</translation>
     </message>
 </context>
 <context>
@@ -3524,6 +3551,11 @@
       <source>A pair can be decided once it is shown.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bir eş hakkında, gösterildiğinde karar verilebilir.</translation>
+    </message>
+    <message>
+      <source>All pairs of this batch are decided.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu partinin bütün çiftlerine karar verildi.</translation>
     </message>
 </context>
 <context>
@@ -3742,11 +3774,6 @@
         <translation>Parti</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Enter</translation>
-    </message>
-    <message>
         <source>Resume</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Sürdür</translation>
@@ -3958,11 +3985,6 @@
         <translation>Arka yüzleri birleştir</translation>
     </message>
     <message>
-        <source>Enter</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Enter</translation>
-    </message>
-    <message>
       <source>Comparing the fractures… Esc stops.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kırıklar karşılaştırılıyor … Esc durdurur.</translation>
@@ -4076,6 +4098,16 @@
       <source>Saved. After reprocessing, number %1 goes to the half that it was typed on, or else to the larger one. Undo merges them again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kaydedildi. Yeniden işlenince %1 numarası yazıldığı yarıya, yoksa büyüğüne gider. Geri alma onları yeniden birleştirir.</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: the sherds in the catalogue.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. %1 partisinin bütün çiftlerine karar verildi. Sırada: katalogdaki parçalar.</translation>
+    </message>
+    <message>
+      <source>Saved. All pairs of %1 are decided. Next: update the changed models.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi. %1 partisinin bütün çiftlerine karar verildi. Sırada: değişen modelleri güncellemek.</translation>
     </message>
 </context>
 <context>

@@ -6,7 +6,6 @@
 #include "archive/bag_reader.h"
 #include "archive/bagit.h"
 #include "base/message.h"
-#include "catalogue/settings.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "files/folder_lock.h"
@@ -177,6 +176,23 @@ Result<void> checkRestored(const fs::path& folder) {
   return checkContent(opened->catalogue());
 }
 
+// For whoever finds the folder years later, perhaps without the program.
+std::string readMeOf(const std::map<std::string, std::string>& info) {
+  return "Archive of the Ostraka project " + info.at("External-Identifier") + ", made " +
+         info.at("Bagging-Date") + " by " + info.at("Bag-Software-Agent") +
+         "\n\n"
+         "The folder is a bag (BagIt 1.0, RFC 8493). data/ is the whole project: the catalogue\n"
+         "(catalogue.sqlite, SQLite 3), the photographs (batches/), what was computed from them\n"
+         "(results/) and the models (models/). If there is a damage.txt, it lists what was "
+         "missing\n"
+         "or changed when the archive was made.\n\n"
+         "To restore the project into a new folder, after all checksums are checked:\n\n"
+         "    ostraka catalogue restore ARCHIVE --output FOLDER\n\n"
+         "Change nothing in here: an archive with a changed file is rejected. To check the files\n"
+         "without Ostraka:\n\n"
+         "    sha256sum -c manifest-sha256.txt tagmanifest-sha256.txt\n";
+}
+
 }  // namespace
 
 Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOptions& options,
@@ -199,13 +215,11 @@ Result<Archived> archiveProject(const upkeep::Project& project, const ArchiveOpt
     list += link + " is a link; what it leads to is not in this archive.\n";
   for (const upkeep::DamagedFile& file : archived.damage) list += sentenceOf(file) + "\n";
   if (!list.empty()) bag->tag("damage.txt", list);
-  const auto record = catalogue::Settings(project.catalogue()).project();
-  if (!record) return record.error();
-  const Result<void> finished = bag->finish({{"External-Description", record->title},
-                                             {"External-Identifier", record->code},
-                                             {"Bag-Software-Agent", options.program},
-                                             {"Ostraka-Content", "project"}});
-  if (!finished) return finished.error();
+  auto info = bagInfo(project.catalogue(), options.program);
+  if (!info) return info.error();
+  bag->tag("README.txt", readMeOf(*info));
+  info->emplace("Ostraka-Content", "project");
+  if (const Result<void> finished = bag->finish(*info); !finished) return finished.error();
   archived.sealed = true;
   archived.bytes = bag->bytes();
   return archived;

@@ -28,6 +28,7 @@ struct Archived {
   bool whole() const { return damage.empty() && links.empty(); }
 };
 /// The whole project, catalogue and all files, as a bag: what a laptop that is lost leaves behind.
+/// README.txt says what it is and how it is restored.
 /// Each file of the catalogue that is archived is held against its hash while it is copied; an
 /// archive that is sealed with damage lists it in damage.txt. Links are not followed: each counts
 /// as damage, and the catalogue's files behind it as missing. Errors: the target is there or lies

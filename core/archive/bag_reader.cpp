@@ -21,7 +21,8 @@ constexpr const char* kPayload = "manifest-sha256.txt";
 constexpr const char* kTags = "tagmanifest-sha256.txt";
 constexpr const char* kDamage = "damage.txt";
 constexpr std::size_t kMostTagBytes = limits::kManifestBytes.most;
-const std::set<std::string> kTagFiles = {"bagit.txt", "bag-info.txt", kPayload, kDamage};
+const std::set<std::string> kTagFiles = {"bagit.txt", "bag-info.txt", "README.txt", kPayload,
+                                         kDamage};
 
 Result<ContainedPath> parsed(const std::string& name) {
   const Result<std::string> text = store::checkedPath(name);

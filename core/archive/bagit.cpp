@@ -9,6 +9,9 @@
 #include <utility>
 
 #include "base/message.h"
+#include "base/text.h"
+#include "catalogue/catalogue.h"
+#include "catalogue/settings.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "store/values.h"
@@ -51,6 +54,17 @@ std::string fromManifest(std::string name) {
     if (code == "0D" || code == "0d") name.replace(at, 3, "\r");
   }
   return name;
+}
+
+Result<std::map<std::string, std::string>> bagInfo(const catalogue::Catalogue& catalogue,
+                                                   const std::string& program) {
+  const auto project = catalogue::Settings(catalogue).project();
+  if (!project) return project.error();
+  return std::map<std::string, std::string>{{"Source-Organization", project->institution},
+                                            {"External-Description", project->title},
+                                            {"External-Identifier", project->code},
+                                            {"Bagging-Date", utcDay(catalogue.now())},
+                                            {"Bag-Software-Agent", program}};
 }
 
 fs::path folderNamed(const fs::path& folder) {

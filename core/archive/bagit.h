@@ -14,6 +14,10 @@
 #include "files/new_folder.h"
 #include "files/open_folder.h"
 
+namespace ostraka::catalogue {
+class Catalogue;
+}
+
 namespace ostraka::archive {
 
 /// A folder's absolute path without a slash at its end, so that names can be made from its own.
@@ -28,6 +32,10 @@ struct BagFile {
 /// A path as a manifest has it, '%' as %25, and back. What encodes nothing stays as it is.
 std::string inManifest(std::string path);
 std::string fromManifest(std::string name);
+
+/// What bag-info.txt says of every bag made from this project: whose it is, the day, the program.
+Result<std::map<std::string, std::string>> bagInfo(const catalogue::Catalogue& catalogue,
+                                                   const std::string& program);
 
 /// Writes a folder after BagIt 1.0 (RFC 8493). Everything goes to a NewFolder; finish() syncs it
 /// and gives it its name. Without finish() nothing stays behind.

@@ -24,8 +24,9 @@ constexpr std::array<const char*, 8> kFailedChecks = {"",
                                                       "fracture_loose",
                                                       "rival_place",
                                                       "outlines_alone"};
-constexpr std::array<const char*, 7> kDoubts = {
-    "", "self_check", "other_partner", "unrelated", "other_pose", "displaced", "shared_back"};
+constexpr std::array<const char*, 8> kDoubts = {"",          "self_check", "other_partner",
+                                                "unrelated", "other_pose", "not_sure",
+                                                "displaced", "shared_back"};
 constexpr const char* kPaper = "paper";  // of the key "pairing"; absent: the default
 
 FailedCheck slipOf(const std::string& name) {

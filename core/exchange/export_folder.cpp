@@ -8,7 +8,6 @@
 
 #include "archive/bagit.h"
 #include "base/message.h"
-#include "base/text.h"
 #include "catalogue/batches.h"
 #include "catalogue/settings.h"
 #include "cloud/glb.h"
@@ -76,12 +75,8 @@ class Exporting {
       const auto whole = archive::checkBag(written, progress_, stop_);
       return whole ? Result<void>() : whole.error();
     };
-    valueOrThrow(bag_.finish({{"Source-Organization", project.institution},
-                              {"External-Description", project.title},
-                              {"External-Identifier", project.code},
-                              {"Bagging-Date", utcDay(catalogue_.now())},
-                              {"Bag-Software-Agent", options_.program}},
-                             read_again));
+    valueOrThrow(
+        bag_.finish(valueOrThrow(archive::bagInfo(catalogue_, options_.program)), read_again));
     exported_.sherds = static_cast<int>(sherds.size());
     exported_.files = static_cast<int>(bag_.files().size()) + kFilesOfTheBag;
     exported_.bytes = bag_.bytes();

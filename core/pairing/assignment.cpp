@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 #include "base/message.h"
 
@@ -178,6 +179,26 @@ std::vector<Alternative> alternativesOf(const Chances& chances, int front, int b
   return found;
 }
 
+// A sentence must fit the probability beside it: at 98 % nothing else fits nearly as well.
+constexpr double kNearlyAsWell = 0.1;  // of the pair's own probability, from here on
+constexpr double kBarelyBetter = 0.5;  // likewise
+
+struct Why {
+  Doubt doubt;
+  const char* reason;
+};
+
+// Of a pair that is less certain than flag_below; alone: that neither side has a partner.
+Why whyNotSure(double partner, double pose, double rival, double alone) {
+  if (rival >= alone && rival >= kNearlyAsWell * partner)
+    return {Doubt::OtherPartner, "Another partner fits almost as well."};
+  if (alone >= kBarelyBetter * partner)
+    return {Doubt::Unrelated, "The two sides fit barely better than unrelated ones."};
+  if (1 - pose >= kNearlyAsWell * pose)
+    return {Doubt::OtherPose, "Another pose of the same two sides fits almost as well."};
+  return {Doubt::NotSure, "The pair is likely, but not certain enough to be accepted unseen."};
+}
+
 constexpr const char* kFailsItsCheck =
     "The registration fails its self-check: the back may be in the wrong position.";
 
@@ -205,13 +226,15 @@ Decision decide(const Evidence& e, const Chances& chances, int n_back,
   if (e.check_failed) {
     d.doubt = Doubt::SelfCheck;
     d.reason = kFailsItsCheck;
-  } else if (partner < options.flag_below) {
-    d.doubt = d.alternatives.empty() ? Doubt::Unrelated : Doubt::OtherPartner;
-    d.reason = d.alternatives.empty() ? "The two sides fit barely better than unrelated ones."
-                                      : "Another partner fits almost as well.";
   } else if (score < options.flag_below) {
-    d.doubt = Doubt::OtherPose;
-    d.reason = "Another pose of the same two sides fits almost as well.";
+    const std::vector<double>& fronts_of = chances.of_back[static_cast<std::size_t>(e.back)];
+    const double front_alone = chances.of_front[static_cast<std::size_t>(e.front)].back();
+    const double back_alone = 1 - std::accumulate(fronts_of.begin(), fronts_of.end(), 0.0);
+    const Why why =
+        whyNotSure(partner, pose, d.alternatives.empty() ? 0 : d.alternatives.front().score,
+                   std::min(front_alone, back_alone));
+    d.doubt = why.doubt;
+    d.reason = why.reason;
   }
   d.ambiguous = !d.reason.empty();
   return d;

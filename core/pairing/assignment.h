@@ -32,6 +32,7 @@ enum class Doubt {
   OtherPartner,  ///< another partner fits nearly as well
   Unrelated,     ///< the two sides fit barely better than unrelated ones
   OtherPose,     ///< another pose of the same two sides fits nearly as well
+  NotSure,       ///< none of these: the pair is the likeliest by far, but below flag_below
   Displaced,     ///< a person gave its partner to another; set by who knows that, never here
   SharedBack     ///< another front takes the same back: Method::Paper is not one-to-one
 };

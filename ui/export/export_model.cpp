@@ -9,6 +9,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
+#include <utility>
 
 #include "sherds/filter.h"
 #include "sherds/sherds.h"
@@ -27,18 +28,23 @@ using What = ExportSelection::What;
 
 constexpr const char* kChoicesKey = "export.choices";
 
+QString withoutCount(QString folder) {
+  static const QRegularExpression counted(QStringLiteral("-\\d+$"));
+  return folder.remove(counted);
+}
+
 // The same, or with the first number behind it that no folder has.
 QString freeName(const QString& folder) {
-  static const QRegularExpression counted(QStringLiteral("-\\d+$"));
-  const QString first = QString(folder).remove(counted);
+  const QString first = withoutCount(folder);
   QString name = folder;
   for (int i = 2; QFileInfo::exists(name); ++i) name = QStringLiteral("%1-%2").arg(first).arg(i);
   return name;
 }
 
-QString proposedTarget(const ProjectSession& session, const QString& parent) {
+QString proposedTarget(const ProjectSession& session, const QString& parent, What what) {
   return freeName(QDir(parent).filePath(
-      QString::fromStdString(session.folder().filename().string()) + QStringLiteral("-export")));
+      QString::fromStdString(session.folder().filename().string()) +
+      (what == What::Project ? QStringLiteral("-archive") : QStringLiteral("-export"))));
 }
 
 Result<std::vector<store::SherdRow>> rowsOf(const catalogue::Catalogue& catalogue,
@@ -77,7 +83,8 @@ void ExportModel::openProject(ProjectSession* session) {
   options_ = {};  // the target is another project's
   if (session_) readChoices();
   state_ = State::Choosing;
-  done_.reset();
+  closing_.clear();
+  warnings_.clear();
   problem_.clear();
   measureSize();
 }
@@ -104,7 +111,7 @@ void ExportModel::readChoices() {
     const QString parent = choices[QStringLiteral("folder")].toString();
     if (!parent.isEmpty() && QFileInfo(parent).isDir()) parent_ = parent;
   }
-  options_.target = proposedTarget(*session_, parent_).toStdString();
+  options_.target = proposedTarget(*session_, parent_, selection_.what).toStdString();
 }
 
 void ExportModel::keepChoices() const {
@@ -130,7 +137,11 @@ exchange::ExportOptions ExportModel::worded() const {
 void ExportModel::choose(ExportSelection selection) {
   const bool same = selection.what == What::Chosen && selection_.what == What::Chosen &&
                     selection.chosen == selection_.chosen;
-  selection_ = std::move(selection);
+  const What before = std::exchange(selection_, std::move(selection)).what;
+  // A proposed name says what it is the name of; one that was typed stays.
+  if (session_ &&
+      withoutCount(target()) == withoutCount(proposedTarget(*session_, parent_, before)))
+    options_.target = proposedTarget(*session_, parent_, selection_.what).toStdString();
   if (!same) chooseAnew();
 }
 
@@ -166,7 +177,8 @@ void ExportModel::chooseAnew() {
 void ExportModel::forgetDone() {
   if (state_ == State::Running) return;
   state_ = State::Choosing;
-  done_.reset();
+  closing_.clear();
+  warnings_.clear();
 }
 
 void ExportModel::measureSize() {
@@ -174,7 +186,7 @@ void ExportModel::measureSize() {
   size_.reset();
   problem_.clear();
   if (state_ == State::Failed) state_ = State::Choosing;
-  if (session_ && watched_) {
+  if (session_ && watched_ && !isArchive()) {
     const auto work = [folder = session_->folder(), selection = selection_, options = worded()](
                           Progress&, std::stop_token stop) -> Result<exchange::ExportSize> {
       const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
@@ -195,12 +207,24 @@ void ExportModel::measureSize() {
   emit changed();
 }
 
+// Whoever does not wait for the count gets the same export.
 bool ExportModel::canStart() const {
-  return session_ && state_ != State::Running && size_ && size_->sherds > 0 &&
-         !options_.forms.empty() && !target().isEmpty() && !QFileInfo::exists(target());
+  const bool any =
+      isArchive() || ((size_ ? size_->sherds > 0 : !sizing_.isNull()) && !options_.forms.empty());
+  return session_ && state_ != State::Running && any && !target().isEmpty() &&
+         !QFileInfo::exists(target());
 }
 
 QString ExportModel::sizeText() const {
+  const bool before = state_ == State::Choosing || state_ == State::Failed;
+  const QString taken =
+      before && QFileInfo::exists(target())
+          ? "\n" + tr("A folder with this name already exists; choose another name.")
+          : QString();
+  if (isArchive())
+    return tr("Everything in the project, with checksums. 'ostraka catalogue restore' makes the "
+              "project from it again.") +
+           taken;
   if (!size_) return session_ && problem_.isEmpty() ? tr("Counting…") : QString();
   if (size_->sherds == 0) return tr("No sherds match this selection.");
   const QLocale locale;
@@ -215,10 +239,7 @@ QString ExportModel::sizeText() const {
       tr("%n sherd(s), %1 files, %2, %3", nullptr, size_->sherds)
           .arg(locale.toString(size_->files), locale.formattedDataSize(size_->bytes), time);
   if (!size_->without_model.empty()) text += "\n" + modellessWords(size_->without_model);
-  const bool before = state_ == State::Choosing || state_ == State::Failed;
-  if (before && QFileInfo::exists(target()))
-    text += "\n" + tr("A folder with this name already exists; choose another name.");
-  return text;
+  return text + taken;
 }
 
 QString ExportModel::progressText() const {
@@ -228,49 +249,73 @@ QString ExportModel::progressText() const {
   return left.isEmpty() ? percent : percent + QStringLiteral(", ") + left;
 }
 
-QString ExportModel::closingLine() const {
-  if (!done_) return {};
-  return tr("%n sherd(s), %1, manifest checked", nullptr, done_->sherds)
-      .arg(QLocale().formattedDataSize(done_->bytes));
-}
-
-QStringList ExportModel::warnings() const {
-  if (!done_) return {};
-  QStringList warnings = listOf(done_->warnings);
-  if (!done_->without_model.empty()) warnings << modellessWords(done_->without_model);
-  return warnings;
-}
-
 void ExportModel::start() {
   if (!canStart()) return;
   parent_ = QFileInfo(target()).absolutePath();
   keepChoices();
-  state_ = State::Running;
-  problem_.clear();
-  done_.reset();
-  const auto work = [folder = session_->folder(), selection = selection_, options = worded()](
-                        Progress& progress, std::stop_token stop) -> Result<exchange::Exported> {
-    const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
-    if (!catalogue) return catalogue.error();
-    const auto rows = rowsOf(*catalogue, selection);
-    if (!rows) return rows.error();
-    return exchange::exportFolder(*catalogue, folder, *rows, options, progress, stop);
-  };
-  running_ = session_->jobs().start(makeJob(work, JobPriority::Background), this);
-  connect(running_, &JobHandle::progressed, this, &ExportModel::changed);
-  whenDone<exchange::Exported>(running_, this, [this](const auto& done) { ended(done); });
+  if (isArchive()) {
+    // A project with damage is archived with the list of it: half a copy is better than none.
+    const auto work = [folder = session_->folder(),
+                       options = archive::ArchiveOptions{options_.target, worded().program,
+                                                         archive::DamagedFiles::Seal}](
+                          Progress& progress, std::stop_token stop) -> Result<archive::Archived> {
+      const Result<upkeep::Project> project = upkeep::Project::open(folder);
+      if (!project) return project.error();
+      return archive::archiveProject(*project, options, progress, stop);
+    };
+    run(session_->jobs().start(makeJob(work, JobPriority::Background), this));
+    whenDone<archive::Archived>(running_, this, [this](const auto& done) { archived(done); });
+  } else {
+    const auto work = [folder = session_->folder(), selection = selection_, options = worded()](
+                          Progress& progress, std::stop_token stop) -> Result<exchange::Exported> {
+      const Result<catalogue::Catalogue> catalogue = upkeep::Project::connect(folder);
+      if (!catalogue) return catalogue.error();
+      const auto rows = rowsOf(*catalogue, selection);
+      if (!rows) return rows.error();
+      return exchange::exportFolder(*catalogue, folder, *rows, options, progress, stop);
+    };
+    run(session_->jobs().start(makeJob(work, JobPriority::Background), this));
+    whenDone<exchange::Exported>(running_, this, [this](const auto& done) { exported(done); });
+  }
   emit changed();
 }
 
-void ExportModel::ended(const Result<exchange::Exported>& done) {
+void ExportModel::run(JobHandle* job) {
+  running_ = job;
+  state_ = State::Running;
+  problem_.clear();
+  closing_.clear();
+  warnings_.clear();
+  connect(running_, &JobHandle::progressed, this, &ExportModel::changed);
+}
+
+void ExportModel::exported(const Result<exchange::Exported>& done) {
   if (done) {
-    state_ = State::Done;
-    done_ = *done;
-  } else {
-    state_ = State::Failed;
-    problem_ = done.error().code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was left behind.")
-                                                         : sentenceOf(done.error());
+    closing_ = tr("%n sherd(s), %1, manifest checked", nullptr, done->sherds)
+                   .arg(QLocale().formattedDataSize(done->bytes));
+    warnings_ = listOf(done->warnings);
+    if (!done->without_model.empty()) warnings_ << modellessWords(done->without_model);
   }
+  ended(done ? nullptr : &done.error());
+}
+
+void ExportModel::archived(const Result<archive::Archived>& done) {
+  if (done) {
+    closing_ = tr("The whole project, %1").arg(QLocale().formattedDataSize(done->bytes));
+    if (!done->whole())
+      warnings_ << tr(
+          "%n file(s) of the project are missing, changed or links; damage.txt in the "
+          "archive lists them.",
+          nullptr, static_cast<int>(done->damage.size() + done->links.size()));
+  }
+  ended(done ? nullptr : &done.error());
+}
+
+void ExportModel::ended(const Error* why_not) {
+  state_ = why_not == nullptr ? State::Done : State::Failed;
+  if (why_not != nullptr)
+    problem_ = why_not->code == ErrorCode::Cancelled ? tr("Cancelled. Nothing was left behind.")
+                                                     : sentenceOf(*why_not);
   emit changed();
   emit finished();
 }

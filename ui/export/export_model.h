@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "archive/archive.h"
 #include "exchange/export_folder.h"
 #include "store/row.h"
 #include "ui/jobs/job.h"
@@ -13,16 +14,16 @@ namespace ostraka::ui {
 
 class ProjectSession;
 
-/// Which sherds are exported.
+/// Which sherds are exported, or all of the project as an archive that can be restored.
 struct ExportSelection {
-  enum class What { All, Filtered, Chosen };
+  enum class What { All, Filtered, Chosen, Project };
   What what = What::All;
   QString filter;                       ///< as it was typed
   std::vector<store::SherdRow> chosen;  ///< what could be chosen, also of the others
 };
 
-/// An export: what is chosen, how large it will be, how far it is, and how it ended. Each project
-/// remembers its forms and the folder that its exports lie in. Runs without a display.
+/// An export or an archive: what is chosen, how large it will be, how far it is, and how it ended.
+/// Each project remembers its forms and the folder that its exports lie in. Runs without a display.
 class ExportModel final : public QObject {
   Q_OBJECT
 
@@ -50,8 +51,9 @@ class ExportModel final : public QObject {
   QString problem() const { return problem_; }
   QString progressText() const;
   double fraction() const { return running_ ? running_->progress().fraction : 0; }
-  QString closingLine() const;  ///< "212 sherds, 3.1 GB, manifest checked"
-  QStringList warnings() const;
+  const QString& closingLine() const { return closing_; }  ///< "212 sherds, 3.1 GB, …"
+  const QStringList& warnings() const { return warnings_; }
+  bool isArchive() const { return selection_.what == ExportSelection::What::Project; }
 
   void start();
   void cancel();
@@ -67,7 +69,10 @@ class ExportModel final : public QObject {
   void chooseAnew();
   void forgetDone();
   void measureSize();
-  void ended(const Result<exchange::Exported>& done);
+  void run(JobHandle* job);
+  void exported(const Result<exchange::Exported>& done);
+  void archived(const Result<archive::Archived>& done);
+  void ended(const Error* why_not);
 
   ProjectSession* session_ = nullptr;
   ExportSelection selection_;
@@ -77,7 +82,8 @@ class ExportModel final : public QObject {
   State state_ = State::Choosing;
   bool watched_ = false;
   std::optional<exchange::ExportSize> size_;
-  std::optional<exchange::Exported> done_;
+  QString closing_;
+  QStringList warnings_;
   QPointer<JobHandle> sizing_, running_;
 };
 

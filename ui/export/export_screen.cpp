@@ -41,10 +41,12 @@ QWidget* ExportScreen::buildWhat() {
   all_ = named<QRadioButton>("all", tr("All sherds"), box);
   filtered_ = named<QRadioButton>("filtered", tr("Matching the filter"), box);
   chosen_ = named<QRadioButton>("chosen", box);
+  archive_ = named<QRadioButton>("archive", tr("The whole project, as an archive"), box);
   filter_ = named<QLineEdit>({"exportFilter", tr("Filter of what is exported")}, box);
   filter_->setPlaceholderText(tr("context:0012"));
   auto* column = new QVBoxLayout(box);
-  for (QWidget* widget : std::initializer_list<QWidget*>{all_, filtered_, filter_, chosen_}) {
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{all_, filtered_, filter_, chosen_, archive_}) {
     widget->setMinimumHeight(controlHeight(*this));
     column->addWidget(widget);
   }
@@ -52,6 +54,7 @@ QWidget* ExportScreen::buildWhat() {
   connect(filtered_, &QRadioButton::clicked, this,
           [this] { choose(What::Filtered, filter_->text()); });
   connect(chosen_, &QRadioButton::clicked, this, [this] { choose(What::Chosen); });
+  connect(archive_, &QRadioButton::clicked, this, [this] { choose(What::Project); });
   connect(filter_, &QLineEdit::editingFinished, this, [this] {
     if (filter_->text() != model_.selection().filter) choose(What::Filtered, filter_->text());
   });
@@ -61,6 +64,7 @@ QWidget* ExportScreen::buildWhat() {
 
 QWidget* ExportScreen::buildForms() {
   auto* box = new QGroupBox(tr("Formats"), this);
+  box->setObjectName("formats");
   auto* column = new QVBoxLayout(box);
   column->setSpacing(2);  // the rows' own height keeps them apart
   const std::pair<exchange::Form, QString> all[] = {
@@ -247,6 +251,7 @@ void ExportScreen::refresh() {
   all_->setChecked(selection.what == What::All);
   filtered_->setChecked(selection.what == What::Filtered);
   chosen_->setChecked(selection.what == What::Chosen);
+  archive_->setChecked(model_.isArchive());
   chosen_->setText(selection.chosen.empty() ? tr("Selected sherds")
                                             : tr("The %n chosen in the catalogue", nullptr,
                                                  static_cast<int>(selection.chosen.size())));
@@ -280,7 +285,8 @@ void ExportScreen::refresh() {
                running ? model_.fraction() : -1);
   open_->setVisible(done);
   start_->setVisible(!done);
-  for (QWidget* box : findChildren<QGroupBox*>()) box->setEnabled(!running);
+  for (QWidget* box : findChildren<QGroupBox*>())
+    box->setEnabled(!running && !(box->objectName() == "formats" && model_.isArchive()));
 }
 
 }  // namespace ostraka::ui

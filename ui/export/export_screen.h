@@ -50,6 +50,7 @@ class ExportScreen final : public Screen {
   QRadioButton* all_ = nullptr;
   QRadioButton* filtered_ = nullptr;
   QRadioButton* chosen_ = nullptr;
+  QRadioButton* archive_ = nullptr;
   QLineEdit* filter_ = nullptr;
   std::vector<std::pair<QCheckBox*, exchange::Form>> forms_;
   QComboBox* scale_ = nullptr;

@@ -8,6 +8,7 @@
 
 #include "ui/frame/screen.h"
 #include "ui/look/look.h"
+#include "ui/widgets/page_acts.h"
 
 namespace ostraka::ui {
 namespace {
@@ -59,7 +60,7 @@ QAction* Sidebar::addFoot(const QString& icon_name, const QString& text, const Q
   action->setShortcut(key);
   QToolButton* button = addButton(action, column_->count());
   button->setAccessibleName(text);
-  button->setToolTip(QStringLiteral("%1 (%2)").arg(text, key.toString(QKeySequence::NativeText)));
+  button->setToolTip(QStringLiteral("%1 (%2)").arg(text, keyText(key)));
   return action;
 }
 
@@ -77,7 +78,7 @@ int Sidebar::selected() const {
 
 void Sidebar::showCount(Screen* screen, QAction* action, QToolButton* button) {
   const int count = screen->waiting();
-  const QString key = action->shortcut().toString(QKeySequence::NativeText);
+  const QString key = keyText(action->shortcut());
   action->setText(count > 0 ? tr("%1  %2").arg(screen->title()).arg(count) : screen->title());
   button->setAccessibleName(count > 0 && !screen->waitingText().isEmpty()
                                 ? tr("%1: %2").arg(screen->title(), screen->waitingText())

@@ -1,6 +1,7 @@
 #include "ui/main/help_page.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
@@ -11,6 +12,7 @@
 #include <algorithm>
 
 #include "ui/look/look.h"
+#include "ui/widgets/page_acts.h"
 
 // A static library's resources are linked in only when somebody asks for them.
 static void initialiseManual() {
@@ -111,7 +113,7 @@ void HelpPage::showShortcuts(const std::vector<std::pair<QString, const QWidget*
         continue;
       listed.insert(action);
       rows += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
-                  .arg(action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped(),
+                  .arg(keyText(action->shortcut()).toHtmlEscaped(),
                        action->text().remove(QLatin1Char('&')).toHtmlEscaped());
     }
     if (!rows.isEmpty())

@@ -63,10 +63,7 @@ QString CardInHand::reason() const {
   if (row() < 0) return {};
   const QString words = batch_.wordsOf(cards_.at(row()));
   if (card() == nullptr || cards_.at(row()).change != PieceChange::None) return words;
-  const Trial stands = batch_.standing(*card());
-  const bool tried = trial_.back != stands.back || trial_.made != stands.made ||
-                     trial_.front_from_back.matrix() != stands.front_from_back.matrix();
-  if (tried && trial_.back >= 0) {
+  if (isTried() && trial_.back >= 0) {
     std::optional<double> score = 0;
     if (chosen() >= 0) score = candidates_[static_cast<std::size_t>(chosen())].score;
     if (!card()->score) score.reset();
@@ -76,6 +73,13 @@ QString CardInHand::reason() const {
       card()->state == review::CardState::Decided || card()->state == review::CardState::Sure;
   const bool poor = stated && isMeasured() && fit_.hardlyMeets();
   return poor ? words + QLatin1Char(' ') + hardlyMeetSentence(fit_) : words;
+}
+
+bool CardInHand::isTried() const {
+  if (card() == nullptr) return false;
+  const Trial stands = batch_.standing(*card());
+  return trial_.back != stands.back || trial_.made != stands.made ||
+         trial_.front_from_back.matrix() != stands.front_from_back.matrix();
 }
 
 bool CardInHand::isMeasured() const {

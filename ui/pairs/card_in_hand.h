@@ -35,6 +35,7 @@ class CardInHand final : public QObject {
   const std::vector<review::ReviewCandidate>& candidates() const { return candidates_; }
   int chosen() const;  ///< index among the candidates; -1: none of them
   const review::LiveFit& fit() const { return fit_; }  ///< of what was shown last
+  bool isTried() const;                                ///< the trial is not what stands
   bool isMeasured() const;                             ///< fit() is of the pose on trial
   bool isSettling() const { return busy_; }
   /// The pair is still loading and is not shown yet, so nobody can judge it; ends in sceneFetched.

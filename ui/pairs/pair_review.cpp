@@ -70,11 +70,18 @@ QString PairReview::whyNotDecide() const {
   return hand_.isLoading() ? tr("A pair can be decided once it is shown.") : QString();
 }
 
+bool PairReview::isDone() const {
+  const review::ReviewCard* card = hand_.card();
+  return batch_.isOpen() && waiting() == 0 && card != nullptr && !hand_.isTried() &&
+         (card->state == review::CardState::Sure || card->state == review::CardState::Decided);
+}
+
 QString PairReview::whyNotAccept() const {
   if (!batch_.isOpen() || hand_.front() < 0)
     return tr("No pair is chosen: give this back to a front first.");
   if (hand_.trial().back < 0) return tr("Choose a back first.");
-  return whyNotDecide();
+  const QString why_not = whyNotDecide();
+  return why_not.isEmpty() && isDone() ? tr("All pairs of this batch are decided.") : why_not;
 }
 
 void PairReview::selectRow(int row) {

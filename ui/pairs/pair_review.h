@@ -31,6 +31,8 @@ class PairReview final : public QObject {
   CardInHand& hand() { return hand_; }
   QString whyNotAccept() const;  ///< empty when the pair in hand can be accepted
   int waiting() const { return batch_.review().waiting(); }
+  /// No pair wants a person, and what is shown stands as it is: there is nothing to accept.
+  bool isDone() const;
 
  public slots:
   void select(int front);

@@ -54,6 +54,9 @@ QString askSentence(const ReviewCard& card, const CandidateTable& table, const C
           tr("%1 fits barely better than an unrelated back.").arg(nameOf(table.backs, card.back)));
     case Doubt::OtherPose:
       return tr("Ambiguous: a second position fits almost as well.");
+    case Doubt::NotSure:
+      return tr("%1 confident; below %2, a person decides.")
+          .arg(scoreWords(card.score), percent(pairing::AssignOptions().flag_below));
     case Doubt::SharedBack:
       return tr("Another front takes the same back.");
     case Doubt::SelfCheck:

@@ -141,7 +141,7 @@ QWidget* QueueScreen::buildList() {
   tools_->addGroup(tr("Batch"), {review_, report_, masks_, again_, marker_action_, cancel_});
   tools_->addGroup(tr("Queue"), {drafts_, calibrate_});
   next_ = new BigButton(QStringLiteral("queueNext"), {}, page);
-  next_->setKeyHint(tr("Enter"));
+  next_->setKeyHint(keyText(Qt::Key_Return));
   connect(next_, &QPushButton::clicked, this, &QueueScreen::openSelected);
   QSplitter* split = filled(new QSplitter(Qt::Vertical, page), {{list_, 3}, {log_, 2}});
   auto* foot = filled(new QHBoxLayout, {{tools_, 1}, {next_, 0, Qt::AlignBottom}});

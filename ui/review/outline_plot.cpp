@@ -4,7 +4,6 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
-#include <numbers>
 
 #include "ui/look/look.h"
 #include "ui/look/state_colours.h"
@@ -32,19 +31,14 @@ void drawFitted(QPainter& painter, const QRectF& where, const QString& words) {
 
 OutlinePlot::OutlinePlot(QWidget* parent) : QWidget(parent) {
   setAccessibleName(tr("Outlines overlaid, and their turning angles"));
+  setAccessibleDescription(tr("The lines of a pair lie on each other."));
   setMinimumHeight(fontMetrics().height() * 5);
 }
 
 void OutlinePlot::setView(const review::PairView& view) {
   view_ = view;
   view_.front = view_.back = {};  // the pictures are not drawn here
-  setAccessibleDescription(tr("The turning angles differ by %1°.").arg(differenceWords()));
   update();
-}
-
-// In degrees, as in the report.
-QString OutlinePlot::differenceWords() const {
-  return QLocale().toString(view_.turns_difference * 180 / std::numbers::pi, 'f', 1);
 }
 
 void OutlinePlot::clear() {
@@ -120,7 +114,7 @@ void OutlinePlot::paintTurns(QPainter& painter, const QRectF& where) const {
   drawFitted(painter,
              QRectF(where.left(), height() - fontMetrics().height() - 2, where.width(),
                     fontMetrics().height()),
-             tr("differ by %1°").arg(differenceWords()));
+             tr("The lines of a pair lie on each other."));
 }
 
 }  // namespace ostraka::ui

@@ -22,7 +22,6 @@ class OutlinePlot final : public QWidget {
   void paintOutlines(QPainter& painter, const QRectF& where) const;
   void paintTurns(QPainter& painter, const QRectF& where) const;
   QPen penOf(bool front) const;
-  QString differenceWords() const;
 
   review::PairView view_;
 };

@@ -231,7 +231,7 @@ void ReviewPane::buildLayout() {
   figures_ = wrappedLabel(this, "figures");
   figures_->setFont(tabularFont(figures_->font()));
   accept_ = new BigButton("acceptButton", tr("Accept"), this);
-  accept_->setKeyHint(tr("Enter"));
+  accept_->setKeyHint(keyText(Qt::Key_Return));
   accept_->setFocusPolicy(Qt::TabFocus);
   connect(accept_, &BigButton::clicked, this, &ReviewPane::acceptMarked);
 
@@ -348,7 +348,8 @@ void ReviewPane::showFigures() {
                                        : hand_.figuresText());
   // A missing name is said by the click, not by a dead button.
   accept_->setEnabled(review_.batch().isOpen() && hand_.front() >= 0 && hand_.trial().back >= 0 &&
-                      !hand_.isLoading() && review_.whyReadOnly().isEmpty());
+                      !hand_.isLoading() && review_.whyReadOnly().isEmpty() &&
+                      (joining_->isOn() || pictures_->isCutting() || !review_.isDone()));
   accept_->setToolTip(review_.whyNotAccept());
   if (review_.batch().isOpen() && !closed_->isChecked())
     view_->setPose(hand_.trial().front_from_back);

@@ -289,8 +289,14 @@ QString ReviewScreen::appliedWords(const intake::AppliedDecision& applied) const
     case decisions::DecisionKind::Withdraw:
       return tr("Undone. The history keeps both.");
     default:
-      return tr("Saved, with your name.");
+      break;
   }
+  if (!review_->batch().isOpen() || review_->waiting() > 0) return tr("Saved, with your name.");
+  return compute_->isHidden()
+             ? tr("Saved. All pairs of %1 are decided. Next: the sherds in the catalogue.")
+                   .arg(batch_)
+             : tr("Saved. All pairs of %1 are decided. Next: update the changed models.")
+                   .arg(batch_);
 }
 
 // What the catalogue calls the sherds on the cards.

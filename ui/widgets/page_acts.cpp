@@ -1,6 +1,7 @@
 #include "ui/widgets/page_acts.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QPushButton>
 
@@ -17,6 +18,13 @@ QAction* addPageAct(QWidget* page, const QString& name, const QString& icon_name
   action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   page->addAction(action);
   return action;
+}
+
+// The large key has two names; Qt's for the one that programs act on is not on German keyboards.
+QString keyText(const QKeySequence& key) {
+  return key == QKeySequence(Qt::Key_Return) || key == QKeySequence(Qt::Key_Enter)
+             ? QCoreApplication::translate("ostraka::ui", "Enter")
+             : key.toString(QKeySequence::NativeText);
 }
 
 QFileDialog* askForFile(QWidget* parent, const QString& title, const QString& where,

@@ -24,6 +24,9 @@ QAction* addPageAct(QWidget* page, const QString& name, const QString& icon_name
   return action;
 }
 
+/// A key as the window names it, the same everywhere: "Ctrl+P", "Enter".
+QString keyText(const QKeySequence& key);
+
 /// Asks for a file of these kinds, or without any for a folder; where: opened first.
 /// Its fileSelected follows.
 QFileDialog* askForFile(QWidget* parent, const QString& title, const QString& where,

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/look/look.h"
+#include "ui/widgets/page_acts.h"
 #include "ui/widgets/parts.h"
 
 namespace ostraka::ui {
@@ -55,7 +56,7 @@ void ToolRow::addGroup(const QString& caption, const QList<QAction*>& actions) {
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::TabFocus);
     const auto follow = [this, action, button] {
-      const QString key = action->shortcut().toString(QKeySequence::NativeText);
+      const QString key = keyText(action->shortcut());
       button->setAccessibleName(key.isEmpty() ? action->text()
                                               : tr("%1, key %2").arg(action->text(), key));
       if (action->toolTip() == action->text() && !key.isEmpty())

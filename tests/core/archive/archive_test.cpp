@@ -7,6 +7,7 @@
 #include <map>
 
 #include "archive/bag_reader.h"
+#include "base/text.h"
 #include "catalogue/files.h"
 #include "catalogue/history.h"
 #include "records/sherd.h"
@@ -70,6 +71,18 @@ TEST_F(Archive, OnAnEmptyLaptopIsTheSameProject) {
     EXPECT_EQ(sha256(*readFile(laptop->folder() / file.path)), file.sha256) << file.path;
   EXPECT_FALSE(restore()) << "never over a project";
   EXPECT_FALSE(archiveProject(*project_, {project_->folder() / "inside"}, quiet, {}));
+}
+
+TEST_F(Archive, SaysWhatItIsAndHowItIsRestored) {
+  ASSERT_TRUE(archive());
+  const std::string day = utcDay(catalogue().now());
+  EXPECT_THAT(*readFile(at("archive/bag-info.txt")),
+              testing::HasSubstr("Bagging-Date: " + day + "\n"));
+  const std::string read_me = *readFile(at("archive/README.txt"));
+  EXPECT_THAT(read_me, testing::HasSubstr(", made " + day + " by ostraka 1.0.0\n"));
+  EXPECT_THAT(read_me, testing::HasSubstr("ostraka catalogue restore"));
+  ASSERT_TRUE(restore());
+  EXPECT_FALSE(fs::exists(at("laptop/README.txt"))) << "it is about the archive";
 }
 
 // As a capture or a computation that was killed leaves it.

@@ -76,6 +76,24 @@ TEST(AssignPairs, FlagsAPairWhoseSecondPoseFitsNearlyAsWell) {
   EXPECT_FALSE(assignPairs(evidence, 1, 1, {})->pairs[0].ambiguous);
 }
 
+// A sentence that contradicts the probability beside it helps nobody.
+TEST(AssignPairs, GivesAReasonThatFitsTheProbability) {
+  const auto doubt = [](double own, double rival, double other_pose) {
+    std::vector<Evidence> evidence = {pair(0, 0, own), pair(0, 1, rival)};
+    evidence[0].runner_up_start_log_likelihood = other_pose;
+    return assignPairs(evidence, 1, 2, {})->pairs.at(0).doubt;
+  };
+  const double no = -1e9;
+  EXPECT_EQ(doubt(20, no, no), Doubt::None);
+  // Both sides alone is the rival: 1 / (1 + e^-4) is 98 %.
+  EXPECT_EQ(doubt(4, no, no), Doubt::NotSure);
+  EXPECT_EQ(doubt(0.4, no, no), Doubt::Unrelated) << "60 %";
+  EXPECT_EQ(doubt(20, 16, no), Doubt::NotSure) << "98 %";
+  EXPECT_EQ(doubt(20, 19, no), Doubt::OtherPartner) << "73 %";
+  EXPECT_EQ(doubt(20, no, 16), Doubt::NotSure) << "98 %";
+  EXPECT_EQ(doubt(20, no, 19), Doubt::OtherPose) << "73 %";
+}
+
 TEST(AssignPairs, FlagsASlippedPair) {
   std::vector<Evidence> evidence = {pair(0, 0, 20)};
   evidence[0].check_failed = true;

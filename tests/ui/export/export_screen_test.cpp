@@ -270,6 +270,51 @@ class ExportScreenTest : public QObject {
     QVERIFY(!child<QPushButton>("start")->isEnabled());
   }
 
+  // A click while the size is counted is not lost.
+  void anExportNeedNotWaitForItsSize() {
+    toFolder("at-once");
+    child<QCheckBox>(qPrintable("form" + QString::number(static_cast<int>(exchange::Form::Csv))))
+        ->click();
+    QCOMPARE(child<QLabel>("size")->text(), QString("Counting…"));
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
+    QVERIFY2(screen_->model().state() == ExportModel::State::Done,
+             qPrintable(screen_->model().problem()));
+  }
+
+  void theWholeProjectIsArchived() {
+    auto* archive = child<QRadioButton>("archive");
+    archive->click();
+    QVERIFY(child<QLineEdit>("target")->text().endsWith("sample-archive"));
+    QVERIFY2(!child<QCheckBox>("form0")->isEnabled(), "all of it, in no other form");
+    QVERIFY(child<QLabel>("size")->text().contains("catalogue restore"));
+    toFolder("kept");
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
+    QVERIFY2(screen_->model().state() == ExportModel::State::Done,
+             qPrintable(screen_->model().problem()));
+    QVERIFY(child<QLabel>("closing")->text().startsWith("The whole project, "));
+    QVERIFY(child<QPushButton>("open")->isVisible());
+    for (const char* file : {"README.txt", "manifest-sha256.txt", "data/catalogue.sqlite"})
+      QVERIFY2(QFileInfo::exists(sample_->folder() + "/kept/" + file), file);
+    child<QRadioButton>("all")->click();
+    QVERIFY(child<QCheckBox>("form0")->isEnabled());
+  }
+
+  void anArchiveWithDamageSaysSo() {
+    QVERIFY(QFile::link("/etc/hostname", sample_->folder() + "/sample/batches/elsewhere"));
+    child<QRadioButton>("archive")->click();
+    toFolder("damaged");
+    const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
+    QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 30000);
+    QCOMPARE(screen_->model().warnings(),
+             QStringList("1 file(s) of the project are missing, changed or links; damage.txt in "
+                         "the archive lists them."));
+  }
+
   void withoutAFormThereIsNothingToDo() {
     QTRY_VERIFY(child<QPushButton>("start")->isEnabled());
     for (QCheckBox* form : screen_->findChildren<QCheckBox*>())

@@ -17,6 +17,7 @@ class CardSentencesTest : public ReviewModel {
   void cleanup() { close(); }
   void theSentenceIsAboutWhatIsShown();
   void aPairingWithoutProbabilityClaimsNone();
+  void aLikelyPairSaysWhyItIsAskedAbout();
   void aPoseThatWasGivenByHandSaysSo();
   void aFrontWhoseBackWasGivenAwayNamesItAndTakesNoOthers();
   void undoingAnAcceptShowsThePoseThatWasInHand();
@@ -57,6 +58,16 @@ void CardSentencesTest::aPairingWithoutProbabilityClaimsNone() {
   QCOMPARE(doubtSentence(card, out_.table, {}),
            QStringLiteral("Another front takes the same back."));
   QCOMPARE(scoreWords(std::nullopt), QStringLiteral("no probability"));
+}
+
+void CardSentencesTest::aLikelyPairSaysWhyItIsAskedAbout() {
+  review::ReviewCard card;
+  card.score = 0.982;
+  card.back = 0;
+  card.state = review::CardState::Ask;
+  card.doubt = pairing::Doubt::NotSure;
+  QCOMPARE(doubtSentence(card, out_.table, {}),
+           QStringLiteral("98 % confident; below 99 %, a person decides."));
 }
 
 void CardSentencesTest::aPoseThatWasGivenByHandSaysSo() {

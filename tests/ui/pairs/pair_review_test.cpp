@@ -397,7 +397,7 @@ void PairReviewTest::whatWasTriedOnOtherPairsIsNotShownOnThese() {
   QCOMPARE(review_->hand().front(), 0);
   QCOMPARE(undo_->count(), 0);
   QCOMPARE(failed.count(), 1);
-  shown().accept();
+  shown().setAside();
   QCOMPARE(onDisk().size(), std::size_t{1});
   std::filesystem::remove_all(out_.output);
   std::filesystem::rename(folder_.path().toStdString() + "/kept", out_.output);

@@ -7,6 +7,8 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "ui/widgets/page_acts.h"
+
 namespace ostraka::ui {
 
 class ToolRowTest : public QObject {
@@ -18,6 +20,7 @@ class ToolRowTest : public QObject {
   void theOthersAreInTheMenu();
   void aCompactRowHasNoCaptions();
   void whatIsInvisibleTakesNoRoom();
+  void theKeyThatAcceptsHasOneName();
 
  private:
   QList<QAction*> inMenu() const { return row_->findChild<QMenu*>()->actions(); }
@@ -25,6 +28,13 @@ class ToolRowTest : public QObject {
   std::unique_ptr<ToolRow> row_;
   QList<QAction*> view_, decide_;
 };
+
+// "Return" in one place and "Enter" in another are two keys to a person.
+void ToolRowTest::theKeyThatAcceptsHasOneName() {
+  QCOMPARE(keyText(Qt::Key_Return), QStringLiteral("Enter"));
+  QCOMPARE(keyText(Qt::Key_Enter), QStringLiteral("Enter"));
+  QCOMPARE(keyText(Qt::CTRL | Qt::Key_P), QStringLiteral("Ctrl+P"));
+}
 
 void ToolRowTest::init() {
   row_ = std::make_unique<ToolRow>();

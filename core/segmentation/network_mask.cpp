@@ -28,9 +28,9 @@ constexpr std::int64_t kMaxInputPx = 8192;  // 800 MB as three channels of float
 // halvings).
 constexpr int kFreeInput_px = 1024, kFreeMultiple_px = 32;
 // Ostraka's own also looks at a finer picture: at 1024 pixels it sees large things whole, at 1600
-// its outlines are sharper, and the mean of both is right more often than either
-// (docs/experiments.md).
-constexpr int kFineInput_px = 1600;
+// its outlines are sharper. So the mean of both counts along the coarse outlines, this many pixels
+// of the coarse result to either side (docs/experiments.md).
+constexpr int kFineInput_px = 1600, kAlongOutline_px = 2;
 
 Error unusable(const std::string& onnx, const Message& why) {
   return Error::unusable(
@@ -182,9 +182,15 @@ Result<cv::Mat1b> sherdProbability(const cv::Mat& photograph) {
   if (std::max(photograph.cols, photograph.rows) <= kFreeInput_px) return inBytes(*coarse);
   const Result<cv::Mat1f> fine = at(kFineInput_px);
   if (!fine) return fine.error();
-  cv::Mat1f scaled;
-  cv::resize(*coarse, scaled, fine->size(), 0, 0, cv::INTER_LINEAR);
-  return inBytes((scaled + *fine) / 2);
+  const cv::Mat1b inside = *coarse > 0.5;
+  cv::Mat1b along;
+  const int side = 2 * kAlongOutline_px + 1;
+  cv::morphologyEx(inside, along, cv::MORPH_GRADIENT, cv::Mat1b::ones(side, side));
+  cv::resize(along, along, fine->size(), 0, 0, cv::INTER_NEAREST);
+  cv::Mat1f sharp;
+  cv::resize(*coarse, sharp, fine->size(), 0, 0, cv::INTER_LINEAR);
+  cv::Mat1f((sharp + *fine) / 2).copyTo(sharp, along);
+  return inBytes(sharp);
 }
 
 }  // namespace ostraka::segmentation

@@ -135,7 +135,9 @@ TEST_F(EnterPhotographs, EnteringResultsRecordsThoseThatTheyWereMadeFrom) {
       intake::enterResults(catalogue(), project_->folder(), batch, out, anna, quiet, {});
   ASSERT_TRUE(entered) << entered.error().sentence();
   std::vector<std::string> photographs;
-  for (const records::FileRecord& file : *Files(catalogue()).of(batch))
+  const auto files = Files(catalogue()).of(batch);
+  ASSERT_TRUE(files);
+  for (const records::FileRecord& file : *files)
     if (file.role == "photo") photographs.push_back(file.path);
   EXPECT_EQ(photographs.size(), 7u);
   EXPECT_EQ(std::ranges::count(photographs, "batches/B0001/back/cam1_pos03.jpg"), 0)

@@ -397,10 +397,12 @@ Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue, const fs::p
   if (decisions::holdsScans(project / "batches" / record->number)) return done;
   const auto made_from = catalogue.database().asResult([&] { return photographsOf(out); });
   if (!made_from) return made_from.error();
-  // Results may be here without their photographs, which are not whole then.
+  // Results may be here without their photographs, or with ones that cannot be read any more.
   const Result<int> recorded =
       recordPhotographs(catalogue, project, batch, *made_from, provenance, progress, stop);
-  if (!recorded && recorded.error().code != ErrorCode::UnusableInput) return recorded.error();
+  if (!recorded && (recorded.error().code == ErrorCode::CannotWrite ||
+                    recorded.error().code == ErrorCode::Cancelled))
+    return recorded.error();
   return done;
 }
 

@@ -76,7 +76,8 @@ void rigFile(std::string_view bytes) {
 }
 
 void onnxHeader(std::string_view bytes) {
-  const Result<cv::Size> size = segmentation::networkInputSize(bytes, {640, 480}, 1024, "fuzz.onnx");
+  const Result<cv::Size> size =
+      segmentation::networkInputSize(bytes, {640, 480}, 1024, "fuzz.onnx");
   mustNameItself(size);
   if (size)
     must(size->width > 0 && size->width <= 8192 && size->height > 0 && size->height <= 8192,

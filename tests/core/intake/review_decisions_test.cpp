@@ -118,6 +118,7 @@ TEST_F(ReviewDecisions, AScanIsKnownByItsPlace) {
     ASSERT_TRUE(catalogue::Batches(catalogue()).save(scan, {}));
   }
   other.row = {};
+  other.id.clear();
   other.index = 2;
   other.name = "f002";
   other.plate_x_mm = other.plate_y_mm = 0;

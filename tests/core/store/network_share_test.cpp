@@ -31,8 +31,8 @@ TEST(NetworkShare, FoldersOnSharesAreRecognised) {
 TEST(NetworkShare, FileSystemsOfClustersAreShares) {
   for (const std::string type : {"lustre", "gpfs", "beegfs", "nfs4", "orangefs", "fuse.juicefs"}) {
     const std::string mounts =
-        std::string(kMounts) + "50 22 0:60 / /scratch rw - " + type + " server:/scratch rw\n";
-    EXPECT_EQ(networkShareOf("/scratch/anna/dig", mounts), type);
+        std::string(kMounts) + "server:/scratch /scratch " + type + " rw 0 0\n";
+    EXPECT_EQ(shareOf("/scratch/anna/dig", mounts), type);
   }
 }
 

@@ -185,6 +185,7 @@ class MainWindowTest : public QObject {
     QTest::keyClicks(target, home_->path(QStringLiteral("out")));
     auto* start = named<QPushButton>(window, "start");
     QTRY_VERIFY(start->isEnabled());
+    QTRY_VERIFY(named<QLabel>(window, "size")->text().contains("sherd"));
     window.showScreen(0);
     start->click();
     QVERIFY(!window.close());

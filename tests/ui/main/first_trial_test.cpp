@@ -31,6 +31,7 @@
 #include "ui/jobs/job.h"
 #include "ui/look/look.h"
 #include "ui/main/main_window.h"
+#include "ui/main/start_screen.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/queue/queue_screen.h"
@@ -289,7 +290,7 @@ class FirstTrialTest : public QObject {
     QList<QUrl> urls;
     for (const QString& each : paths) urls << QUrl::fromLocalFile(each);
     data.setUrls(urls);
-    auto* start = named<QWidget>(*window_, "start");
+    auto* start = window_->findChild<StartScreen*>();
     QVERIFY(start->acceptDrops());
     QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, {});
     QCoreApplication::sendEvent(start, &enter);

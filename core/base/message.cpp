@@ -1,17 +1,8 @@
 #include "base/message.h"
 
-#include <cmath>
-
 #include "base/text.h"
 
 namespace ostraka {
-
-Decimal shortDecimal(double value, int most_digits) {
-  int digits = most_digits;
-  double last = std::round(value * std::pow(10.0, most_digits));
-  for (; digits > 0 && std::fmod(last, 10) == 0; --digits) last /= 10;
-  return {value, digits};
-}
 
 MessageValue::MessageValue(const Message& words)
     : kind(Kind::Message), message(std::make_shared<const Message>(words)) {}

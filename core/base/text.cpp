@@ -137,4 +137,11 @@ std::string utcDay(std::int64_t ms) {
   return utcText(static_cast<std::time_t>(ms / 1000), "%Y-%m-%d");
 }
 
+Decimal shortDecimal(double value, int most_digits) {
+  int digits = most_digits;
+  double last = std::round(value * std::pow(10.0, most_digits));
+  for (; digits > 0 && std::fmod(last, 10) == 0; --digits) last /= 10;
+  return {value, digits};
+}
+
 }  // namespace ostraka

@@ -38,7 +38,11 @@ class Undisturbed {
     const Digests whole = this->whole();
     for (const auto& [name, digest] : now()) {
       const std::string file = std::filesystem::path(name).filename().string();
-      if (file.starts_with('.') || (file == kLockFile && !whole.contains(name))) continue;
+      if (file.starts_with('.')) continue;
+      if (file == kLockFile && !whole.contains(name)) {
+        EXPECT_TRUE(std::filesystem::is_empty(target_ / name)) << name;
+        continue;
+      }
       const auto known = whole.find(name);
       EXPECT_TRUE(known != whole.end() && known->second == digest) << name;
     }

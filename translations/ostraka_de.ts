@@ -2429,6 +2429,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PDF, alle Blätter (*.pdf);;SVG, eine Datei je Blatt (*.svg);;PNG, die Ansichten jeder Scherbe (*.png);;TIFF, die Ansichten jeder Scherbe (*.tif)</translation>
     </message>
+    <message>
+      <source>Different</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unterschiedlich</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>

@@ -2429,6 +2429,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PDF, όλα τα φύλλα (*.pdf);;SVG, ένα αρχείο ανά φύλλο (*.svg);;PNG, οι όψεις κάθε οστράκου (*.png);;TIFF, οι όψεις κάθε οστράκου (*.tif)</translation>
     </message>
+    <message>
+      <source>Different</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διαφορετικά</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>

@@ -2429,6 +2429,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PDF, todas las hojas (*.pdf);;SVG, un archivo por hoja (*.svg);;PNG, las vistas de cada fragmento (*.png);;TIFF, las vistas de cada fragmento (*.tif)</translation>
     </message>
+    <message>
+      <source>Different</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Distintos</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>

@@ -2429,6 +2429,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PDF, toutes les feuilles (*.pdf);;SVG, un fichier par feuille (*.svg);;PNG, les vues de chaque tesson (*.png);;TIFF, les vues de chaque tesson (*.tif)</translation>
     </message>
+    <message>
+      <source>Different</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Différents</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>

@@ -2429,6 +2429,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PDF, բոլոր թերթերը (*.pdf);;SVG, մեկ ֆայլ ամեն թերթի համար (*.svg);;PNG, ամեն բեկորի տեսքերը (*.png);;TIFF, ամեն բեկորի տեսքերը (*.tif)</translation>
     </message>
+    <message>
+      <source>Different</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Տարբեր</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>

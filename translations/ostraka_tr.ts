@@ -2405,6 +2405,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>PDF, bütün yapraklar (*.pdf);;SVG, yaprak başına bir dosya (*.svg);;PNG, her parçanın görünüşleri (*.png);;TIFF, her parçanın görünüşleri (*.tif)</translation>
     </message>
+    <message>
+      <source>Different</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Farklı</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ExportModel</name>

@@ -118,6 +118,8 @@ Result<drawing::SherdDrawing> drawSherd(const catalogue::Catalogue& catalogue,
       takePhotographs(catalogue, sherd, project, how);
   if (photographs) how.photographs = &*photographs;
   if (options.rim_from_catalogue) how.rim = rimChoiceOf(sherd);
+  if (const auto said = options.rims.find(sherd.row); said != options.rims.end())
+    how.rim = said->second;
   if (sherd.state == records::SherdState::Void)
     how.remarks.push_back(
         sherd.void_reason.empty()

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -23,6 +24,8 @@ drawing::RimChoice rimChoiceOf(const records::SherdRecord& sherd);
 struct DrawSherdsOptions {
   drawing::DrawingOptions drawing;  ///< its rim counts only where the next line says so
   bool rim_from_catalogue = true;   ///< rimChoiceOf decides; what a person entered is trusted
+  /// Of single sherds, what a person says for their drawings alone; it comes before all others.
+  std::map<store::SherdRow, drawing::RimChoice> rims;
 };
 
 /// The model that the catalogue names, read within the project and through no link.

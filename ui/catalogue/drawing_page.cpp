@@ -7,6 +7,8 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QPrintDialog>
 #include <QPrinter>
@@ -14,6 +16,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -39,8 +42,9 @@ namespace {
 
 constexpr double kShownDpi = 200;  // three pixels for the thinnest line, when looked at closely
 constexpr std::size_t kNamed = 5;  // of the sherds that were left out
-enum Rim { FromCatalogue, Yes, No };
-using drawing::Dpi, drawing::Surface;
+constexpr const char* kRimsKey = "drawing.rims";
+using drawing::Dpi, drawing::RimChoice, drawing::Surface;
+using Rims = std::map<store::SherdRow, RimChoice>;
 // In the order of the choices.
 constexpr std::pair<Surface, Dpi> kSurfaces[] = {{Surface::Relief, Dpi::Usual},
                                                  {Surface::Painted, Dpi::Usual},
@@ -60,6 +64,22 @@ QString fileOfKind(const QString& file, const QString& kind) {
 
 Result<void> onlyWhether(const Result<std::vector<std::filesystem::path>>& written) {
   return written ? Result<void>() : written.error();
+}
+
+// Propose is said of none: it is what holds where nothing is said.
+Rims readRims(const ProjectSession& session) {
+  Rims rims;
+  const QJsonObject kept = QJsonDocument::fromJson(session.setting(kRimsKey).toUtf8()).object();
+  for (auto at = kept.begin(); at != kept.end(); ++at)
+    rims[{at.key().toLongLong()}] = at->toBool() ? RimChoice::Yes : RimChoice::No;
+  return rims;
+}
+
+void keepRims(ProjectSession& session, const Rims& rims) {
+  QJsonObject kept;
+  for (const auto& [sherd, rim] : rims)
+    kept.insert(QString::number(sherd.value), rim == RimChoice::Yes);
+  session.keepSetting(kRimsKey, QJsonDocument(kept).toJson(QJsonDocument::Compact));
 }
 
 QString cm(double mm) {
@@ -91,15 +111,17 @@ QLayout* DrawingPage::buildChoices() {
   for (const Dpi dpi : {Dpi::Usual, Dpi::Fine})
     surface_->addItem(tr("Orthophoto, %1 dpi").arg(static_cast<int>(dpi)));
   rim_ = choice("drawingRim", tr("Whether it is a rim"));
-  rim_->addItem(tr("Automatic"), FromCatalogue);
-  rim_->addItem(tr("Rim sherd"), Yes);
-  rim_->addItem(tr("No rim"), No);
+  rim_->addItem(tr("Automatic"), static_cast<int>(RimChoice::Propose));
+  rim_->addItem(tr("Rim sherd"), static_cast<int>(RimChoice::Yes));
+  rim_->addItem(tr("No rim"), static_cast<int>(RimChoice::No));
+  rim_->setPlaceholderText(tr("Different"));  // of sherds that differ
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   for (const auto& [text, box] : {std::pair(tr("Scale"), scale_),
                                   std::pair(tr("Surface"), surface_), std::pair(tr("Rim"), rim_)}) {
     form->addRow(text, box);
-    connect(box, &QComboBox::activated, this, &DrawingPage::choicesChanged);
+    connect(box, &QComboBox::activated, this,
+            box == rim_ ? &DrawingPage::rimChosen : &DrawingPage::choicesChanged);
   }
   alignForm(*form);
   for (int row = 0; row < form->rowCount(); ++row)  // the pane is narrower than a page
@@ -151,9 +173,7 @@ exchange::DrawSherdsOptions DrawingPage::options() const {
   how.drawing.wording = printWording();
   how.drawing.scale = scale_->currentData().toDouble();
   std::tie(how.drawing.surface, how.drawing.dpi) = kSurfaces[surface_->currentIndex()];
-  how.rim_from_catalogue = rim_->currentData().toInt() == FromCatalogue;
-  if (rim_->currentData().toInt() == Yes) how.drawing.rim = drawing::RimChoice::Yes;
-  if (rim_->currentData().toInt() == No) how.drawing.rim = drawing::RimChoice::No;
+  how.rims = rims_;
   return how;
 }
 
@@ -163,9 +183,33 @@ const std::vector<Page>& DrawingPage::pages() const {
 }
 
 void DrawingPage::setSherds(ProjectSession* session, std::vector<store::SherdRow> sherds) {
+  if (session != session_) rims_ = session ? readRims(*session) : Rims();
   session_ = session;
-  if (sherds != sherds_) rim_->setCurrentIndex(FromCatalogue);  // said of one, not of the next
   sherds_ = std::move(sherds);
+  showRim();
+  choicesChanged();
+}
+
+// What is said of all that are shown.
+void DrawingPage::showRim() {
+  const auto said = [this](store::SherdRow sherd) {
+    const auto found = rims_.find(sherd);
+    return found == rims_.end() ? RimChoice::Propose : found->second;
+  };
+  const RimChoice first = sherds_.empty() ? RimChoice::Propose : said(sherds_.front());
+  const bool alike = std::all_of(sherds_.begin(), sherds_.end(),
+                                 [&](store::SherdRow sherd) { return said(sherd) == first; });
+  rim_->setCurrentIndex(alike ? rim_->findData(static_cast<int>(first)) : -1);
+}
+
+void DrawingPage::rimChosen() {
+  const auto rim = static_cast<RimChoice>(rim_->currentData().toInt());
+  for (const store::SherdRow sherd : sherds_)
+    if (rim == RimChoice::Propose)
+      rims_.erase(sherd);
+    else
+      rims_[sherd] = rim;
+  if (session_) keepRims(*session_, rims_);
   choicesChanged();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <QPointer>
 #include <QWidget>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -62,6 +63,8 @@ class DrawingPage final : public QWidget {
   QString fileName() const;  ///< without an ending; there is a drawing
   void forget();
   void choicesChanged();
+  void rimChosen();
+  void showRim();
   void arrived(const std::shared_ptr<const Drawn>& drawn);
   void showPage(int page);
   void refresh();
@@ -77,6 +80,8 @@ class DrawingPage final : public QWidget {
 
   ProjectSession* session_ = nullptr;
   std::vector<store::SherdRow> sherds_;
+  /// What a person said of single sherds, whatever is shown meanwhile; the project keeps it.
+  std::map<store::SherdRow, drawing::RimChoice> rims_;
   std::shared_ptr<const Drawn> drawn_;
   QPointer<JobHandle> drawing_, painting_, writing_;
   QString problem_;

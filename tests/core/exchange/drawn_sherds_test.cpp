@@ -73,6 +73,23 @@ TEST_F(DrawnSherds, AreNamedByTheirNumbersAndWhatCannotBeDrawnIsNamed) {
   EXPECT_THAT(drawn->left_out.front().why, HasSubstr("closed model"));
 }
 
+TEST_F(DrawnSherds, AreRimsWhereAPersonSaysSoOfTheirDrawingAlone) {
+  ASSERT_TRUE(set(rows[1], "part", "rim"));
+  const std::vector<store::SherdRow> one = {rows[1]};
+  DrawSherdsOptions options;
+  options.rims[rows[2]] = RimChoice::No;  // of another
+  const auto isTakenForARim = [&] {
+    const auto drawn = drawSherds(catalogue(), project_->folder(), one, options, quiet, {});
+    EXPECT_TRUE(drawn) << drawn.error().sentence();
+    const drawing::SherdDrawing& sherd = drawn->drawings.front();
+    return sherd.drawn_as_rim ||
+           testing::Value(sherd.remarks, Contains(HasSubstr("recorded as a rim")));
+  };
+  EXPECT_TRUE(isTakenForARim());
+  options.rims[rows[1]] = RimChoice::No;
+  EXPECT_FALSE(isTakenForARim());
+}
+
 TEST_F(DrawnSherds, SayWhereTheirPhotographsCannotBeShown) {
   records::FileRecord glb;
   glb.path = "results/drawn/1.glb";

@@ -169,6 +169,32 @@ class DrawingPageTest : public QObject {
     QVERIFY(!child<QPushButton>("enterRim")->isVisible());
   }
 
+  // Of each sherd its own, whatever is looked at between, and in the next window.
+  void whatIsSaidOfARimStaysWithItsSherd() {
+    const auto press = [&](int key) {
+      child<QComboBox>("drawingRim")->setFocus();
+      QTest::keyClick(child<QComboBox>("drawingRim"), static_cast<Qt::Key>(key));
+    };
+    const auto shown = [&] { return child<QComboBox>("drawingRim")->currentText(); };
+    show({1});
+    press(Qt::Key_Down);
+    QCOMPARE(shown(), QString("Rim sherd"));
+    show({2});
+    QCOMPARE(shown(), QString("Automatic"));
+    press(Qt::Key_End);
+    show({1});  // set again, as after every edit of the table
+    QCOMPARE(shown(), QString("Rim sherd"));
+    show({1, 2});
+    QVERIFY2(shown().isEmpty(), qPrintable(shown()));
+    page_ = std::make_unique<DrawingPage>();
+    show({2});
+    QCOMPARE(shown(), QString("No rim"));
+    show({1, 2});
+    press(Qt::Key_Home);  // of both
+    show({1});
+    QCOMPARE(shown(), QString("Automatic"));
+  }
+
   void stoppingDrawsNothing() {
     show({1, 2});
     QTest::mouseClick(child<QPushButton>("drawMany"), Qt::LeftButton);

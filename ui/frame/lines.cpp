@@ -123,10 +123,13 @@ FooterLine::FooterLine(QAction* pause, QAction* log, QWidget* parent)
   bar_->setAccessibleName(tr("Progress of the computation"));
   bar_->setMaximumWidth(fontMetrics().averageCharWidth() * 24);
   auto* row = new QHBoxLayout(this);
-  row->addWidget(work_);
+  // Each gets what its words need; where there is too little for both they share it.
+  for (QLabel* words : {work_, said_})
+    words->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred);
+  row->addWidget(work_, 1);
   row->addWidget(bar_);
+  row->addStretch();
   row->addWidget(said_, 1);
-  said_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   row->addWidget(button(this, pause));
   row->addWidget(button(this, log));
   setWork({}, -1);

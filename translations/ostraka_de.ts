@@ -4571,6 +4571,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nummer %1 vergeben</translation>
     </message>
+    <message>
+      <source>Numbering…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nummerierung…</translation>
+    </message>
+    <message>
+      <source>photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Foto</translation>
+    </message>
+    <message>
+      <source>mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maske</translation>
+    </message>
+    <message>
+      <source>scan</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scan</translation>
+    </message>
+    <message>
+      <source>model</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modell</translation>
+    </message>
+    <message>
+      <source>picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bild</translation>
+    </message>
+    <message>
+      <source>drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeichnung</translation>
+    </message>
+    <message>
+      <source>report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bericht</translation>
+    </message>
+    <message>
+      <source>scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Maßstab</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>

@@ -4571,6 +4571,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Απόδοση του αριθμού %1</translation>
     </message>
+    <message>
+      <source>Numbering…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αρίθμηση…</translation>
+    </message>
+    <message>
+      <source>photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>φωτογραφία</translation>
+    </message>
+    <message>
+      <source>mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μάσκα</translation>
+    </message>
+    <message>
+      <source>scan</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σάρωση</translation>
+    </message>
+    <message>
+      <source>model</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μοντέλο</translation>
+    </message>
+    <message>
+      <source>picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>εικόνα</translation>
+    </message>
+    <message>
+      <source>drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>σχέδιο</translation>
+    </message>
+    <message>
+      <source>report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αναφορά</translation>
+    </message>
+    <message>
+      <source>scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>κλίμακα</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>

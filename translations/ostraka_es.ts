@@ -4571,6 +4571,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dar el número %1</translation>
     </message>
+    <message>
+      <source>Numbering…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numeración…</translation>
+    </message>
+    <message>
+      <source>photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>fotografía</translation>
+    </message>
+    <message>
+      <source>mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>máscara</translation>
+    </message>
+    <message>
+      <source>scan</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>escaneo</translation>
+    </message>
+    <message>
+      <source>model</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modelo</translation>
+    </message>
+    <message>
+      <source>picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>imagen</translation>
+    </message>
+    <message>
+      <source>drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dibujo</translation>
+    </message>
+    <message>
+      <source>report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>informe</translation>
+    </message>
+    <message>
+      <source>scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>escala</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>

@@ -4571,6 +4571,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Donner le numéro %1</translation>
     </message>
+    <message>
+      <source>Numbering…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Numérotation…</translation>
+    </message>
+    <message>
+      <source>photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>photographie</translation>
+    </message>
+    <message>
+      <source>mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>masque</translation>
+    </message>
+    <message>
+      <source>scan</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>numérisation</translation>
+    </message>
+    <message>
+      <source>model</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modèle</translation>
+    </message>
+    <message>
+      <source>picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>image</translation>
+    </message>
+    <message>
+      <source>drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dessin</translation>
+    </message>
+    <message>
+      <source>report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>rapport</translation>
+    </message>
+    <message>
+      <source>scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>échelle</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>

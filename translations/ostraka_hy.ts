@@ -4571,6 +4571,51 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տալ %1 համարը</translation>
     </message>
+    <message>
+      <source>Numbering…</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համարակալում…</translation>
+    </message>
+    <message>
+      <source>photograph</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>լուսանկար</translation>
+    </message>
+    <message>
+      <source>mask</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դիմակ</translation>
+    </message>
+    <message>
+      <source>scan</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>սկան</translation>
+    </message>
+    <message>
+      <source>model</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մոդել</translation>
+    </message>
+    <message>
+      <source>picture</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>պատկեր</translation>
+    </message>
+    <message>
+      <source>drawing</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>գծանկար</translation>
+    </message>
+    <message>
+      <source>report</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>զեկույց</translation>
+    </message>
+    <message>
+      <source>scale</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մասշտաբ</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::SherdEdits</name>

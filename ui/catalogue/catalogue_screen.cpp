@@ -64,6 +64,8 @@ CatalogueScreen::CatalogueScreen(QWidget* parent)
             keepField(field, value, records::Confirmation::Given);
           });
   connect(details_, &SherdDetails::numberWanted, this, &CatalogueScreen::giveNumbers);
+  connect(details_, &SherdDetails::numberingWanted, this,
+          [this] { emit wantsScreen("settings", "numbering"); });
   connect(bulk_, &BulkEdit::numbersWanted, this, &CatalogueScreen::giveNumbers);
   connect(import_, &ImportModel::entered, this,
           [this](const QString& source, const tables::ImportReport& report) {

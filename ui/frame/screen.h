@@ -59,6 +59,7 @@ class Screen : public QWidget {
   /// One sentence for the line at the foot, e.g. what was just done.
   void said(const QString& sentence);
   /// Another screen should show this: "review", batch number. The frame switches and passes it on.
+  /// "settings", "numbering": the settings, at how sherds are numbered.
   void wantsScreen(const QString& icon_name, const QString& what);
 
  public slots:

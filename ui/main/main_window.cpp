@@ -236,6 +236,10 @@ void MainWindow::showScreen(int index) {
 }
 
 void MainWindow::showScreenNamed(const QString& icon_name, const QString& what) {
+  if (icon_name == QLatin1String("settings")) {
+    showSettings();
+    return settings_page_->showPart(what);
+  }
   const int index = work_->screenNamed(icon_name);
   const bool imported = icon_name == QLatin1String("queue") &&
                         screens()[static_cast<std::size_t>(work_->shown())] == capture_screen_;

@@ -9,6 +9,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QThread>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "ui/settings/numbering_edit.h"
@@ -102,7 +103,15 @@ void SettingsPage::buildLayout() {
   auto* across = bareLayout<QHBoxLayout>(page);  // lines of a readable length, in each text size
   filled(across, {{middle, 3}, Part::room(2)});
   parts->addStretch(1);
-  column->addWidget(new PageArea(page, this), 1);
+  column->addWidget(area_ = new PageArea(page, this), 1);
+}
+
+void SettingsPage::showPart(const QString& name) {
+  auto* part = area_->findChild<QWidget*>(name);
+  if (part == nullptr) return;
+  // A page that was never shown has its places once events are processed.
+  QTimer::singleShot(0, part, [this, part] { area_->ensureWidgetVisible(part, 0, 0); });
+  if (auto* field = part->findChild<QLineEdit*>()) field->setFocus();
 }
 
 void SettingsPage::say(const QString& sentence) {

@@ -12,6 +12,7 @@ class QSpinBox;
 namespace ostraka::ui {
 
 class NumberingEdit;
+class PageArea;
 class RightsEdit;
 class VocabularyEdit;
 class ProjectSession;
@@ -25,6 +26,8 @@ class SettingsPage final : public QWidget {
   void setSettings(const WindowSettings& settings);
   /// The open project, whose numbering and words stand here too; null when none is open.
   void setSession(ProjectSession* session);
+  /// Its part of this object name into view, with the cursor in its first field: "numbering".
+  void showPart(const QString& name);
   void say(const QString& sentence);  ///< above everything; empty: nothing
 
  signals:
@@ -44,6 +47,7 @@ class SettingsPage final : public QWidget {
   NumberingEdit* numbering_;
   VocabularyEdit* vocabulary_;
   RightsEdit* rights_;
+  PageArea* area_ = nullptr;
   bool filling_ = false;
 };
 

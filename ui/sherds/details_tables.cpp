@@ -1,6 +1,8 @@
 // What is only read in the details of a sherd: its measurements, history and files.
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollBar>
+#include <QStyledItemDelegate>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,6 +19,33 @@
 namespace ostraka::ui {
 namespace {
 
+constexpr int kMostRows = 12;
+constexpr int kLeastLetters = 8;  // in a line of the last column
+
+// What the column has no room for goes on in the next line.
+class WholeText final : public QStyledItemDelegate {
+ public:
+  explicit WholeText(QTreeWidget& tree) : QStyledItemDelegate(&tree), tree_(tree) {}
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    QStyleOptionViewItem in_column = option;
+    in_column.rect = {0, 0, tree_.columnWidth(index.column()), 1};
+    return QStyledItemDelegate::sizeHint(in_column, index);
+  }
+
+ private:
+  const QTreeWidget& tree_;
+};
+
+// As high as its rows, so that only the page scrolls.
+void fitHeight(QTreeWidget* tree) {
+  int high = tree->header()->sizeHint().height() + 2 * tree->frameWidth() + 2;
+  for (int row = 0; row < std::min(tree->topLevelItemCount(), kMostRows); ++row)
+    high += tree->sizeHintForRow(row);
+  if (tree->header()->length() > tree->viewport()->width())
+    high += tree->horizontalScrollBar()->sizeHint().height();
+  tree->setFixedHeight(high);
+}
+
 QTreeWidget* table(const QStringList& columns, const QString& name, QWidget* parent) {
   auto* tree = new QTreeWidget(parent);
   tree->setHeaderLabels(columns);
@@ -25,14 +54,28 @@ QTreeWidget* table(const QStringList& columns, const QString& name, QWidget* par
   tree->setSelectionMode(QAbstractItemView::NoSelection);
   tree->setWordWrap(true);
   tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  const int last = static_cast<int>(columns.size()) - 1;
+  tree->header()->setSectionResizeMode(last, QHeaderView::Stretch);
+  tree->header()->setMinimumSectionSize(tree->fontMetrics().averageCharWidth() * kLeastLetters);
+  tree->setItemDelegateForColumn(last, new WholeText(*tree));
+  QObject::connect(tree->header(), &QHeaderView::sectionResized, tree, [tree, last](int column) {
+    if (column != last) return;
+    tree->doItemsLayout();
+    fitHeight(tree);
+  });
   return tree;
 }
 
-// As high as its rows, so that only the page scrolls.
-void fitHeight(QTreeWidget* tree) {
-  const int row = tree->topLevelItemCount() > 0 ? tree->sizeHintForRow(0) : 0;
-  tree->setFixedHeight(tree->header()->sizeHint().height() +
-                       row * std::min(tree->topLevelItemCount(), 12) + 2 * tree->frameWidth() + 2);
+QString fileKind(const std::string& role) {
+  if (role == "photo") return SherdDetails::tr("photograph");
+  if (role == "mask") return SherdDetails::tr("mask");
+  if (role == "scan") return SherdDetails::tr("scan");
+  if (role == "model") return SherdDetails::tr("model");
+  if (role == "preview") return SherdDetails::tr("picture");
+  if (role == "drawing") return SherdDetails::tr("drawing");
+  if (role == "report") return SherdDetails::tr("report");
+  if (role == "scale") return SherdDetails::tr("scale");
+  return QString::fromStdString(role);
 }
 
 QString fileState(records::FileState state) {
@@ -122,9 +165,9 @@ void SherdDetails::showHistory(const catalogue::Catalogue& catalogue) {
                     .arg(label, old_value, new_value.isEmpty() ? tr("nothing") : new_value);
       auto* item = new QTreeWidgetItem(
           history_, {when(entry.at_ms), people.value(entry.by.value, tr("program")), what});
-      // A narrow column cuts it off; below it the reason, or the file of an import.
+      // The reason, or the file of an import.
       const QString why = QString::fromStdString(entry.why);
-      item->setToolTip(2, why.isEmpty() ? what : what + QLatin1Char('\n') + why);
+      item->setToolTip(2, why);
     }
   fitHeight(history_);
 }
@@ -137,9 +180,9 @@ void SherdDetails::showFiles(const catalogue::Catalogue& catalogue,
       std::error_code code;
       const bool there = std::filesystem::exists(project / file.path, code);
       auto* item = new QTreeWidgetItem(
-          files_, {QString::fromStdString(std::filesystem::path(file.path).filename().string()),
-                   QString::fromStdString(file.role),
-                   fileState(there ? file.state : records::FileState::Missing)});
+          files_,
+          {QString::fromStdString(std::filesystem::path(file.path).filename().string()),
+           fileKind(file.role), fileState(there ? file.state : records::FileState::Missing)});
       item->setToolTip(0, QString::fromStdString(file.path));
     }
   fitHeight(files_);

@@ -1,5 +1,6 @@
 #include "ui/sherds/sherd_details.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QCompleter>
 #include <QFormLayout>
@@ -7,8 +8,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QStackedWidget>
 #include <QStringListModel>
-#include <QTimer>
 #include <QVBoxLayout>
 #include <set>
 
@@ -19,6 +20,7 @@
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 #include "ui/widgets/elided_button.h"
+#include "ui/widgets/elided_label.h"
 #include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"
 
@@ -57,11 +59,7 @@ void SherdDetails::buildLayout() {
   number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   number_->setWordWrap(true);
   number_->setAccessibleName(tr("Number of the sherd"));
-  give_number_ =
-      named<ElidedButton>("giveNumber", icon("label"), tr("Assign number %1").arg(QString()), page);
-  connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
-  why_no_number_ = wrappedLabel(page, "whyNoNumber");
-  buildRefusal(page);
+  QWidget* acts = buildNumberActs();
   form_ = new QFormLayout;
   form_->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
@@ -76,15 +74,49 @@ void SherdDetails::buildLayout() {
   }
   for (const records::SherdField& field : sherds::sherdFields())
     if (field.name == std::string("void_reason")) addField(field);
-  filled(column, {number_, give_number_, why_no_number_, refusal_, form_});
+  filled(column, {number_, acts, form_});
   addTables(*column);
   column->addStretch();
+  buildRefusal();
   setWidget(page);
 }
 
-void SherdDetails::buildRefusal(QWidget* page) {
-  refusal_ = named<QWidget>("refusal", page);
-  auto* column = bareLayout<QVBoxLayout>(refusal_);
+// What a draft offers takes no other place than it has in a sherd with a number, so that from one
+// to the next the fields stay where they are.
+QWidget* SherdDetails::buildNumberActs() {
+  number_acts_ = named<QStackedWidget>("numberActs", this);
+  number_acts_->addWidget(new QWidget(number_acts_));
+  give_number_ = named<ElidedButton>("giveNumber", icon("label"),
+                                     tr("Assign number %1").arg(QString()), number_acts_);
+  connect(give_number_, &QPushButton::clicked, this, &SherdDetails::numberWanted);
+  number_acts_->addWidget(give_number_);
+  auto* none = new QWidget(number_acts_);
+  why_no_number_ = named<ElidedLabel>("whyNoNumber", none);
+  why_no_number_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  auto* numbering = named<ElidedButton>("openNumbering", icon("settings"), tr("Numbering…"), none);
+  connect(numbering, &QPushButton::clicked, this, &SherdDetails::numberingWanted);
+  filled(bareLayout<QHBoxLayout>(none), {{why_no_number_, 1}, numbering});
+  number_acts_->addWidget(none);
+  number_acts_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  return number_acts_;
+}
+
+void SherdDetails::showNumberActs(const catalogue::Catalogue& catalogue,
+                                  const records::SherdRecord& sherd) {
+  number_acts_->setCurrentIndex(0);
+  if (!sherd.number.empty()) return;
+  const auto proposed = sherds::Numbers(catalogue).propose(std::span(&sherd.row, 1));
+  if (proposed)
+    give_number_->setText(tr("Assign number %1").arg(QString::fromStdString(proposed->front())));
+  else
+    why_no_number_->setText(wordsOf(proposed.error().what));
+  number_acts_->setCurrentIndex(proposed ? 1 : 2);
+}
+
+void SherdDetails::buildRefusal() {
+  refusal_ = named<QWidget>("refusal", this);
+  refusal_->setAutoFillBackground(true);
+  auto* column = new QVBoxLayout(refusal_);
   auto* row = new QHBoxLayout;
   refusal_picture_ = new QLabel(refusal_);
   refusal_picture_->setAccessibleName(tr("Picture of the sherd in the way"));
@@ -234,6 +266,7 @@ void SherdDetails::keepUnsaved(const QString& field, const QString& value) {
 // In a narrow pane labels stand above their fields, which would have no room beside them.
 void SherdDetails::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
+  fitRefusal();
   const bool narrow = viewport()->width() < 2 * Look::kLabelColumn;
   form_->setRowWrapPolicy(narrow ? QFormLayout::WrapAllRows : QFormLayout::WrapLongRows);
 }
@@ -263,11 +296,11 @@ void SherdDetails::ask(const QString& field, const QString& value, const QString
   asked_field_ = field;
   confirm_->setText(act);
   confirm_->show();
+  fitRefusal();
 }
 
 void SherdDetails::forgetUnsaved(const QString& field) {
-  if (!unsaved_.forget(sherd_, field)) return;
-  refusal_->hide();
+  if (unsaved_.forget(sherd_, field)) hideRefusal();
 }
 
 void SherdDetails::showUnsaved() {
@@ -291,19 +324,9 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
   if (row != sherd_) keepTyped();
   sherd_ = row;
   widget()->setEnabled(true);
-  refusal_->hide();
+  hideRefusal();
   number_->setText(sherdName(*sherd));
-  give_number_->hide();
-  why_no_number_->hide();
-  if (sherd->number.empty()) {
-    const auto proposed = sherds::Numbers(catalogue).propose(std::span(&row, 1));
-    give_number_->setVisible(proposed.has_value());
-    why_no_number_->setVisible(!proposed);
-    if (proposed)
-      give_number_->setText(tr("Assign number %1").arg(QString::fromStdString(proposed->front())));
-    else
-      why_no_number_->setText(wordsOf(proposed.error().what));
-  }
+  showNumberActs(catalogue, *sherd);
   for (const records::SherdField& field : sherds::sherdFields())
     if (field.editable)
       setText(field.name,
@@ -328,9 +351,8 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
 void SherdDetails::clear() {
   keepTyped();
   sherd_ = {};
-  refusal_->hide();
-  give_number_->hide();
-  why_no_number_->hide();
+  hideRefusal();
+  number_acts_->setCurrentIndex(0);
   number_->setText(tr("Choose a sherd."));
   place_->clear();
   for (const records::SherdField& field : sherds::sherdFields())
@@ -367,16 +389,31 @@ void SherdDetails::placeRefusal(const std::string& field, const QString& sentenc
   refusal_picture_->setVisible(!other.isEmpty());
   confirm_->hide();
   if (!other.isEmpty()) setPicture(refusal_picture_, picture, kSmallPicture);
-  int row = 0;
-  QFormLayout::ItemRole role = QFormLayout::FieldRole;
-  if (form_->indexOf(refusal_) >= 0)
-    delete form_->takeRow(refusal_).fieldItem;  // the item only; the widget is used again
-  else
-    widget()->layout()->removeWidget(refusal_);
-  form_->getWidgetPosition(editors_.value(name), &row, &role);
-  form_->insertRow(row + 1, refusal_);
+  QWidget* editor = name == QLatin1String("place") ? place_ : editors_.value(name);
+  delete refused_.data();
+  if (auto* line = qobject_cast<QLineEdit*>(editor))
+    refused_ = line->addAction(icon("error"), QLineEdit::TrailingPosition);
   refusal_->show();
-  QTimer::singleShot(0, refusal_, [this] { ensureWidgetVisible(refusal_); });  // in its height
+  fitRefusal();
+  if (editor != nullptr) ensureWidgetVisible(editor);  // not behind what is said of it
+}
+
+// Below what scrolls, so that no field moves under the pointer.
+void SherdDetails::fitRefusal() {
+  if (refusal_->isHidden()) return setViewportMargins({});
+  const QRect room = contentsRect();
+  QLayout& inside = *refusal_->layout();
+  inside.activate();  // what was shown or said since counts
+  const int high = inside.hasHeightForWidth() ? inside.totalHeightForWidth(room.width())
+                                              : inside.totalSizeHint().height();
+  refusal_->setGeometry(room.left(), room.bottom() + 1 - high, room.width(), high);
+  setViewportMargins(0, 0, 0, high);
+}
+
+void SherdDetails::hideRefusal() {
+  delete refused_.data();
+  refusal_->hide();
+  fitRefusal();
 }
 
 }  // namespace ostraka::ui

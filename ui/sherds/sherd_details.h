@@ -1,5 +1,6 @@
 #pragma once
 #include <QHash>
+#include <QPointer>
 #include <QScrollArea>
 #include <filesystem>
 
@@ -8,10 +9,12 @@
 #include "ui/frame/term_words.h"
 #include "ui/sherds/unsaved_values.h"
 
+class QAction;
 class QComboBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 class QTreeWidget;
 class QVBoxLayout;
 
@@ -41,7 +44,8 @@ class SherdDetails final : public QScrollArea {
   const UnsavedValues& unsaved() const { return unsaved_; }
   /// Saves nothing before a person says so: confirmed().
   void ask(const QString& field, const QString& value, const QString& question, const QString& act);
-  /// In place, beside the field: what was wrong; with the picture of the sherd in the way.
+  /// At the foot, which moves no field, with a mark in the field: what was wrong; with the picture
+  /// of the sherd in the way.
   void showRefusal(const std::string& field, const QString& sentence, const QString& other,
                    const QString& picture);
 
@@ -49,6 +53,7 @@ class SherdDetails final : public QScrollArea {
   /// field "place": site, trench and context, a line each.
   void edited(const QString& field, const QString& value);
   void numberWanted();
+  void numberingWanted();  ///< its settings: no number can be proposed
   void confirmed(const QString& field, const QString& value);
 
  protected:
@@ -57,7 +62,8 @@ class SherdDetails final : public QScrollArea {
 
  private:
   void buildLayout();
-  void buildRefusal(QWidget* page);
+  QWidget* buildNumberActs();
+  void buildRefusal();
   void addPlace();
   void setCustomFields(const std::vector<std::string>& fields);
   QWidget* editorFor(const std::string& field, records::FieldKind kind);
@@ -68,6 +74,9 @@ class SherdDetails final : public QScrollArea {
   void showUnsaved();
   void placeRefusal(const std::string& field, const QString& sentence, const QString& other,
                     const QString& picture);
+  void fitRefusal();
+  void hideRefusal();
+  void showNumberActs(const catalogue::Catalogue& catalogue, const records::SherdRecord& sherd);
   void addTables(QVBoxLayout& column);
   void showTables(const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
                   const records::SherdRecord& sherd);
@@ -78,6 +87,7 @@ class SherdDetails final : public QScrollArea {
 
   store::SherdRow sherd_;
   QLabel* number_ = nullptr;
+  QStackedWidget* number_acts_ = nullptr;  ///< one is there at most; its place always
   QPushButton* give_number_ = nullptr;
   QLabel* why_no_number_ = nullptr;
   QFormLayout* form_ = nullptr;
@@ -89,6 +99,7 @@ class SherdDetails final : public QScrollArea {
   QHash<QString, QString> put_;    ///< into the lines; what is other is typed
   UnsavedValues unsaved_;
   QWidget* refusal_ = nullptr;
+  QPointer<QAction> refused_;  ///< the mark in the field that it is about
   QLabel* refusal_text_ = nullptr;
   QLabel* refusal_picture_ = nullptr;
   QPushButton* confirm_ = nullptr;

@@ -122,6 +122,16 @@ class MainWindowTest : public QObject {
     }
   }
 
+  void aScreenLeadsToTheSettingsOfTheNumbering() {
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(folder_);
+    emit window.screens().front()->wantsScreen("settings", "numbering");
+    auto* scheme = named<QLineEdit>(window, "numberingScheme");
+    QTRY_VERIFY(scheme->visibleRegion().boundingRect() == scheme->rect());
+    QVERIFY(scheme->hasFocus());
+  }
+
   void aStepThatIsRefusedIsToldOnThePageInFront() {
     MainWindow window(jobs_);
     activate(window);

@@ -1,4 +1,5 @@
 // The details of a sherd: what is refused, and what has little room.
+#include "catalogue/files.h"
 #include "catalogue/places.h"
 #include "sherds/measurements.h"
 #include "sherds/sherd_changes.h"
@@ -11,9 +12,12 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollBar>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
 #include <QTranslator>
+#include <QTreeWidget>
+#include <algorithm>
 
 #include "catalogue_window.h"
 #include "records/records.h"
@@ -86,6 +90,88 @@ class DetailsTest : public CatalogueWindow {
     QVERIFY(!child<QLabel>("refusalText")->isVisible());
     type("field_date_edtf", "0027/0030");
     QCOMPARE(sample_->value(0, "date_edtf"), QString("0027/0030"));
+  }
+
+  // A field that jumps is another one when the pointer gets there.
+  void noFieldMovesForWhatIsSaidAboveOrBelowIt() {
+    sample_->addDraft();
+    auto* details = screen_->findChild<SherdDetails*>();
+    const auto places = [&] {
+      QTest::qWait(0);
+      QList<int> heights{details->verticalScrollBar()->value()};
+      for (const char* field : {"field_number", "field_ware", "field_munsell_in", "field_note"})
+        heights << named<QWidget>(*details, field)->mapTo(details->widget(), QPoint()).y();
+      return heights;
+    };
+    choose(0);
+    auto* ware = child<QLineEdit>("field_ware");
+    auto* bag = child<QLineEdit>("field_bag");
+    bag->setFocus();
+    details->ensureWidgetVisible(ware);
+    const QList<int> before = places();
+    bag->selectAll();
+    QTest::keyClicks(bag, "neck");
+    QTest::keyClick(bag, Qt::Key_Return);
+    QVERIFY(child<QLabel>("refusalText")->isVisible());
+    QCOMPARE(places(), before);
+    QCOMPARE(bag->actions().size(), 1);  // the mark
+    QTest::keyClick(bag, Qt::Key_Escape);
+    QVERIFY(!child<QLabel>("refusalText")->isVisible());
+    QCOMPARE(bag->actions().size(), 0);
+    QCOMPARE(places(), before);
+    filter("state:draft");
+    choose(0);
+    QVERIFY(child<QPushButton>("giveNumber")->isVisible());
+    QCOMPARE(places().mid(1), before.mid(1));
+  }
+
+  void whereNoNumberCanBeGivenAButtonLeadsToTheNumbering() {
+    sample_->addDraft(false);
+    filter("state:draft");
+    choose(0);
+    QVERIFY2(child<QLabel>("whyNoNumber")->isVisible(), "a number needs a context");
+    const QSignalSpy wanted(screen_.get(), &Screen::wantsScreen);
+    QTest::mouseClick(child<QPushButton>("openNumbering"), Qt::LeftButton);
+    QCOMPARE(wanted.count(), 1);
+    QCOMPARE(wanted.front(), QVariantList({"settings", "numbering"}));
+  }
+
+  // Long words, and a column that is narrower.
+  void theTablesShowTheirTextsWhole() {
+    const records::FieldChange note{sample_->row(0), "note",
+                                    QString("a long remark ").repeated(20).toStdString()};
+    SampleProject::must(sherds::SherdChanges(sample_->catalogue()).apply(std::span(&note, 1), {}));
+    records::FileRecord drawing;
+    drawing.path = "results/B0001/drawn.svg";
+    drawing.sha256 = std::string(64, '0');
+    drawing.media_type = "image/svg+xml";
+    drawing.role = "drawing";
+    drawing.sherd = sample_->row(0);
+    SampleProject::must(catalogue::Files(sample_->catalogue()).save(drawing, {}));
+    class German final : public QTranslator {
+      QString translate(const char*, const char* source, const char*, int) const override {
+        return qstrcmp(source, "drawing") == 0 ? QStringLiteral("Zeichnung") : QString();
+      }
+      bool isEmpty() const override { return false; }
+    } german;
+    QVERIFY(QCoreApplication::installTranslator(&german));
+    choose(0);
+    QCoreApplication::removeTranslator(&german);
+    QStringList kinds;
+    int tallest = 0;
+    for (QTreeWidget* tree : screen_->findChild<SherdDetails*>()->findChildren<QTreeWidget*>()) {
+      QTest::qWait(0);
+      int high = 0;
+      for (int row = 0; row < std::min(tree->topLevelItemCount(), 12); ++row) {
+        const int one = tree->visualItemRect(tree->topLevelItem(row)).height();
+        tallest = std::max(tallest, one);
+        high += one;
+        kinds << tree->topLevelItem(row)->text(1);
+      }
+      QVERIFY2(tree->viewport()->height() >= high, qPrintable(tree->accessibleName()));
+    }
+    QVERIFY2(tallest >= 3 * screen_->fontMetrics().height(), "the remark goes on in other lines");
+    QVERIFY(kinds.contains("Zeichnung"));
   }
 
   // As when it is typed at the capture.

@@ -2269,11 +2269,6 @@
       <translation>Wie Oberflächen gezeichnet werden</translation>
     </message>
     <message>
-      <source>With paint and slip</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Mit Bemalung und Engobe</translation>
-    </message>
-    <message>
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ob es ein Randstück ist</translation>
@@ -2367,11 +2362,6 @@
       <translation>Die Zeichnung geht an den Drucker; drucken Sie mit 100 %.</translation>
     </message>
     <message>
-      <source>Shaded form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Schattierte Form</translation>
-    </message>
-    <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Automatisch</translation>
@@ -2418,11 +2408,6 @@
         <numerusform>Eine Scherbe wird gezeichnet …</numerusform>
         <numerusform>%n Scherben werden gezeichnet …</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Orthophoto, %1 dpi</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Orthofoto, %1 dpi</translation>
     </message>
     <message>
       <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
@@ -2723,6 +2708,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ganze Projekt, als Archiv</translation>
     </message>
+    <message>
+      <source>Surfaces in the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Oberflächen in den Zeichnungen</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2860,6 +2850,21 @@
       <source>Nothing leaves this computer: the program uses no network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nichts verlässt diesen Rechner: Das Programm benutzt kein Netz.</translation>
+    </message>
+    <message>
+      <source>Search the manual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Handbuch durchsuchen</translation>
+    </message>
+    <message>
+      <source>%1, line %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, Zeile %2</translation>
+    </message>
+    <message>
+      <source>The manual does not mention &apos;%1&apos;.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Handbuch erwähnt „%1“ nicht.</translation>
     </message>
 </context>
 <context>
@@ -10296,6 +10301,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Dies änderte sich, während eine Zusammenführung abgeschlossen wurde; es blieb erhalten, aber der Katalog hat, was zusammengeführt wurde. Den Durchgang noch einmal verarbeiten.</translation>
     </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Zeile</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Feld</translation>
+    </message>
+    <message>
+      <source>value</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wert</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10907,6 +10927,24 @@
         <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Drucken Sie ihn mit 100 %, nicht an die Seite angepasst, und messen Sie den Balken der zweiten Seite: Er muss %1 mm lang sein. Der nächste Import schlägt diesen Bogen vor. Ist der Balken nicht %1 mm lang, wählen Sie dort „Bogen entfernen“ und geben Sie die gemessene Seite eines schwarzen Quadrats ein.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SurfaceChoice</name>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Schattierte Form</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mit Bemalung und Engobe</translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Orthofoto, %1 dpi</translation>
     </message>
 </context>
 </TS>

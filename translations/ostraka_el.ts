@@ -2269,11 +2269,6 @@
       <translation>Πώς σχεδιάζονται οι επιφάνειες</translation>
     </message>
     <message>
-      <source>With paint and slip</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Με γραπτή διακόσμηση και επίχρισμα</translation>
-    </message>
-    <message>
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αν είναι χείλος</translation>
@@ -2367,11 +2362,6 @@
       <translation>Το σχέδιο στέλνεται στον εκτυπωτή· τυπώστε το στο 100 %.</translation>
     </message>
     <message>
-      <source>Shaded form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Σκιασμένη μορφή</translation>
-    </message>
-    <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτόματα</translation>
@@ -2418,11 +2408,6 @@
         <numerusform>Σχεδίαση %n οστράκου …</numerusform>
         <numerusform>Σχεδίαση %n οστράκων …</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Orthophoto, %1 dpi</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ορθοφωτογραφία, %1 dpi</translation>
     </message>
     <message>
       <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
@@ -2723,6 +2708,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ολόκληρο το έργο, ως αρχείο φύλαξης</translation>
     </message>
+    <message>
+      <source>Surfaces in the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επιφάνειες στα σχέδια</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2860,6 +2850,21 @@
       <source>Nothing leaves this computer: the program uses no network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τίποτα δεν φεύγει από αυτόν τον υπολογιστή: το πρόγραμμα δεν χρησιμοποιεί δίκτυο.</translation>
+    </message>
+    <message>
+      <source>Search the manual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αναζήτηση στο εγχειρίδιο</translation>
+    </message>
+    <message>
+      <source>%1, line %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, γραμμή %2</translation>
+    </message>
+    <message>
+      <source>The manual does not mention &apos;%1&apos;.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το εγχειρίδιο δεν αναφέρει «%1».</translation>
     </message>
 </context>
 <context>
@@ -10296,6 +10301,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Αυτό άλλαξε ενώ ολοκληρωνόταν μια συγχώνευση, γι’ αυτό διατηρήθηκε, αλλά ο κατάλογος έχει ό,τι συγχωνεύτηκε. Επανεπεξεργαστείτε την παρτίδα.</translation>
     </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>γραμμή</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πεδίο</translation>
+    </message>
+    <message>
+      <source>value</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>τιμή</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10907,6 +10927,24 @@
         <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Εκτυπώστε το στο 100 %, χωρίς προσαρμογή στη σελίδα, και μετρήστε τη ράβδο της δεύτερης σελίδας: πρέπει να έχει μήκος %1 mm. Η επόμενη εισαγωγή προτείνει αυτό το φύλλο. Αν η ράβδος δεν έχει μήκος %1 mm, επιλέξτε εκεί «Αφαίρεση φύλλου» και πληκτρολογήστε τη μετρημένη πλευρά ενός μαύρου τετραγώνου.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SurfaceChoice</name>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σκιασμένη μορφή</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Με γραπτή διακόσμηση και επίχρισμα</translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ορθοφωτογραφία, %1 dpi</translation>
     </message>
 </context>
 </TS>

@@ -2269,11 +2269,6 @@
       <translation>Cómo se dibujan las superficies</translation>
     </message>
     <message>
-      <source>With paint and slip</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Con pintura y engobe</translation>
-    </message>
-    <message>
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Si es un borde</translation>
@@ -2367,11 +2362,6 @@
       <translation>El dibujo va a la impresora; imprímalo al 100 %.</translation>
     </message>
     <message>
-      <source>Shaded form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Forma sombreada</translation>
-    </message>
-    <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Automático</translation>
@@ -2418,11 +2408,6 @@
         <numerusform>Dibujando %n fragmento …</numerusform>
         <numerusform>Dibujando %n fragmentos …</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Orthophoto, %1 dpi</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ortofoto, %1 ppp</translation>
     </message>
     <message>
       <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
@@ -2723,6 +2708,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El proyecto completo, como archivo de conservación</translation>
     </message>
+    <message>
+      <source>Surfaces in the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Superficies en los dibujos</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2860,6 +2850,21 @@
       <source>Nothing leaves this computer: the program uses no network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Nada sale de este ordenador: no hay red en él.</translation>
+    </message>
+    <message>
+      <source>Search the manual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Buscar en el manual</translation>
+    </message>
+    <message>
+      <source>%1, line %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, línea %2</translation>
+    </message>
+    <message>
+      <source>The manual does not mention &apos;%1&apos;.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El manual no menciona «%1».</translation>
     </message>
 </context>
 <context>
@@ -10296,6 +10301,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Esto cambió mientras se completaba una fusión, por lo que se conservó, pero el catálogo tiene lo fusionado. Reprocese la tanda.</translation>
     </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>línea</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>campo</translation>
+    </message>
+    <message>
+      <source>value</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>valor</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10907,6 +10927,24 @@
         <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Imprímala al 100 %, sin ajustar a la página, y mida la barra de la segunda página: debe medir %1 mm. La próxima importación propone esta hoja. Si la barra no mide %1 mm, elija allí «Quitar la hoja» e introduzca el lado medido de un cuadrado negro.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SurfaceChoice</name>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Forma sombreada</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Con pintura y engobe</translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ortofoto, %1 ppp</translation>
     </message>
 </context>
 </TS>

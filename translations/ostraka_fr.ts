@@ -2269,11 +2269,6 @@
       <translation>Comment les surfaces sont dessinées</translation>
     </message>
     <message>
-      <source>With paint and slip</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Avec peinture et engobe</translation>
-    </message>
-    <message>
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Si c’est un bord</translation>
@@ -2367,11 +2362,6 @@
       <translation>Le dessin part à l’imprimante ; imprimez-le à 100 %.</translation>
     </message>
     <message>
-      <source>Shaded form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Forme ombrée</translation>
-    </message>
-    <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Automatique</translation>
@@ -2418,11 +2408,6 @@
         <numerusform>Dessin de %n tesson …</numerusform>
         <numerusform>Dessin de %n tessons …</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Orthophoto, %1 dpi</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Orthophoto, %1 ppp</translation>
     </message>
     <message>
       <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
@@ -2723,6 +2708,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le projet entier, en archive</translation>
     </message>
+    <message>
+      <source>Surfaces in the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Surfaces dans les dessins</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2860,6 +2850,21 @@
       <source>Nothing leaves this computer: the program uses no network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rien ne quitte cet ordinateur : il n’y a pas de réseau dedans.</translation>
+    </message>
+    <message>
+      <source>Search the manual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Chercher dans le manuel</translation>
+    </message>
+    <message>
+      <source>%1, line %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, ligne %2</translation>
+    </message>
+    <message>
+      <source>The manual does not mention &apos;%1&apos;.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le manuel ne mentionne pas « %1 ».</translation>
     </message>
 </context>
 <context>
@@ -10296,6 +10301,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ceci a changé pendant l’achèvement d’une fusion et a donc été conservé, mais le catalogue contient ce qui a été fusionné. Retraitez le lot.</translation>
     </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>ligne</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>champ</translation>
+    </message>
+    <message>
+      <source>value</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>valeur</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10907,6 +10927,24 @@
         <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Imprimez-la à 100 %, sans ajustement à la page, et mesurez la barre de la deuxième page : elle doit avoir %1 mm de long. L’importation suivante propose cette feuille. Si la barre n’a pas %1 mm de long, choisissez-y « Retirer la feuille » et saisissez le côté mesuré d’un carré noir.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SurfaceChoice</name>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Forme ombrée</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Avec peinture et engobe</translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Orthophoto, %1 ppp</translation>
     </message>
 </context>
 </TS>

@@ -2269,11 +2269,6 @@
       <translation>Ինչպես են գծվում մակերեսները</translation>
     </message>
     <message>
-      <source>With paint and slip</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ներկով և անգոբով</translation>
-    </message>
-    <message>
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Արդյոք շուրթ է</translation>
@@ -2367,11 +2362,6 @@
       <translation>Գծանկարն ուղարկվում է տպիչին. տպեք 100 % չափով։</translation>
     </message>
     <message>
-      <source>Shaded form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ստվերագծված ձև</translation>
-    </message>
-    <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ինքնաշխատ</translation>
@@ -2418,11 +2408,6 @@
         <numerusform>Գծվում է %n բեկոր …</numerusform>
         <numerusform>Գծվում է %n բեկոր …</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Orthophoto, %1 dpi</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Օրթոլուսանկար, %1 dpi</translation>
     </message>
     <message>
       <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
@@ -2723,6 +2708,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ամբողջ նախագիծը՝ որպես արխիվ</translation>
     </message>
+    <message>
+      <source>Surfaces in the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մակերեսները գծանկարներում</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2860,6 +2850,21 @@
       <source>Nothing leaves this computer: the program uses no network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ոչինչ դուրս չի գալիս այս համակարգչից. այն ցանց չունի։</translation>
+    </message>
+    <message>
+      <source>Search the manual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Փնտրել ձեռնարկում</translation>
+    </message>
+    <message>
+      <source>%1, line %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, տող %2</translation>
+    </message>
+    <message>
+      <source>The manual does not mention &apos;%1&apos;.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ձեռնարկը չի հիշատակում «%1»։</translation>
     </message>
 </context>
 <context>
@@ -10296,6 +10301,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա փոխվել է միավորումն ավարտելու ընթացքում, ուստի պահպանվել է, բայց կատալոգում միավորվածն է։ Վերամշակեք խմբաքանակը։</translation>
     </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տող</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դաշտ</translation>
+    </message>
+    <message>
+      <source>value</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>արժեք</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10907,6 +10927,24 @@
         <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Տպեք այն 100 % չափով՝ առանց էջին հարմարեցնելու, և չափեք երկրորդ էջի գիծը․ այն պետք է լինի %1 մմ։ Հաջորդ ներմուծումն առաջարկում է այս թերթը։ Եթե գիծը %1 մմ չէ, այնտեղ ընտրեք «Հեռացնել թերթը» և մուտքագրեք սև քառակուսու չափված կողմը։</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SurfaceChoice</name>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ստվերագծված ձև</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներկով և անգոբով</translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Օրթոլուսանկար, %1 dpi</translation>
     </message>
 </context>
 </TS>

@@ -2247,11 +2247,6 @@
       <translation>Yüzeyler nasıl çizilir</translation>
     </message>
     <message>
-      <source>With paint and slip</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Boya ve astarla</translation>
-    </message>
-    <message>
       <source>Whether it is a rim</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ağız parçası mı</translation>
@@ -2344,11 +2339,6 @@
       <translation>Çizim yazıcıya gönderiliyor; % 100 boyutta yazdırın.</translation>
     </message>
     <message>
-      <source>Shaded form</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Gölgeli biçim</translation>
-    </message>
-    <message>
       <source>Automatic</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otomatik</translation>
@@ -2394,11 +2384,6 @@
       <translation>
         <numerusform>%n parça çiziliyor …</numerusform>
       </translation>
-    </message>
-    <message>
-      <source>Orthophoto, %1 dpi</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ortofoto, %1 dpi</translation>
     </message>
     <message>
       <source>PDF, all sheets (*.pdf);;SVG, a file each sheet (*.svg);;PNG, the views of each sherd (*.png);;TIFF, the views of each sherd (*.tif)</source>
@@ -2693,6 +2678,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projenin tamamı, arşiv olarak</translation>
     </message>
+    <message>
+      <source>Surfaces in the drawings</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çizimlerdeki yüzeyler</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FilterLine</name>
@@ -2828,6 +2818,21 @@
       <source>Nothing leaves this computer: the program uses no network.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu bilgisayardan hiçbir şey çıkmaz: içinde ağ yoktur.</translation>
+    </message>
+    <message>
+      <source>Search the manual</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kılavuzda ara</translation>
+    </message>
+    <message>
+      <source>%1, line %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, satır %2</translation>
+    </message>
+    <message>
+      <source>The manual does not mention &apos;%1&apos;.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kılavuzda &apos;%1&apos; geçmiyor.</translation>
     </message>
 </context>
 <context>
@@ -10250,6 +10255,21 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu, bir birleştirme tamamlanırken değişti; bu yüzden korundu, ama katalogda birleştirilen var. Partiyi yeniden işleyin.</translation>
     </message>
+    <message>
+      <source>line</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>satır</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>alan</translation>
+    </message>
+    <message>
+      <source>value</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>değer</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>
@@ -10857,6 +10877,24 @@
         <source>Print it at 100 %, not fitted to the page, and measure the bar of the second page: it must be %1 mm long. The next import proposes this sheet. If the bar is not %1 mm long, choose Clear sheet there and type the measured side of a black square.</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Onu sayfaya sığdırmadan, % 100 boyutta yazdırın ve ikinci sayfadaki çubuğu ölçün: uzunluğu %1 mm olmalıdır. Bir sonraki içe aktarma bu sayfayı önerir. Çubuğun uzunluğu %1 mm değilse orada “Sayfayı kaldır” seçeneğini seçin ve bir siyah karenin ölçülen kenarını yazın.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::SurfaceChoice</name>
+    <message>
+      <source>Shaded form</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gölgeli biçim</translation>
+    </message>
+    <message>
+      <source>With paint and slip</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Boya ve astarla</translation>
+    </message>
+    <message>
+      <source>Orthophoto, %1 dpi</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ortofoto, %1 dpi</translation>
     </message>
 </context>
 </TS>

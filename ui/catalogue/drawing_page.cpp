@@ -18,7 +18,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "catalogue/settings.h"
@@ -33,6 +32,7 @@
 #include "ui/widgets/form_rows.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/parts.h"
+#include "ui/widgets/surface_choice.h"
 #include "ui/words/print_wording.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"
@@ -43,14 +43,8 @@ namespace {
 constexpr double kShownDpi = 200;  // three pixels for the thinnest line, when looked at closely
 constexpr std::size_t kNamed = 5;  // of the sherds that were left out
 constexpr const char* kRimsKey = "drawing.rims";
-using drawing::Dpi, drawing::RimChoice, drawing::Surface;
+using drawing::RimChoice;
 using Rims = std::map<store::SherdRow, RimChoice>;
-// In the order of the choices.
-constexpr std::pair<Surface, Dpi> kSurfaces[] = {{Surface::Relief, Dpi::Usual},
-                                                 {Surface::Painted, Dpi::Usual},
-                                                 {Surface::Orthophoto, Dpi::Usual},
-                                                 {Surface::Orthophoto, Dpi::Fine}};
-
 // The proposed ending gives way to that of the chosen kind, which a desktop's dialog leaves as it
 // was; one that was typed stays.
 QString fileOfKind(const QString& file, const QString& kind) {
@@ -94,31 +88,27 @@ DrawingPage::DrawingPage(QWidget* parent) : QWidget(parent) {
 }
 
 QLayout* DrawingPage::buildChoices() {
-  const auto choice = [this](const char* name, const QString& text) {
-    auto* box = named<QComboBox>({name, text}, this);
-    // Long words of some languages do not widen the window.
+  // Long words of some languages do not widen the window.
+  const auto narrow = [](auto* box) {
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
     box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     return box;
   };
-  scale_ = choice("drawingScale", tr("Scale of the drawing"));
+  scale_ = narrow(named<QComboBox>({"drawingScale", tr("Scale of the drawing")}, this));
   scale_->addItem(tr("1 : 1"), 1.0);
   scale_->addItem(tr("1 : 2"), 0.5);
-  surface_ = choice("drawingSurface", tr("How surfaces are drawn"));
-  surface_->addItem(tr("Shaded form"));
-  surface_->addItem(tr("With paint and slip"));
-  for (const Dpi dpi : {Dpi::Usual, Dpi::Fine})
-    surface_->addItem(tr("Orthophoto, %1 dpi").arg(static_cast<int>(dpi)));
-  rim_ = choice("drawingRim", tr("Whether it is a rim"));
+  surface_ = narrow(named<SurfaceChoice>({"drawingSurface", tr("How surfaces are drawn")}, this));
+  rim_ = narrow(named<QComboBox>({"drawingRim", tr("Whether it is a rim")}, this));
   rim_->addItem(tr("Automatic"), static_cast<int>(RimChoice::Propose));
   rim_->addItem(tr("Rim sherd"), static_cast<int>(RimChoice::Yes));
   rim_->addItem(tr("No rim"), static_cast<int>(RimChoice::No));
   rim_->setPlaceholderText(tr("Different"));  // of sherds that differ
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
-  for (const auto& [text, box] : {std::pair(tr("Scale"), scale_),
-                                  std::pair(tr("Surface"), surface_), std::pair(tr("Rim"), rim_)}) {
+  for (const auto& [text, box] :
+       {std::pair(tr("Scale"), scale_), std::pair(tr("Surface"), static_cast<QComboBox*>(surface_)),
+        std::pair(tr("Rim"), rim_)}) {
     form->addRow(text, box);
     connect(box, &QComboBox::activated, this,
             box == rim_ ? &DrawingPage::rimChosen : &DrawingPage::choicesChanged);
@@ -172,7 +162,8 @@ exchange::DrawSherdsOptions DrawingPage::options() const {
   exchange::DrawSherdsOptions how;
   how.drawing.wording = printWording();
   how.drawing.scale = scale_->currentData().toDouble();
-  std::tie(how.drawing.surface, how.drawing.dpi) = kSurfaces[surface_->currentIndex()];
+  how.drawing.surface = surface_->surface();
+  how.drawing.dpi = surface_->dpi();
   how.rims = rims_;
   return how;
 }

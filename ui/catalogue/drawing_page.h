@@ -20,6 +20,7 @@ namespace ostraka::ui {
 
 class ProjectSession;
 class SheetView;
+class SurfaceChoice;
 
 /// The archaeological drawing of the sherd that is chosen, or plates of many: section, views, scale
 /// bar, mouth; saved as SVG or PDF, printed in true scale. One is drawn as soon as the page is
@@ -87,7 +88,7 @@ class DrawingPage final : public QWidget {
   QString problem_;
   int page_ = 0;
   QComboBox* scale_ = nullptr;
-  QComboBox* surface_ = nullptr;
+  SurfaceChoice* surface_ = nullptr;
   QComboBox* rim_ = nullptr;
   QPushButton* draw_ = nullptr;
   QProgressBar* bar_ = nullptr;

@@ -106,6 +106,12 @@ void ExportModel::readChoices() {
         options_.forms.insert(static_cast<exchange::Form>(form.toInt()));
     const double scale = choices[QStringLiteral("drawing_scale")].toDouble();
     options_.drawing_scale = scale > 0 ? std::optional(scale) : std::nullopt;
+    const int surface = choices[QStringLiteral("drawing_surface")].toInt();
+    if (surface >= 0 && surface <= static_cast<int>(drawing::Surface::Orthophoto))
+      options_.drawing_surface = static_cast<drawing::Surface>(surface);
+    const int dpi = choices[QStringLiteral("drawing_dpi")].toInt();
+    options_.drawing_dpi =
+        dpi == static_cast<int>(drawing::Dpi::Fine) ? drawing::Dpi::Fine : drawing::Dpi::Usual;
     options_.most_model_bytes = static_cast<std::size_t>(
         std::max<qint64>(0, choices[QStringLiteral("most_model_bytes")].toInteger()));
     const QString parent = choices[QStringLiteral("folder")].toString();
@@ -121,6 +127,8 @@ void ExportModel::keepChoices() const {
   const QJsonObject choices{
       {QStringLiteral("forms"), forms},
       {QStringLiteral("drawing_scale"), options_.drawing_scale.value_or(0)},
+      {QStringLiteral("drawing_surface"), static_cast<int>(options_.drawing_surface)},
+      {QStringLiteral("drawing_dpi"), static_cast<int>(options_.drawing_dpi)},
       {QStringLiteral("most_model_bytes"), static_cast<qint64>(options_.most_model_bytes)},
       {QStringLiteral("folder"), parent_}};
   session_->keepSetting(kChoicesKey, QJsonDocument(choices).toJson(QJsonDocument::Compact));

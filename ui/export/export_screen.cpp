@@ -17,11 +17,13 @@
 
 #include "ui/look/look.h"
 #include "ui/widgets/big_button.h"
+#include "ui/widgets/flow_row.h"
 #include "ui/widgets/open_outside.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/side_by_side.h"
+#include "ui/widgets/surface_choice.h"
 
 namespace ostraka::ui {
 
@@ -94,9 +96,14 @@ QWidget* ExportScreen::buildForms() {
       column->addWidget(check);
       continue;
     }
-    auto* row = filled(
-        new QHBoxLayout,
-        {check, form == exchange::Form::Ply ? buildDetail(box) : buildScale(box), Part::room()});
+    auto* row = new FlowRow;  // long words of some languages go on below
+    row->addWidget(check);
+    if (form == exchange::Form::Ply) {
+      row->addWidget(buildDetail(box));
+    } else {
+      row->addWidget(buildScale(box));
+      row->addWidget(buildSurface(box));
+    }
     column->addLayout(row);
   }
   return box;
@@ -114,6 +121,17 @@ QWidget* ExportScreen::buildScale(QWidget* box) {
     model_.setOptions(std::move(options));
   });
   return scale_ = scale;
+}
+
+QWidget* ExportScreen::buildSurface(QWidget* box) {
+  surface_ = named<SurfaceChoice>({"exportSurface", tr("Surfaces in the drawings")}, box);
+  connect(surface_, &QComboBox::activated, this, [this] {
+    exchange::ExportOptions options = model_.options();
+    options.drawing_surface = surface_->surface();
+    options.drawing_dpi = surface_->dpi();
+    model_.setOptions(std::move(options));
+  });
+  return surface_;
 }
 
 QWidget* ExportScreen::buildDetail(QWidget* box) {
@@ -260,6 +278,7 @@ void ExportScreen::refresh() {
   for (const auto& [check, form] : forms_) check->setChecked(options.forms.contains(form));
   scale_->setCurrentIndex(options.drawing_scale ? scale_->findData(*options.drawing_scale)
                                                 : scale_->count() - 1);
+  surface_->choose(options.drawing_surface, options.drawing_dpi);
   detail_->setCurrentIndex(
       std::max(0, detail_->findData(static_cast<qulonglong>(options.most_model_bytes))));
   if (!target_->hasFocus()) target_->setText(model_.target());

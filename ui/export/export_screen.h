@@ -12,6 +12,8 @@ class QRadioButton;
 
 namespace ostraka::ui {
 
+class SurfaceChoice;
+
 /// What, in which forms, where to; size and time before it starts, progress, and a closing line.
 class ExportScreen final : public Screen {
   Q_OBJECT
@@ -40,6 +42,7 @@ class ExportScreen final : public Screen {
   QWidget* buildForms();
   QWidget* buildWhere();
   QWidget* buildScale(QWidget* box);
+  QWidget* buildSurface(QWidget* box);
   QWidget* buildDetail(QWidget* box);
   using What = ExportSelection::What;
   void choose(What what, const QString& filter = {});
@@ -54,6 +57,7 @@ class ExportScreen final : public Screen {
   QLineEdit* filter_ = nullptr;
   std::vector<std::pair<QCheckBox*, exchange::Form>> forms_;
   QComboBox* scale_ = nullptr;
+  SurfaceChoice* surface_ = nullptr;
   QComboBox* detail_ = nullptr;
   QLineEdit* target_ = nullptr;
   QLabel* size_ = nullptr;

@@ -81,7 +81,7 @@ class ExportScreenTest : public QObject {
     };
     form(exchange::Form::Drawings)->click();
     form(exchange::Form::Csv)->click();
-    for (const char* box : {"exportScale", "exportDetail"}) {
+    for (const char* box : {"exportScale", "exportSurface", "exportDetail"}) {
       child<QComboBox>(box)->setFocus();
       QTest::keyClick(child<QComboBox>(box), Qt::Key_End);
     }
@@ -100,9 +100,30 @@ class ExportScreenTest : public QObject {
     QVERIFY(form(exchange::Form::Drawings)->isChecked());
     QVERIFY(!form(exchange::Form::Csv)->isChecked());
     QCOMPARE(child<QComboBox>("exportScale")->currentText(), QString("fit to A4"));
+    QCOMPARE(child<QComboBox>("exportSurface")->currentText(), QString("Orthophoto, 600 dpi"));
     QVERIFY(child<QComboBox>("exportDetail")->currentText().contains("1 MB"));
     QVERIFY2(child<QLineEdit>("target")->text().startsWith(sample_->folder() + "/"),
              qPrintable(child<QLineEdit>("target")->text()));
+  }
+
+  void theSizeFollowsHowSurfacesAreDrawn() {
+    sample_->giveModel(1);
+    exchange::ExportOptions options = screen_->model().options();
+    options.forms = {exchange::Form::Drawings};
+    screen_->model().setOptions(options);
+    screen_->takeChosen(QString("rows:%1").arg(sample_->sherds()[1].value));
+    const auto counted = [this] {
+      const QString text = child<QLabel>("size")->text();
+      return text.startsWith("1 sherd(s)") ? text : QString();
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(!counted().isEmpty(), 60000);
+    const QString shaded = counted();
+    auto* surface = child<QComboBox>("exportSurface");
+    surface->setFocus();
+    QTest::keyClick(surface, Qt::Key_End);
+    QVERIFY(screen_->model().options().drawing_surface == drawing::Surface::Orthophoto);
+    QVERIFY(screen_->model().options().drawing_dpi == drawing::Dpi::Fine);
+    QTRY_VERIFY_WITH_TIMEOUT(!counted().isEmpty() && counted() != shaded, 60000);
   }
 
   void theNextExportIsProposedANameThatIsFree() {

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QImageReader>
 #include <functional>
+#include <utility>
 
 #include "batch/photograph.h"
 #include "batch/raw_image.h"
@@ -16,6 +17,16 @@ namespace ostraka::ui {
 namespace {
 
 constexpr int kKept_kib = 64 * 1024;
+constexpr int kLook_ms = 300;  // one look for all that was painted meanwhile
+
+struct ReadPicture {
+  QImage image;
+  qint64 changed_ms = 0;
+};
+
+qint64 changedAt(const QString& file) {
+  return QFileInfo(file).lastModified().toMSecsSinceEpoch();
+}
 
 // Of the formats that Qt does not read, or of which it reads the preview.
 bool isCameras(const QString& file) {
@@ -71,34 +82,61 @@ QImage readScaled(const QString& file, const QSize& size) {
 }
 
 Thumbnails::Thumbnails(JobRunner& runner, QObject* parent)
-    : QObject(parent), runner_(runner), kept_(kKept_kib) {}
+    : QObject(parent), runner_(runner), kept_(kKept_kib) {
+  look_.setSingleShot(true);
+  look_.setInterval(kLook_ms);
+  connect(&look_, &QTimer::timeout, this, &Thumbnails::lookForChanges);
+}
 
 QPixmap Thumbnails::get(const QString& file, const QSize& size) {
-  // A batch that is computed anew writes other pictures under the same names.
-  const QString key = QStringLiteral("%1@%2x%3@%4")
-                          .arg(file)
-                          .arg(size.width())
-                          .arg(size.height())
-                          .arg(QFileInfo(file).lastModified().toMSecsSinceEpoch());
-  if (const QPixmap* kept = kept_.object(key)) return *kept;
-  if (file.isEmpty() || on_the_way_.contains(key) || unreadable_.contains(key)) return {};
+  if (file.isEmpty()) return {};
+  const QString key = QStringLiteral("%1@%2x%3").arg(file).arg(size.width()).arg(size.height());
+  if (const Kept* kept = kept_.object(key)) {
+    painted_.insert(key, {file, size});
+    if (!look_.isActive()) look_.start();
+    return kept->picture;
+  }
+  read(key, {file, size});
+  return {};
+}
+
+void Thumbnails::read(const QString& key, const Asked& asked) {
+  if (on_the_way_.contains(key)) return;
   on_the_way_.insert(key);
   JobHandle* job =
-      runner_.start(makeJob([file, size](Progress&, std::stop_token) -> Result<QImage> {
-                      return readScaled(file, size);
+      runner_.start(makeJob([asked](Progress&, std::stop_token) -> Result<ReadPicture> {
+                      const qint64 changed_ms = changedAt(asked.file);  // before, so never too late
+                      return ReadPicture{readScaled(asked.file, asked.size), changed_ms};
                     }),
                     this);
-  whenDone<QImage>(job, this, [this, key, file](const auto& image) {
+  whenDone<ReadPicture>(job, this, [this, key, file = asked.file](const auto& done) {
     on_the_way_.remove(key);
-    if (!image || image->isNull()) {
-      unreadable_.insert(key);
-      return;
-    }
-    const auto cost = static_cast<int>(image->sizeInBytes() / 1024 + 1);
-    kept_.insert(key, new QPixmap(QPixmap::fromImage(*image)), cost);
-    emit ready(file);
+    if (!done) return;
+    const QImage& image = done->image;
+    const bool told = kept_.contains(key) || !image.isNull();
+    const auto cost = static_cast<int>(image.sizeInBytes() / 1024 + 1);
+    kept_.insert(key, new Kept{QPixmap::fromImage(image), done->changed_ms}, cost);
+    if (told) emit ready(file);
   });
-  return {};
+}
+
+// A batch that is computed anew writes other pictures under the same names.
+void Thumbnails::lookForChanges() {
+  const QHash<QString, Asked> painted = std::exchange(painted_, {});
+  const auto work = [painted](Progress&, std::stop_token) -> Result<QHash<QString, qint64>> {
+    QHash<QString, qint64> changed_ms;
+    for (auto at = painted.begin(); at != painted.end(); ++at)
+      changed_ms.insert(at.key(), changedAt(at->file));
+    return changed_ms;
+  };
+  JobHandle* job = runner_.start(makeJob(work), this);
+  whenDone<QHash<QString, qint64>>(job, this, [this, painted](const auto& changed_ms) {
+    if (!changed_ms) return;
+    for (auto at = painted.begin(); at != painted.end(); ++at)
+      if (const Kept* kept = kept_.object(at.key());
+          kept != nullptr && kept->changed_ms != changed_ms->value(at.key()))
+        read(at.key(), *at);
+  });
 }
 
 }  // namespace ostraka::ui

@@ -5,9 +5,13 @@
 
 #include <QFile>
 #include <QImage>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <chrono>
 #include <filesystem>
+
+#include "ui/jobs/job.h"
 
 namespace ostraka::ui {
 
@@ -21,6 +25,7 @@ class ThumbnailsTest : public QObject {
   void aPictureIsReadWholeAndScaledDown();
   void aLinkInAProjectIsNotFollowed();
   void aPipeIsNotWaitedFor();
+  void paintingWaitsForNoDiskAndAChangedFileIsNoticed();
 
  private:
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
@@ -61,6 +66,32 @@ void ThumbnailsTest::aLinkInAProjectIsNotFollowed() {
 void ThumbnailsTest::aPipeIsNotWaitedFor() {
   QCOMPARE(::mkfifo(at("pipe.png").toStdString().c_str(), 0600), 0);
   QVERIFY(readWhole(at("pipe.png")).isNull());
+}
+
+void ThumbnailsTest::paintingWaitsForNoDiskAndAChangedFileIsNoticed() {
+  ThreadedJobRunner jobs;
+  Thumbnails pictures(jobs);
+  const QString file = at("project/models/preview.png");
+  const auto shown = [&] {
+    const QPixmap picture = pictures.get(file, {100, 100});
+    return picture.isNull() ? QColor() : picture.toImage().pixelColor(5, 5);
+  };
+  const QSignalSpy ready(&pictures, &Thumbnails::ready);
+  QVERIFY(!shown().isValid());
+  QTRY_COMPARE(ready.count(), 1);
+  QCOMPARE(shown(), QColor(Qt::darkRed));
+  QImage other(400, 200, QImage::Format_RGB32);
+  other.fill(Qt::darkGreen);
+  QVERIFY(other.save(file));
+  const fs::path path = file.toStdString();
+  fs::last_write_time(path, fs::last_write_time(path) + std::chrono::seconds(2));
+  QCOMPARE(shown(), QColor(Qt::darkRed));  // as it is known
+  QTRY_COMPARE(ready.count(), 2);
+  QCOMPARE(shown(), QColor(Qt::darkGreen));
+  QVERIFY(QFile::remove(file));
+  QCOMPARE(shown(), QColor(Qt::darkGreen));
+  QTRY_COMPARE(ready.count(), 3);
+  QVERIFY(!shown().isValid());
 }
 
 }  // namespace ostraka::ui

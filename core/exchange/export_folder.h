@@ -48,7 +48,7 @@ struct ExportOptions {
   drawing::Surface drawing_surface = drawing::Surface::Relief;
   drawing::Dpi drawing_dpi = drawing::Dpi::Usual;
   drawing::Wording wording;         ///< of the drawings
-  ColumnWords words;                ///< in the spreadsheet's sheet of columns; may be empty
+  ColumnWords words;                ///< in the spreadsheet's headings; may be empty
   std::string program = "ostraka";  ///< with its version
   /// What a GLB may take, photographs and all. Larger ones get fewer triangles and texels, PLY and
   /// OBJ the same surface; how far it is off is stated in each file. 0: as computed, and the GLB as
@@ -104,8 +104,9 @@ Result<std::string> contextsCsv(const catalogue::Catalogue& catalogue,
 /// What the columns of both mean, and their units.
 std::string columnsCsv(ByteOrderMark mark);
 /// Sherds, contexts and the meanings of the columns as three sheets of an OpenDocument spreadsheet,
-/// for people: numbers as their program shows them. The headings are those of the CSV, so that a
-/// sheet that was edited can be imported again.
+/// for people: numbers as their program shows them. The headings are the reader's words where the
+/// import of a table knows them as the same field, else those of the CSV, so that a sheet that was
+/// edited can be imported again.
 Result<std::string> tablesOds(const catalogue::Catalogue& catalogue,
                               std::span<const store::SherdRow> sherds,
                               std::span<const store::ContextRow> contexts,

@@ -19,6 +19,7 @@
 #include "store/database.h"
 #include "store/values.h"
 #include "tables/column_meanings.h"
+#include "tables/column_names.h"
 #include "tables/csv.h"
 #include "tables/ods.h"
 
@@ -211,15 +212,20 @@ class CsvWriter final : public TableWriter {
 
 class OdsWriter final : public TableWriter {
  public:
-  explicit OdsWriter(std::string name) : name_(std::move(name)) {}
+  /// heading: of a column, by its name.
+  OdsWriter(std::string name, ColumnWords heading)
+      : name_(std::move(name)), heading_(std::move(heading)) {}
   void begin(const std::vector<tables::OdsSheet::Column>& columns) override {
-    sheet.emplace(name_, columns);
+    std::vector<tables::OdsSheet::Column> headed = columns;
+    for (tables::OdsSheet::Column& column : headed) column.name = heading_(column.name);
+    sheet.emplace(name_, headed);
   }
   void row(const std::vector<std::string>& values) override { sheet->row(values); }
   std::optional<tables::OdsSheet> sheet;
 
  private:
   std::string name_;
+  ColumnWords heading_;
 };
 
 }  // namespace
@@ -252,7 +258,17 @@ Result<std::string> tablesOds(const Catalogue& catalogue, std::span<const store:
                               std::span<const store::ContextRow> contexts,
                               const FilesOfSherds& files, const ColumnWords& words) {
   return catalogue.database().asResult([&] {
-    OdsWriter first("sherds"), second("contexts"), third("columns");
+    // A field of the users' own keeps its mark: its name may be that of another field.
+    const auto headings = [&words](bool of_contexts) -> ColumnWords {
+      return [&words, of_contexts](const std::string& column) {
+        return words && !column.starts_with("extra.")
+                   ? tables::headingOf(column, words(column), of_contexts)
+                   : column;
+      };
+    };
+    OdsWriter first("sherds", headings(false)), second("contexts", headings(true)),
+        third("columns",
+              [&words](const std::string&column) { return words ? words(column) : column; });
     writeSherds(catalogue, sherds, files, first);
     writeContexts(catalogue, contexts, second);
     writeMeanings(third, words);

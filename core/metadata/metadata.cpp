@@ -90,8 +90,11 @@ constexpr const char* kMetadata =
     "                 the vocabulary terms that the sherds use\n";
 constexpr const char* kGuarded =
     "\nTables (.csv) are for other programs: commas between the values, decimal points, and the\n"
-    "same English headings in every language. sherds.ods has the same headings; its sheet columns\n"
-    "says what the person who exported it calls them.\n"
+    "same English headings in every language: rely on these. sherds.ods is for people: its "
+    "headings\n"
+    "are in the language of whoever exported it, and its sheet columns says which is which. Saved "
+    "as\n"
+    "CSV, each of its sheets can be imported again.\n"
     "\nIn a table, a text that begins with = + - or @ has one ' before it, so that a spreadsheet "
     "does\nnot read it as a formula.\n";
 constexpr const char* kBag =

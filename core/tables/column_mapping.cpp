@@ -198,15 +198,10 @@ class Mapper {
     if (!unitsOf(choice.field).empty()) choice.unit = unitsOf(choice.field).front();
   }
   void byName(ColumnChoice& choice) {
-    const NameAndUnit parts = nameAndUnit(choice.column);
-    std::string field = fieldOfColumn(choice.column, mapping_.of_contexts);
-    std::string unit;
-    if (field.empty() || field != choice.column) {
-      const std::string without = fieldOfColumn(parts.name, mapping_.of_contexts);
-      if (!parts.unit.empty() && holds(unitsOf(without), parts.unit)) {
-        field = without;
-        unit = parts.unit;
-      }
+    const auto [field, unit] = fieldAndUnit(choice.column, mapping_.of_contexts);
+    if (holds(kBeside, field)) {
+      choice.by = ChosenBy::Name;
+      return;
     }
     if (field.empty() || isTaken(field)) {
       choice.field = "extra." + choice.column;

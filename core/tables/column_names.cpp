@@ -140,6 +140,38 @@ constexpr Names kOfSherds[] = {
      "nota|notas|observaciones|comentario|σημείωση|σημειώσεις|παρατηρήσεις|not|notlar|"
      "açıklama|նշում|նշումներ|ծանոթագրություն"}};
 
+// What an export says besides; nothing of it is typed.
+constexpr Names kOfExports[] = {
+    {"batch", "batch|Durchgang|tanda|παρτίδα|parti|խմբաքանակ"},
+    {"area_mm2",
+     "area, mm²|Fläche, mm²|surface, mm²|área, mm²|εμβαδόν, mm²|alan, mm²|մակերես, mm²"},
+    {"volume_mm3", "volume, mm³|Volumen, mm³|volumen, mm³|όγκος, mm³|hacim, mm³|ծավալ, mm³"},
+    {"filled_pct",
+     "unseen surface|nicht gesehene Fläche|surface non vue|superficie no vista|αθέατο|görülmeyen|"
+     "չերևացած"},
+    {"measured_by_hand",
+     "measured by hand|von Hand gemessen|mesuré à la main|medido a mano|μετρημένα με το χέρι|"
+     "elle ölçülen|ձեռքով չափված"},
+    {"mass_centre_x_mm",
+     "centre of mass x|Schwerpunkt x|centre de masse x|centro de masa x|κέντρο μάζας x|"
+     "kütle merkezi x|զանգվածի կենտրոն x"},
+    {"mass_centre_y_mm",
+     "centre of mass y|Schwerpunkt y|centre de masse y|centro de masa y|κέντρο μάζας y|"
+     "kütle merkezi y|զանգվածի կենտրոն y"},
+    {"mass_centre_z_mm",
+     "centre of mass z|Schwerpunkt z|centre de masse z|centro de masa z|κέντρο μάζας z|"
+     "kütle merkezi z|զանգվածի կենտրոն z"},
+    {"model_file",
+     "model file|Modelldatei|fichier du modèle|archivo del modelo|αρχείο μοντέλου|model dosyası|"
+     "մոդելի ֆայլ"},
+    {"image_file",
+     "picture file|Bilddatei|fichier de l'image|archivo de la imagen|αρχείο εικόνας|"
+     "resim dosyası|պատկերի ֆայլ"},
+    {"drawing_file",
+     "drawing file|Zeichnungsdatei|fichier du dessin|archivo del dibujo|αρχείο σχεδίου|"
+     "çizim dosyası|գծագրի ֆայլ"},
+    {"licence", "licence|license|Lizenz|licencia|άδεια|lisans|արտոնագիր"}};
+
 constexpr Names kOfContexts[] = {
     {"kind", "kind|kind of context|type|Art|Befundart|Typ|tipo|genre|είδος|τύπος|tür|տեսակ"},
     {"excavated_on",
@@ -153,7 +185,9 @@ constexpr Names kOfContexts[] = {
      "collected on|collected|gefüllt am|gesammelt am|collecté le|ramassé le|"
      "recogido el|συλλέχθηκε|toplama tarihi|հավաքման օր"},
     {"count_written",
-     "count written|count|number of sherds|Anzahl|Stückzahl|nombre|"
+     "count written|count|number of sherds|sherds written on the bag|Scherben laut Beutel|"
+     "tessons indiqués sur le sac|fragmentos según la bolsa|όστρακα κατά τη σακούλα|"
+     "torbada yazan parça sayısı|բեկորներ ըստ տոպրակի|Anzahl|Stückzahl|nombre|"
      "nombre de tessons|cantidad|número de fragmentos|πλήθος|αριθμός οστράκων|adet|"
      "sayı|քանակ"},
     {"storage",
@@ -193,6 +227,7 @@ const Dictionary& dictionaryOf(bool contexts) {
     for (const records::SherdField& field : sherds::sherdFields())
       all.emplace(store::plainKey(field.name), field.name);
     for (const Names& one : kOfSherds) add(all, one);
+    for (const Names& one : kOfExports) add(all, one);
     return all;
   }();
   static const Dictionary of_contexts = [] {
@@ -255,6 +290,23 @@ NameAndUnit nameAndUnit(const std::string& column) {
   for (const char* joint : {" in", " en", " σε"})
     if (name.ends_with(joint)) name.resize(name.size() - std::string_view(joint).size());
   return {withoutMarks(name), unit};
+}
+
+NameAndUnit fieldAndUnit(const std::string& heading, bool of_contexts) {
+  const NameAndUnit parts = nameAndUnit(heading);
+  const std::string field = fieldOfColumn(heading, of_contexts);
+  if (parts.unit.empty() || field == heading) return {field, {}};
+  const std::string without = fieldOfColumn(parts.name, of_contexts);
+  const std::vector<std::string> units = unitsOf(without);
+  if (std::find(units.begin(), units.end(), parts.unit) == units.end()) return {field, {}};
+  return {without, parts.unit};
+}
+
+std::string headingOf(const std::string& field, const std::string& words, bool of_contexts) {
+  const NameAndUnit read = fieldAndUnit(words, of_contexts);
+  const std::vector<std::string> units = unitsOf(field);
+  const bool own = units.empty() || read.unit == units.front();
+  return read.name == field && own ? words : field;
 }
 
 NameAndUnit valueAndUnit(const std::string& value) {

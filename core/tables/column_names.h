@@ -16,6 +16,13 @@ struct NameAndUnit {
 };
 NameAndUnit nameAndUnit(const std::string& column);
 
+/// Which field a heading means, as `name`, and its unit where the heading says one that the field
+/// has: {"length_mm", "cm"} of "Länge (cm)". Both empty: none.
+NameAndUnit fieldAndUnit(const std::string& heading, bool of_contexts);
+/// A heading for people: `words`, what the reader calls the field, where a table with it is read as
+/// this field in its own unit again; else the field's own name.
+std::string headingOf(const std::string& field, const std::string& words, bool of_contexts);
+
 /// The same of a value, which ends with its last digit: "12,5 ± 0,3 cm".
 NameAndUnit valueAndUnit(const std::string& value);
 

@@ -22,7 +22,8 @@ std::string refusedRowsCsv(const ImportReport& report,
   };
   const std::string head = kRemarkColumn + words(message("why this row was not imported"));
   if (report.left_out.columns.empty()) {
-    std::string text = kUtf8Mark + line(head, {"line", "column", "value"});
+    std::string text = kUtf8Mark + line(head, {words(message("line")), words(message("field")),
+                                               words(message("value"))});
     for (const Refusal& refusal : refusals)
       text += line(guarded(words(refusal.reason)),
                    {std::to_string(refusal.line), refusal.column, refusal.value});

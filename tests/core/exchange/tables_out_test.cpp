@@ -31,6 +31,23 @@ TEST_F(ExportedTables, TablesSayWhereTheMassLiesOfModelsThatGoAlong) {
   }
 }
 
+TEST_F(ExportedTables, OfASpreadsheetHaveTheReadersHeadingsAndThoseOfTheCsvTheSame) {
+  ExportOptions options;
+  options.target = folder_.path() / "out";
+  options.forms = {Form::Csv, Form::Ods};
+  options.words = [](const std::string& column) {
+    return column == "length_mm" ? "Länge, mm" : column == "bag" ? "Beutel" : "<" + column + ">";
+  };
+  ASSERT_TRUE(exportFolder(catalogue(), project_->folder(), rows, options, quiet, {}));
+  const std::string ods = *readFile(options.target / "data/sherds.ods");
+  for (const char* heading : {"Länge, mm", "Beutel", "width_mm", "extra.drawer"})
+    EXPECT_THAT(ods, testing::HasSubstr(std::string("office:value-type=\"string\"><text:p>") +
+                                        heading + "</text:p>"));
+  EXPECT_THAT(*readFile(options.target / "data/sherds.csv"), testing::HasSubstr(",length_mm,"));
+  EXPECT_THAT(*readFile(options.target / "data/README.txt"),
+              testing::HasSubstr("headings\nare in the language of whoever exported it"));
+}
+
 TEST_F(ExportedTables, AWholeProjectTellsOfAllContextsWithAllTheirFields) {
   records::ContextRecord c = *catalogue::Places(catalogue()).context(context13);
   c.excavated_on = "2025-07-31";

@@ -53,5 +53,20 @@ TEST(ColumnNames, SayTheirUnitInBracketsAndBehindTheirName) {
   }
 }
 
+TEST(ColumnNames, OfAnExportForPeopleAreTheirWordsWhereAnImportReadsThemAsTheSameField) {
+  for (const auto& [field, words, heading] :
+       {std::tuple("length_mm", "Länge, mm", "Länge, mm"),
+        std::tuple("rim_pct", "Rand erhalten, %", "Rand erhalten, %"),
+        std::tuple("area_mm2", "alan, mm²", "alan, mm²"), std::tuple("site", "alan", "alan"),
+        std::tuple("model_file", "Modelldatei", "Modelldatei"),
+        std::tuple("mass_centre_y_mm", "centro de masa y, mm", "centro de masa y, mm"),
+        std::tuple("state", "Zustand", "state"),  // the condition to others
+        std::tuple("batch", "lot", "batch"),      // a bag
+        std::tuple("weight_g", "Gewicht, kg", "weight_g"),
+        std::tuple("length_mm", "Länge", "length_mm")})  // in which unit?
+    EXPECT_EQ(headingOf(field, words, false), heading) << words;
+  EXPECT_EQ(headingOf("count_written", "Scherben laut Beutel", true), "Scherben laut Beutel");
+}
+
 }  // namespace
 }  // namespace ostraka::tables

@@ -1,6 +1,7 @@
 // Rows that do not enter, and what is said of them.
 #include <gmock/gmock.h>
 
+#include "base/message.h"
 #include "sherds/sherds.h"
 #include "tables/import_table.h"
 #include "tables/refused_rows.h"
@@ -141,6 +142,18 @@ TEST_F(Import, RefusedRowsAreWrittenAsTheTableHasThemAndImportedAgain) {
   EXPECT_EQ(again.left_out.columns.size(), 6u);
   ASSERT_EQ(again.left_out.rows.size(), 2u);
   EXPECT_EQ(again.left_out.rows[0].values.size(), 3u);
+}
+
+TEST(RefusedRows, OfAnExportFolderAreHeadedInTheReadersLanguage) {
+  ImportReport report;  // a folder has no table
+  report.refusals.push_back({3, "part", "wing", message("Not a term.")});
+  const std::string text = refusedRowsCsv(
+      report, [](const Message& words) { return "<" + words.templateWords() + ">"; });
+  EXPECT_TRUE(
+      text.starts_with(std::string(kUtf8Mark) +
+                       "Ostraka: <why this row was not imported>,<line>,<field>,<value>\r\n"))
+      << text;
+  EXPECT_NE(text.find(",3,part,wing\r\n"), std::string::npos) << text;
 }
 
 // Whoever made the table: the file is opened in a spreadsheet.

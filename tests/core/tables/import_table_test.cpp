@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <thread>
 #include <utility>
 
@@ -17,10 +18,13 @@
 #include "sherds/measurements.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
+#include "tables/column_names.h"
 #include "tables/csv.h"
 #include "tests/core/catalogue/small_project.h"
 #include "tests/core/tables/import_fixture.h"
 
+#include <map>
+#include "tables/column_names.h"
 namespace ostraka::tables {
 namespace {
 
@@ -166,6 +170,35 @@ TEST_F(Import, TakesBackItsOwnExportUnchangedInAnyLocale) {
     EXPECT_TRUE(report.warnings.empty());
   }
   std::setlocale(LC_ALL, "C");
+}
+
+// As a spreadsheet in a German window has them.
+TEST_F(Import, ReadsAnExportsHeadingsInThePersonsWords) {
+  import(kTwo);
+  const std::vector<store::SherdRow> rows = *sherds::Sherds(catalogue()).rows(sherds::Filter{}, {});
+  const std::string text =
+      *exchange::sherdsCsv(catalogue(), rows, exchange::ByteOrderMark::Without);
+  const std::map<std::string, std::string> german = {{"number", "Nummer"},
+                                                     {"uuid", "Kennung"},
+                                                     {"state", "Zustand"},
+                                                     {"context", "Befund"},
+                                                     {"length_mm", "Länge, mm"},
+                                                     {"area_mm2", "Fläche, mm²"},
+                                                     {"weight_g", "Gewicht, g"},
+                                                     {"batch", "Durchgang"},
+                                                     {"licence", "Lizenz"},
+                                                     {"model_file", "Modelldatei"},
+                                                     {"measured_by_hand", "von Hand gemessen"},
+                                                     {"mass_centre_x_mm", "Schwerpunkt x, mm"}};
+  CsvTable table = *parseCsv(text, "sherds.csv");
+  for (std::string& column : table.columns)
+    if (const auto words = german.find(column); words != german.end())
+      column = headingOf(column, words->second, false);
+  const std::string headed = csvLine(table.columns) + text.substr(text.find("\r\n") + 2);
+  EXPECT_THAT(headed, testing::HasSubstr("\"Fläche, mm²\""));
+  const ImportReport report = import(headed);
+  EXPECT_EQ(report.same, 2);
+  EXPECT_TRUE(report.warnings.empty());
 }
 
 TEST_F(Import, TakesMeasuresOfTheProgramRoundedInATableForTheSame) {

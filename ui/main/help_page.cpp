@@ -2,17 +2,23 @@
 
 #include <QAction>
 #include <QCoreApplication>
+#include <QDir>
+#include <QFile>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSet>
+#include <QTextBlock>
 #include <QTextBrowser>
+#include <QUrlQuery>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/look/look.h"
 #include "ui/widgets/page_acts.h"
+#include "ui/widgets/parts.h"
 
 // A static library's resources are linked in only when somebody asks for them.
 static void initialiseManual() {
@@ -60,6 +66,7 @@ bool isOfAnInnerScreen(const QAction& action,
 HelpPage::HelpPage(QWidget* parent)
     : QWidget(parent),
       text_(new ManualText(this)),
+      search_(named<QLineEdit>({QStringLiteral("helpSearch"), tr("Search the manual")}, this)),
       note_(wrappedLabel(this, QStringLiteral("helpNote"))) {
   initialiseManual();
   setObjectName(QStringLiteral("help"));
@@ -80,7 +87,11 @@ HelpPage::HelpPage(QWidget* parent)
           &HelpPage::shortcutsWanted);
   connect(add(tr("&About"), QStringLiteral("helpAbout")), &QPushButton::clicked, this,
           &HelpPage::showAbout);
-  bar->addStretch(1);
+  search_->setPlaceholderText(tr("Search the manual"));
+  search_->setClearButtonEnabled(true);
+  connect(search_, &QLineEdit::returnPressed, this, &HelpPage::showFound);
+  connect(text_, &QTextBrowser::sourceChanged, this, &HelpPage::showHit);
+  bar->addWidget(search_, 1);
   auto* close = add(tr("Back to work (Esc)"), QStringLiteral("helpClose"));
   close->setShortcut(QKeySequence(Qt::Key_Escape));
   connect(close, &QPushButton::clicked, this, &HelpPage::closed);
@@ -99,6 +110,51 @@ void HelpPage::showManual(const QString& page) {
   note_->setVisible(!note_->text().isEmpty());
   text_->setSource(QUrl(QStringLiteral("qrc:/manual/%1.html").arg(page)));
   text_->setFocus();
+}
+
+// Each line that has all the words; it leads to the first of them there.
+void HelpPage::showFound() {
+  const QStringList words =
+      search_->text().simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  if (words.isEmpty()) return;
+  note_->setVisible(!note_->text().isEmpty());
+  QString rows;
+  for (const QString& name :
+       QDir(QStringLiteral(":/manual")).entryList({QStringLiteral("*.html")})) {
+    QFile file(QStringLiteral(":/manual/") + name);
+    if (!file.open(QIODevice::ReadOnly)) continue;
+    QTextDocument page;
+    page.setHtml(QString::fromUtf8(file.readAll()));
+    qsizetype hits = 0;
+    for (QTextBlock line = page.begin(); line.isValid(); line = line.next()) {
+      const QString text = line.text();
+      const bool has = std::all_of(words.begin(), words.end(), [&](const QString& word) {
+        return text.contains(word, Qt::CaseInsensitive);
+      });
+      if (has)
+        rows += QStringLiteral("<p><a href=\"qrc:/manual/%1?hit=%2\">%3</a><br>%4</p>")
+                    .arg(name, QString::number(hits),
+                         tr("%1, line %2")
+                             .arg(page.metaInformation(QTextDocument::DocumentTitle))
+                             .arg(line.blockNumber() + 1)
+                             .toHtmlEscaped(),
+                         text.toHtmlEscaped());
+      hits += text.count(words.front(), Qt::CaseInsensitive);
+    }
+  }
+  if (rows.isEmpty())
+    rows = QStringLiteral("<p>%1</p>")
+               .arg(tr("The manual does not mention '%1'.")
+                        .arg(words.join(QLatin1Char(' ')))
+                        .toHtmlEscaped());
+  text_->setHtml(rows);
+}
+
+void HelpPage::showHit(const QUrl& page) {
+  const QString hit = QUrlQuery(page).queryItemValue(QStringLiteral("hit"));
+  const QString word = search_->text().simplified().section(QLatin1Char(' '), 0, 0);
+  if (hit.isEmpty() || word.isEmpty()) return;
+  for (int i = 0; i <= hit.toInt() && text_->find(word);) ++i;
 }
 
 void HelpPage::showShortcuts(const std::vector<std::pair<QString, const QWidget*>>& screens) {

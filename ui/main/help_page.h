@@ -4,11 +4,13 @@
 #include <vector>
 
 class QLabel;
+class QLineEdit;
 class QTextBrowser;
 
 namespace ostraka::ui {
 
-/// The manual, the sheet of shortcuts and 'about', as pages of the window; all offline.
+/// The manual with a search, the sheet of shortcuts and 'about', as pages of the window; all
+/// offline.
 class HelpPage final : public QWidget {
   Q_OBJECT
 
@@ -24,7 +26,11 @@ class HelpPage final : public QWidget {
   void shortcutsWanted();
 
  private:
+  void showFound();
+  void showHit(const QUrl& page);
+
   QTextBrowser* text_;
+  QLineEdit* search_;
   QLabel* note_;  ///< above the manual: in which language it is
 };
 

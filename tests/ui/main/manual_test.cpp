@@ -2,7 +2,9 @@
 // screen, and each page names the keys that its screen has.
 #include <QAction>
 #include <QDirIterator>
+#include <QLineEdit>
 #include <QRegularExpression>
+#include <QTextBlock>
 #include <QTextBrowser>
 
 #include "person.h"
@@ -95,6 +97,32 @@ class ManualTest : public QObject {
     window_->showSettings();
     QTest::keyClick(window_.get(), Qt::Key_F1);
     QCOMPARE(text->documentTitle(), QStringLiteral("Settings"));
+  }
+
+  void aSearchListsPagesAndLinesAndLeadsThere() {
+    QTest::keyClick(window_.get(), Qt::Key_F1);
+    auto* text = named<QTextBrowser>(*window_, "helpText");
+    auto* search = named<QLineEdit>(*window_, "helpSearch");
+    search->setFocus();
+    QTest::keyClicks(search, "ORTHOPHOTOS dpi");
+    QTest::keyClick(search, Qt::Key_Return);
+    QVERIFY2(text->toPlainText().contains(QLatin1String("Catalogue, line ")),
+             qPrintable(text->toPlainText()));
+    QVERIFY(!text->toPlainText().contains(QLatin1String("Map, line ")));
+    QString link;
+    for (QTextBlock block = text->document()->begin(); block.isValid(); block = block.next())
+      for (auto at = block.begin(); !at.atEnd(); ++at)
+        if (at.fragment().text().startsWith(QLatin1String("Catalogue")))
+          link = at.fragment().charFormat().anchorHref();
+    text->setSource(QUrl(link));
+    QCOMPARE(text->documentTitle(), QStringLiteral("Catalogue"));
+    QCOMPARE(text->textCursor().selectedText().toLower(), QStringLiteral("orthophotos"));
+    QVERIFY(text->textCursor().block().text().contains(QLatin1String("dpi")));
+    search->setFocus();
+    search->selectAll();
+    QTest::keyClicks(search, "zeppelin");
+    QTest::keyClick(search, Qt::Key_Return);
+    QVERIFY(text->toPlainText().contains(QLatin1String("does not mention 'zeppelin'")));
   }
 
   void eachPageNamesTheKeysOfItsScreen() {

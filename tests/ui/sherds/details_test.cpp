@@ -104,10 +104,9 @@ class DetailsTest : public CatalogueWindow {
       return heights;
     };
     choose(0);
-    auto* ware = child<QLineEdit>("field_ware");
     auto* bag = child<QLineEdit>("field_bag");
     bag->setFocus();
-    details->ensureWidgetVisible(ware);
+    details->verticalScrollBar()->setValue(bag->mapTo(details->widget(), QPoint()).y());
     const QList<int> before = places();
     bag->selectAll();
     QTest::keyClicks(bag, "neck");

@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "ui/look/look.h"
+#include "ui/sherds/surface_choice.h"
 #include "ui/widgets/big_button.h"
 #include "ui/widgets/flow_row.h"
 #include "ui/widgets/open_outside.h"
@@ -23,7 +24,6 @@
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/side_by_side.h"
-#include "ui/widgets/surface_choice.h"
 
 namespace ostraka::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/widgets/surface_choice.h"
+#include "ui/sherds/surface_choice.h"
 
 #include <algorithm>
 #include <iterator>

@@ -55,7 +55,7 @@ Result<RegisteredScans> registered(std::span<const PointCloud> fronts,
     const registration::Registration& found = pair.registration;
     result.pairs.push_back({pair.decision.front, pair.decision.back, found.front_from_back,
                             *pair.decision.score, found.fracture_rms_mm, found.fracture_overlap,
-                            found.uncertainty_mm, pair.decision.ambiguous, pair.decision.reason});
+                            found.uncertainty_mm, pair.decision.ambiguous(), reasonOf(pair)});
   }
   return result;
 }

@@ -107,9 +107,7 @@ SherdPair decidedPair(const CandidateTable& table, const PairTable& free,
   if (table.method == pairing::Method::Paper) {
     pair.decision.score = pair.decision.margin = std::nullopt;
   }
-  pair.decision.ambiguous = false;
   pair.decision.doubt = pairing::Doubt::None;
-  pair.decision.reason.clear();
   pair.decided = settled.decision.id;
   pair.decided_by = settled.decision.by;
   pair.decided_at = settled.decision.at;
@@ -194,11 +192,8 @@ Result<PairTable> assigned(const CandidateTable& table, const Settled& settled,
   std::erase_if(decided->unpaired_front, [&](int i) { return taken_front.contains(i); });
   std::erase_if(decided->unpaired_back, [&](int i) { return taken_back.contains(i); });
   for (SherdPair& pair : decided->pairs)
-    if (partnerOf(*free, pair.decision.front) != pair.decision.back) {
-      pair.decision.ambiguous = true;  // nothing is taken silently
-      pair.decision.doubt = pairing::Doubt::Displaced;
-      pair.decision.reason = "A person assigned its back to another front.";
-    }
+    if (partnerOf(*free, pair.decision.front) != pair.decision.back)
+      pair.decision.doubt = pairing::Doubt::Displaced;  // nothing is taken silently
   for (const Settled::Pair& pair : settled.pairs)
     decided->pairs.push_back(decidedPair(table, *free, pair));
   std::stable_sort(

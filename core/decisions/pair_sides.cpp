@@ -234,10 +234,9 @@ Result<PairTable> assigned(const CandidateTable& candidates,
   table.unpaired_front = assignment->unpaired_front;
   table.unpaired_back = assignment->unpaired_back;
   table.candidates = static_cast<int>(candidates.candidates.size());
-  for (pairing::Decision decision : assignment->pairs) {
+  for (const pairing::Decision& decision : assignment->pairs) {
     const RegisteredCandidate* c = candidates.find(decision.front, decision.back);
     if (c == nullptr) continue;
-    if (decision.doubt == pairing::Doubt::SelfCheck) decision.reason = c->registration.reason;
     table.pairs.push_back({decision, c->registration, c->start().contour_rms_mm, {}, {}, {}});
   }
   return table;
@@ -250,6 +249,29 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
       compareSides(fronts, backs, constraints, options, progress, stop);
   if (!table) return table.error();
   return assigned(*table, options.assign);
+}
+
+std::string reasonOf(const SherdPair& pair) {
+  using pairing::Doubt;
+  switch (pair.decision.doubt) {
+    case Doubt::None:
+      return {};
+    case Doubt::SelfCheck:
+      return pair.registration.reason;
+    case Doubt::OtherPartner:
+      return "Another partner fits almost as well.";
+    case Doubt::Unrelated:
+      return "The two sides fit barely better than unrelated ones.";
+    case Doubt::OtherPose:
+      return "Another pose of the same two sides fits almost as well.";
+    case Doubt::NotSure:
+      return "The pair is likely, but not certain enough to be accepted unseen.";
+    case Doubt::Displaced:
+      return "A person assigned its back to another front.";
+    case Doubt::SharedBack:
+      return "Another front takes the same back.";
+  }
+  return {};
 }
 
 ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
@@ -266,8 +288,8 @@ ordered_json toJson(const PairTable& table, const std::vector<ScanRef>& fronts,
                      {"back", back(pair.decision.back)},
                      {"score", orNull(pair.decision.score)},
                      {"margin", orNull(pair.decision.margin)},
-                     {"ambiguous", pair.decision.ambiguous},
-                     {"reason", pair.decision.reason},
+                     {"ambiguous", pair.decision.ambiguous()},
+                     {"reason", reasonOf(pair)},
                      {"alternatives", alternatives},
                      {"T_front_from_back", ostraka::toJson(pair.registration.front_from_back)},
                      {"fracture_rms_mm", nullptr},

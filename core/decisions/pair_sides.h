@@ -59,6 +59,9 @@ Result<PairTable> pairSides(std::span<const scan::Scan> fronts, std::span<const 
                             const registration::Constraints& constraints,
                             const PairOptions& options, Progress& progress, std::stop_token stop);
 
+/// Why a person must look, one English sentence; empty where the pair is not ambiguous.
+std::string reasonOf(const SherdPair& pair);
+
 /// pairs.json as metrics.md describes it, scans named by their ids.
 nlohmann::ordered_json toJson(const PairTable& table, std::span<const scan::Scan> fronts,
                               std::span<const scan::Scan> backs);

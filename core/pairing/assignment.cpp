@@ -183,24 +183,13 @@ std::vector<Alternative> alternativesOf(const Chances& chances, int front, int b
 constexpr double kNearlyAsWell = 0.1;  // of the pair's own probability, from here on
 constexpr double kBarelyBetter = 0.5;  // likewise
 
-struct Why {
-  Doubt doubt;
-  const char* reason;
-};
-
 // Of a pair that is less certain than flag_below; alone: that neither side has a partner.
-Why whyNotSure(double partner, double pose, double rival, double alone) {
-  if (rival >= alone && rival >= kNearlyAsWell * partner)
-    return {Doubt::OtherPartner, "Another partner fits almost as well."};
-  if (alone >= kBarelyBetter * partner)
-    return {Doubt::Unrelated, "The two sides fit barely better than unrelated ones."};
-  if (1 - pose >= kNearlyAsWell * pose)
-    return {Doubt::OtherPose, "Another pose of the same two sides fits almost as well."};
-  return {Doubt::NotSure, "The pair is likely, but not certain enough to be accepted unseen."};
+Doubt whyNotSure(double partner, double pose, double rival, double alone) {
+  if (rival >= alone && rival >= kNearlyAsWell * partner) return Doubt::OtherPartner;
+  if (alone >= kBarelyBetter * partner) return Doubt::Unrelated;
+  if (1 - pose >= kNearlyAsWell * pose) return Doubt::OtherPose;
+  return Doubt::NotSure;
 }
-
-constexpr const char* kFailsItsCheck =
-    "The registration fails its self-check: the back may be in the wrong position.";
 
 Decision decide(const Evidence& e, const Chances& chances, int n_back,
                 const AssignOptions& options) {
@@ -225,18 +214,13 @@ Decision decide(const Evidence& e, const Chances& chances, int n_back,
   d.margin = score - std::min(rival, std::max(alone, partner * (1 - pose)));
   if (e.check_failed) {
     d.doubt = Doubt::SelfCheck;
-    d.reason = kFailsItsCheck;
   } else if (score < options.flag_below) {
     const std::vector<double>& fronts_of = chances.of_back[static_cast<std::size_t>(e.back)];
     const double front_alone = chances.of_front[static_cast<std::size_t>(e.front)].back();
     const double back_alone = 1 - std::accumulate(fronts_of.begin(), fronts_of.end(), 0.0);
-    const Why why =
-        whyNotSure(partner, pose, d.alternatives.empty() ? 0 : d.alternatives.front().score,
-                   std::min(front_alone, back_alone));
-    d.doubt = why.doubt;
-    d.reason = why.reason;
+    d.doubt = whyNotSure(partner, pose, d.alternatives.empty() ? 0 : d.alternatives.front().score,
+                         std::min(front_alone, back_alone));
   }
-  d.ambiguous = !d.reason.empty();
   return d;
 }
 
@@ -297,14 +281,10 @@ Result<Assignment> nearestPairs(std::span<const Evidence> evidence, int n_front,
     d.front = e.front, d.back = e.back;
     d.score = d.margin = std::nullopt;
     d.distance_rad = e.distance_rad;
-    if (fronts_of[static_cast<std::size_t>(e.back)] > 1) {
+    if (fronts_of[static_cast<std::size_t>(e.back)] > 1)
       d.doubt = Doubt::SharedBack;
-      d.reason = "Another front takes the same back.";
-    } else if (e.check_failed) {
+    else if (e.check_failed)
       d.doubt = Doubt::SelfCheck;
-      d.reason = kFailsItsCheck;
-    }
-    d.ambiguous = d.doubt != Doubt::None;
     assignment.pairs.push_back(d);
   }
   for (int f = 0; f < n_front; ++f) {

@@ -1,7 +1,6 @@
 #pragma once
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -25,7 +24,7 @@ struct Alternative {
   double score = 0;  ///< probability, 0..1
 };
 
-/// Why a person must look, for programs; Decision::reason says it to people.
+/// Why a person must look; decisions::reasonOf says it to people.
 enum class Doubt {
   None,
   SelfCheck,     ///< the registration's: see its FailedCheck
@@ -43,10 +42,10 @@ struct Decision {
                                        ///< where the method states none
   std::optional<double> margin = 0;    ///< score minus the probability of the best alternative
   std::optional<double> distance_rad;  ///< of the outlines' turning angles, Method::Paper only
-  bool ambiguous = false;
   std::vector<Alternative> alternatives;  ///< other partners of these two scans, likeliest first
   Doubt doubt = Doubt::None;
-  std::string reason;  ///< one sentence when ambiguous
+
+  bool ambiguous() const { return doubt != Doubt::None; }
 };
 
 struct AssignOptions {

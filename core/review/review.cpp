@@ -84,7 +84,7 @@ void pairUp(ReviewCard& card, const decisions::SherdPair& pair,
   card.decided_by = pair.decided_by;
   card.decided_at = pair.decided_at;
   card.state = !pair.decided.empty()     ? CardState::Decided
-               : pair.decision.ambiguous ? CardState::Ask
+               : pair.decision.ambiguous() ? CardState::Ask
                                          : CardState::Sure;
   card.doubt = pair.decision.doubt;
   if (card.doubt == Doubt::SelfCheck) {

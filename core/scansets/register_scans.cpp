@@ -59,7 +59,7 @@ RegisterSummary summaryOf(const decisions::PairTable& table, const decisions::Sc
          backs.scans[static_cast<std::size_t>(pair.decision.back)].id, pair.decision.score,
          pair.decision.margin, pair.registration.fracture_rms_mm,
          pair.registration.fracture_overlap, pair.registration.uncertainty_mm,
-         pair.decision.ambiguous, pair.decision.reason});
+         pair.decision.ambiguous(), reasonOf(pair)});
   }
   for (const int f : table.unpaired_front) {
     summary.unpaired_front.push_back(fronts.scans[static_cast<std::size_t>(f)].id);

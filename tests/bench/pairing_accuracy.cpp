@@ -100,8 +100,8 @@ void judgeAssignment(const std::vector<PairCandidate>& candidates, ostraka::pair
     });
     ++tally.proposed;
     tally.assigned += right;
-    tally.flagged += d.ambiguous;
-    tally.silent += !right && !d.ambiguous;
+    tally.flagged += d.ambiguous();
+    tally.silent += !right && !d.ambiguous();
   }
 }
 

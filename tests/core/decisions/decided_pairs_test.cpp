@@ -76,8 +76,8 @@ TEST_F(DecidedPairs, WithoutDecisionsAreTheProgramsOwn) {
   const PairTable table = with({});
   EXPECT_EQ(partner(table, 0), 1) << "the fixture is swapped";
   EXPECT_EQ(partner(table, 1), 0);
-  EXPECT_TRUE(table.pairs[0].decision.ambiguous);
-  EXPECT_FALSE(table.pairs[2].decision.ambiguous);
+  EXPECT_TRUE(table.pairs[0].decision.ambiguous());
+  EXPECT_FALSE(table.pairs[2].decision.ambiguous());
 }
 
 TEST_F(DecidedPairs, TheOthersFollowAndTheDisplacedFrontIsShownAgain) {
@@ -85,9 +85,9 @@ TEST_F(DecidedPairs, TheOthersFollowAndTheDisplacedFrontIsShownAgain) {
   ASSERT_EQ(table.pairs.size(), 4u);
   EXPECT_EQ(partner(table, 0), 0);
   EXPECT_EQ(partner(table, 1), 1) << "its own partner is the only one left";
-  EXPECT_FALSE(table.pairs[0].decision.ambiguous) << "decided";
+  EXPECT_FALSE(table.pairs[0].decision.ambiguous()) << "decided";
   EXPECT_EQ(table.pairs[0].decided_by, "AP");
-  EXPECT_TRUE(table.pairs[1].decision.ambiguous) << "nothing is taken silently";
+  EXPECT_TRUE(table.pairs[1].decision.ambiguous()) << "nothing is taken silently";
   EXPECT_EQ(table.pairs[1].decision.doubt, pairing::Doubt::Displaced);
   EXPECT_EQ(partner(table, 2), 2);
 }
@@ -96,7 +96,7 @@ TEST_F(DecidedPairs, AreAllSettledWhenBothAreConfirmed) {
   PairDecision second = pair(1, 1);
   second.id = kSecond;
   const PairTable table = with({pair(0, 0), second});
-  for (const SherdPair& p : table.pairs) EXPECT_FALSE(p.decision.ambiguous);
+  for (const SherdPair& p : table.pairs) EXPECT_FALSE(p.decision.ambiguous());
 }
 
 TEST_F(DecidedPairs, KeepTheProgramsOwnScoreAndPose) {
@@ -387,7 +387,7 @@ TEST_F(DecidedPairs, OfThePapersPairingHaveNoProbability) {
       assigned(table, settledBy({pair(0, 0)}, table), pairing::AssignOptions{});
   ASSERT_TRUE(decided.has_value());
   EXPECT_FALSE(decided->pairs.at(0).decision.score.has_value());
-  EXPECT_FALSE(decided->pairs.at(0).decision.ambiguous);
+  EXPECT_FALSE(decided->pairs.at(0).decision.ambiguous());
   EXPECT_EQ(decided->unpaired_front, std::vector<int>{1});
 }
 

@@ -35,7 +35,7 @@ TEST(AssignPairs, LeavesScansAloneThatFitNobody) {
   const auto found = assignPairs(evidence, 3, 2, {});
   ASSERT_TRUE(found.has_value());
   ASSERT_EQ(found->pairs.size(), 1u);
-  EXPECT_FALSE(found->pairs[0].ambiguous);
+  EXPECT_FALSE(found->pairs[0].ambiguous());
   EXPECT_EQ(found->unpaired_front, (std::vector<int>{1, 2}));
   EXPECT_EQ(found->unpaired_back, (std::vector<int>{1}));
 }
@@ -45,10 +45,10 @@ TEST(AssignPairs, AsksAboutTwoScansThatWouldBothStayAlone) {
                                     pair(2, 2, -2)};
   const auto found = assignPairs(evidence, 3, 3, {});
   ASSERT_EQ(found->pairs.size(), 3u);
-  EXPECT_FALSE(found->pairs[0].ambiguous);
+  EXPECT_FALSE(found->pairs[0].ambiguous());
   EXPECT_EQ(found->pairs[1].back, 0) << "the likelier of two";
   EXPECT_EQ(found->pairs[2].back, 2);
-  for (const int k : {1, 2}) EXPECT_TRUE(found->pairs[k].ambiguous) << k;
+  for (const int k : {1, 2}) EXPECT_TRUE(found->pairs[k].ambiguous()) << k;
   EXPECT_LT(*found->pairs[1].score, 0.5) << "less than even odds, and said so";
   EXPECT_TRUE(found->unpaired_front.empty());
   EXPECT_TRUE(found->unpaired_back.empty());
@@ -61,7 +61,7 @@ TEST(AssignPairs, FlagsAPairThatAnotherPartnerExplainsNearlyAsWell) {
   const std::vector<Evidence> evidence = {pair(0, 0, 20), pair(0, 1, 19)};
   const auto found = assignPairs(evidence, 1, 2, {});
   ASSERT_EQ(found->pairs.size(), 1u);
-  EXPECT_TRUE(found->pairs[0].ambiguous);
+  EXPECT_TRUE(found->pairs[0].ambiguous());
   EXPECT_NEAR(*found->pairs[0].score, 1 / (1 + std::exp(-1)), 1e-6);
   ASSERT_EQ(found->pairs[0].alternatives.size(), 1u);
   EXPECT_EQ(found->pairs[0].alternatives[0].back, 1);
@@ -71,9 +71,9 @@ TEST(AssignPairs, FlagsAPairThatAnotherPartnerExplainsNearlyAsWell) {
 TEST(AssignPairs, FlagsAPairWhoseSecondPoseFitsNearlyAsWell) {
   std::vector<Evidence> evidence = {pair(0, 0, 20)};
   evidence[0].runner_up_start_log_likelihood = 18;
-  EXPECT_TRUE(assignPairs(evidence, 1, 1, {})->pairs[0].ambiguous);
+  EXPECT_TRUE(assignPairs(evidence, 1, 1, {})->pairs[0].ambiguous());
   evidence[0].runner_up_start_log_likelihood = 10;
-  EXPECT_FALSE(assignPairs(evidence, 1, 1, {})->pairs[0].ambiguous);
+  EXPECT_FALSE(assignPairs(evidence, 1, 1, {})->pairs[0].ambiguous());
 }
 
 // A sentence that contradicts the probability beside it helps nobody.
@@ -97,7 +97,7 @@ TEST(AssignPairs, GivesAReasonThatFitsTheProbability) {
 TEST(AssignPairs, FlagsASlippedPair) {
   std::vector<Evidence> evidence = {pair(0, 0, 20)};
   evidence[0].check_failed = true;
-  EXPECT_TRUE(assignPairs(evidence, 1, 1, {})->pairs[0].ambiguous);
+  EXPECT_TRUE(assignPairs(evidence, 1, 1, {})->pairs[0].ambiguous());
 }
 
 TEST(AssignPairs, DoesNotDependOnTheOrderOfTheScans) {
@@ -209,7 +209,7 @@ TEST(NearestPairs, TakeWhatIsGivenAndStateNoProbability) {
   for (const Decision& d : found->pairs) {
     EXPECT_FALSE(d.score.has_value());
     EXPECT_FALSE(d.margin.has_value());
-    EXPECT_FALSE(d.ambiguous);
+    EXPECT_FALSE(d.ambiguous());
   }
   EXPECT_EQ(found->unpaired_front, (std::vector<int>{1, 3}));
   EXPECT_EQ(found->unpaired_back, std::vector<int>{2});
@@ -224,7 +224,7 @@ TEST(NearestPairs, AreAmbiguousWhereTwoFrontsTakeOneBackOrTheCheckFails) {
   EXPECT_EQ(found->pairs[0].doubt, Doubt::SharedBack);
   EXPECT_EQ(found->pairs[1].doubt, Doubt::SharedBack);
   EXPECT_EQ(found->pairs[2].doubt, Doubt::SelfCheck);
-  for (const Decision& d : found->pairs) EXPECT_TRUE(d.ambiguous);
+  for (const Decision& d : found->pairs) EXPECT_TRUE(d.ambiguous());
 }
 
 TEST(NearestPairs, RefuseScansThatDoNotExist) {

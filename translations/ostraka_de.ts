@@ -10316,6 +10316,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Wert</translation>
     </message>
+    <message>
+      <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein Gegenstand aus nur %1 Punkten bei x %2, y %3 mm wurde ausgelassen; wenn es eine Scherbe ist, sie aus geringerem Abstand aufnehmen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

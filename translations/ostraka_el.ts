@@ -10316,6 +10316,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>τιμή</translation>
     </message>
+    <message>
+      <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα αντικείμενο με μόνο %1 σημεία στο x %2, y %3 mm έμεινε στην άκρη· αν είναι όστρακο, φωτογραφίστε το από πιο κοντά.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

@@ -10316,6 +10316,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>valor</translation>
     </message>
+    <message>
+      <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un objeto de solo %1 puntos en x %2, y %3 mm se omitió; si es un fragmento, fotografíelo más de cerca.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

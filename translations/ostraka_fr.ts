@@ -10316,6 +10316,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>valeur</translation>
     </message>
+    <message>
+      <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un objet de seulement %1 points en x %2, y %3 mm a été laissé de côté ; si c’est un tesson, photographiez-le de plus près.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

@@ -10316,6 +10316,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>արժեք</translation>
     </message>
+    <message>
+      <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընդամենը %1 կետից կազմված առարկան x %2, y %3 մմ տեղում բաց է թողնվել. եթե բեկոր է, լուսանկարեք այն ավելի մոտիկից։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

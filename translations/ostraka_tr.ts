@@ -10270,6 +10270,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>değer</translation>
     </message>
+    <message>
+      <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yalnızca %1 noktadan oluşan bir nesne (x %2, y %3 mm) dışarıda bırakıldı; parçaysa onu daha yakından çekin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::FileWatch</name>

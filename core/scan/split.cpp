@@ -19,7 +19,7 @@
 namespace ostraka::scan {
 namespace {
 
-constexpr std::size_t kFewest = 100;  // points; fewer are flying points, not even a crumb
+constexpr std::size_t kFewest = 100;  // points; fewer make no scan, and mostly are flying points
 
 // Where a sheet rises it may have given way under the sherd.
 double heightAbove(const rig::SheetBend& ground, const Eigen::Vector3f& p) {
@@ -210,6 +210,18 @@ bool isSherd(const PointCloud& piece, const Limits& limits, SplitResult& result)
   return false;
 }
 
+// Too few points for a scan. As large as a sherd is what a coarse reconstruction leaves of one.
+void leaveOutSparse(const PointCloud& piece, const Limits& limits, SplitResult& result) {
+  const Extent extent = extentOf(piece, limits.options.ground);
+  if (limits.options.lengths == Lengths::Relative || isSmall(piece, limits.options) ||
+      extent.height_mm < limits.options.min_height_mm)
+    return;
+  result.warnings.push_back(
+      message("A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, "
+              "photograph it closer.",
+              piece.size(), decimal(extent.middle.x(), 0), decimal(extent.middle.y(), 0)));
+}
+
 // Whether a piece lies on or under another, seen from above.
 bool isWithin(const PointCloud& piece, const PointCloud& thing) {
   constexpr double kCell_mm = 1, kMost = 0.9;
@@ -277,16 +289,19 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
     return Error::unusable(message("The plate's point cloud has no normals."));
   const PointCloud above = subset(plate_cloud, abovePlate(plate_cloud, options));
   SplitResult result;
-  std::size_t flying = 0;
+  std::size_t flying = 0, sparse = 0;
   auto connected = connectedPieces(above, options.gap_mm);
   const Limits limits = limitsOf(above, connected, side, options);
   const auto pieces = withHoveringJoined(above, std::move(connected), limits.options);
   std::vector<std::vector<int>> large;
   for (const std::vector<int>& indices : pieces)
-    if (indices.size() < kFewest)
+    if (indices.size() < kFewest) {
       flying += indices.size();
-    else
+      ++sparse;
+      leaveOutSparse(subset(above, indices), limits, result);
+    } else {
       large.push_back(indices);
+    }
   for (PointCloud& piece : joinedByOutlines(above, std::move(large), limits.options, flying))
     if (isSherd(piece, limits, result)) addParts(std::move(piece), limits, result);
   if (result.scans.empty())
@@ -306,7 +321,8 @@ Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
   }
   progress.note(NoteLevel::Info, std::string("scans: ") + std::to_string(result.scans.size()) +
                                      " sherds on the " + batch::name(side) + " side, " +
-                                     std::to_string(flying) + " outliers removed");
+                                     std::to_string(flying) + " outliers removed, " +
+                                     std::to_string(sparse) + " pieces of too few points");
   for (const Message& warning : result.warnings) progress.note(NoteLevel::Warning, warning);
   return result;
 }

@@ -58,6 +58,26 @@ TEST(SplitScans, ASliverIsACrumbHoweverLong) {
       << found->warnings[0];
 }
 
+TEST(SplitScans, APieceAsLargeAsASherdIsNamedHoweverFewItsPoints) {
+  PointCloud cloud = test::box(-60, 40, 30, 25, 6);
+  const auto addGrid = [&](double x, double y, int columns, int rows) {
+    for (int c = 0; c < columns; ++c)
+      for (int r = 0; r < rows; ++r) {
+        cloud.points.push_back(Eigen::Vector3d(x + 1.1 * c, y + 1.1 * r, 3).cast<float>());
+        cloud.normals.push_back(Eigen::Vector3f::UnitZ());
+      }
+  };
+  addGrid(20, -50, 10, 9);  // 9.9 x 8.8 mm, 90 mm2 seen from above
+  addGrid(60, -50, 4, 4);   // smaller than any sherd
+  const auto found = split(cloud);
+  ASSERT_TRUE(found.has_value()) << found.error().what;
+  EXPECT_EQ(found->scans.size(), 1u);
+  ASSERT_EQ(found->warnings.size(), 1u);
+  EXPECT_EQ(found->warnings[0],
+            "A sparse object of 90 points at x 25, y -46 mm was left out; if it is a sherd, "
+            "photograph it closer.");
+}
+
 TEST(SplitScans, ASherdInADipOfTheSheetKeepsItsFoot) {
   PointCloud cloud = test::box(40, 0, 30, 25, 6);
   for (Eigen::Vector3f& p : cloud.points) p.z() -= 1.5F;

@@ -10323,17 +10323,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::FileWatch</name>
-    <message numerus="yes">
-      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n Datei dieses Projekts fehlt oder wurde verändert: %1. Aus einer Kopie zurücklegen; »ostraka catalogue check« nennt sie.</numerusform>
-        <numerusform>%n Dateien dieses Projekts fehlen oder wurden verändert, zuerst %1. Aus einer Kopie zurücklegen; »ostraka catalogue check« nennt alle.</numerusform>
-      </translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ToolRow</name>
     <message>
         <source>More</source>
@@ -10950,6 +10939,17 @@
       <source>Orthophoto, %1 dpi</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Orthofoto, %1 dpi</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectCare</name>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n Datei dieses Projekts fehlt oder wurde verändert: %1. Aus einer Kopie zurücklegen; »ostraka catalogue check« nennt sie.</numerusform>
+        <numerusform>%n Dateien dieses Projekts fehlen oder wurden verändert, zuerst %1. Aus einer Kopie zurücklegen; »ostraka catalogue check« nennt alle.</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

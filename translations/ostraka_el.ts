@@ -10323,17 +10323,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::FileWatch</name>
-    <message numerus="yes">
-      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n αρχείο αυτού του έργου λείπει ή άλλαξε: %1. Επαναφέρετέ το από αντίγραφο· το «ostraka catalogue check» το αναφέρει.</numerusform>
-        <numerusform>%n αρχεία αυτού του έργου λείπουν ή άλλαξαν, πρώτο το %1. Επαναφέρετέ τα από αντίγραφο· το «ostraka catalogue check» τα αναφέρει όλα.</numerusform>
-      </translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ToolRow</name>
     <message>
         <source>More</source>
@@ -10950,6 +10939,17 @@
       <source>Orthophoto, %1 dpi</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ορθοφωτογραφία, %1 dpi</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectCare</name>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n αρχείο αυτού του έργου λείπει ή άλλαξε: %1. Επαναφέρετέ το από αντίγραφο· το «ostraka catalogue check» το αναφέρει.</numerusform>
+        <numerusform>%n αρχεία αυτού του έργου λείπουν ή άλλαξαν, πρώτο το %1. Επαναφέρετέ τα από αντίγραφο· το «ostraka catalogue check» τα αναφέρει όλα.</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

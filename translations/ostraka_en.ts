@@ -364,7 +364,7 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::FileWatch</name>
+    <name>ostraka::ui::ProjectCare</name>
     <message numerus="yes">
       <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
       <translation>

@@ -10323,17 +10323,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::FileWatch</name>
-    <message numerus="yes">
-      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Falta %n archivo de este proyecto o ha sido modificado: %1. Repóngalo desde una copia; «ostraka catalogue check» lo enumera.</numerusform>
-        <numerusform>Faltan %n archivos de este proyecto o han sido modificados, el primero %1. Repóngalos desde una copia; «ostraka catalogue check» los enumera todos.</numerusform>
-      </translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ToolRow</name>
     <message>
         <source>More</source>
@@ -10950,6 +10939,17 @@
       <source>Orthophoto, %1 dpi</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ortofoto, %1 ppp</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectCare</name>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Falta %n archivo de este proyecto o ha sido modificado: %1. Repóngalo desde una copia; «ostraka catalogue check» lo enumera.</numerusform>
+        <numerusform>Faltan %n archivos de este proyecto o han sido modificados, el primero %1. Repóngalos desde una copia; «ostraka catalogue check» los enumera todos.</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

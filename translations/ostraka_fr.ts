@@ -10323,17 +10323,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::FileWatch</name>
-    <message numerus="yes">
-      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>%n fichier de ce projet manque ou a été modifié : %1. Remettez-le depuis une copie ; « ostraka catalogue check » le nomme.</numerusform>
-        <numerusform>%n fichiers de ce projet manquent ou ont été modifiés, d&apos;abord %1. Remettez-les depuis une copie ; « ostraka catalogue check » les nomme tous.</numerusform>
-      </translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ToolRow</name>
     <message>
         <source>More</source>
@@ -10950,6 +10939,17 @@
       <source>Orthophoto, %1 dpi</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Orthophoto, %1 ppp</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectCare</name>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>%n fichier de ce projet manque ou a été modifié : %1. Remettez-le depuis une copie ; « ostraka catalogue check » le nomme.</numerusform>
+        <numerusform>%n fichiers de ce projet manquent ou ont été modifiés, d&apos;abord %1. Remettez-les depuis une copie ; « ostraka catalogue check » les nomme tous.</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

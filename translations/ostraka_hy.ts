@@ -10323,17 +10323,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::FileWatch</name>
-    <message numerus="yes">
-      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Այս նախագծի %n ֆայլ բացակայում է կամ փոխվել է՝ %1։ Վերականգնեք այն պատճենից. «ostraka catalogue check»-ը նշում է այն։</numerusform>
-        <numerusform>Այս նախագծի %n ֆայլ բացակայում է կամ փոխվել է, առաջինը՝ %1։ Վերականգնեք դրանք պատճենից. «ostraka catalogue check»-ը նշում է բոլորը։</numerusform>
-      </translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ToolRow</name>
     <message>
         <source>More</source>
@@ -10950,6 +10939,17 @@
       <source>Orthophoto, %1 dpi</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Օրթոլուսանկար, %1 dpi</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectCare</name>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Այս նախագծի %n ֆայլ բացակայում է կամ փոխվել է՝ %1։ Վերականգնեք այն պատճենից. «ostraka catalogue check»-ը նշում է այն։</numerusform>
+        <numerusform>Այս նախագծի %n ֆայլ բացակայում է կամ փոխվել է, առաջինը՝ %1։ Վերականգնեք դրանք պատճենից. «ostraka catalogue check»-ը նշում է բոլորը։</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

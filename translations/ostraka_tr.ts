@@ -10277,16 +10277,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::FileWatch</name>
-    <message numerus="yes">
-      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>
-        <numerusform>Bu projenin %n dosyası eksik ya da değiştirilmiş, ilki %1. Bir kopyadan geri koyun; &apos;ostraka catalogue check&apos; hepsini listeler.</numerusform>
-      </translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::ToolRow</name>
     <message>
         <source>More</source>
@@ -10900,6 +10890,16 @@
       <source>Orthophoto, %1 dpi</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ortofoto, %1 dpi</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectCare</name>
+    <message numerus="yes">
+      <source>%n file(s) of this project are missing or were changed, first %1. Put them back from a copy; &apos;ostraka catalogue check&apos; lists all of them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>
+        <numerusform>Bu projenin %n dosyası eksik ya da değiştirilmiş, ilki %1. Bir kopyadan geri koyun; &apos;ostraka catalogue check&apos; hepsini listeler.</numerusform>
+      </translation>
     </message>
 </context>
 </TS>

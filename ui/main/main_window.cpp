@@ -14,7 +14,6 @@
 #include "ui/import/import_sides.h"
 #include "ui/jobs/when_done.h"
 #include "ui/main/catalogue_repair.h"
-#include "ui/main/file_watch.h"
 #include "ui/main/help_page.h"
 #include "ui/main/open_project.h"
 #include "ui/main/project_care.h"
@@ -34,11 +33,6 @@
 #include "upkeep/project.h"
 
 namespace ostraka::ui {
-namespace {
-
-constexpr const char* kScreen = "window.screen";  // that was in front when the project was closed
-
-}  // namespace
 
 MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
     : QMainWindow(parent),
@@ -50,8 +44,7 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
       wizard_(new CaptureWizard(this)),
       project_(new OpenProject(*queue_->computation(), runner, this)),
       thumbnails_(new Thumbnails(runner, this)),
-      care_(new ProjectCare(runner, this)),
-      file_watch_(new FileWatch(runner, this)) {
+      care_(new ProjectCare(runner, this)) {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowTitle(tr("Ostraka"));
   reserveOpenGl(*this);
@@ -61,13 +54,10 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   applySettings(settings_);
   settings_page_->setSettings(settings_);
   start_->setRecent(settings_.recent, settings_.titles);
-  connect(capture_screen_, &CaptureScreen::rigRenewed, queue_, &BatchQueue::forgetMoved);
-  connect(capture_screen_, &CaptureScreen::batchSetAside, queue_, &BatchQueue::setAside);
   connect(queue_, &BatchQueue::batchComputed, care_, &ProjectCare::measureRoom);
   connect(care_, &ProjectCare::roomMeasured, work_->header(), &HeaderLine::setRoom);
   connect(care_, &ProjectCare::said, work_->footer(), &FooterLine::say);
-  connect(file_watch_, &FileWatch::found, work_->footer(), &FooterLine::say);
-  connect(file_watch_, &FileWatch::catalogueDamaged, this, [this](const Error& damage) {
+  connect(care_, &ProjectCare::catalogueDamaged, this, [this](const Error& damage) {
     if (wizard_->isShooting()) return work_->footer()->say(sentenceOf(damage));
     closeProject(), start_->showError(damage);  // nothing more is entered
   });
@@ -132,7 +122,7 @@ void MainWindow::openProject(const QString& path) {
   closeProject();
   if (const auto opened = project_->open(path); !opened) return start_->showError(opened.error());
   showProject();
-  showScreen(qMax(0, work_->screenNamed(session()->setting(kScreen))));
+  showScreen(work_->shownLast());
 }
 
 void MainWindow::findProject(const QString& lost, const QString& found) {
@@ -172,18 +162,14 @@ void MainWindow::showProject() {
   });
   if (!read_only.isEmpty()) work_->footer()->say(read_only);
   care_->begin(folder, !read_only.isEmpty());
-  file_watch_->look(folder);
 }
 
 void MainWindow::closeProject() {
   if (session() == nullptr) return;
   // What stands in a field without Return or Tab after it is saved too.
   if (auto* typing = qobject_cast<QLineEdit*>(focusWidget())) emit typing->editingFinished();
-  const QString shown = screens()[static_cast<std::size_t>(work_->shown())]->iconName();
-  if (session()->setting(kScreen) != shown) session()->noteSetting(kScreen, shown);
   work_->closeProject();
   settings_page_->setSession(nullptr);
-  file_watch_->stop();
   care_->end();
   undo_->removeStack(&session()->undo());
   project_->close();
@@ -263,18 +249,13 @@ void MainWindow::showManual() {
   else if (shown == settings_area_)
     page = QStringLiteral("settings");
   else if (shown != help_)
-    page = screens()[static_cast<std::size_t>(work_->shown())]->iconName();
+    page = work_->shownName();
   help_->showManual(page);
   all_->setCurrentWidget(help_);
 }
 
 void MainWindow::showShortcuts() {
-  std::vector<std::pair<QString, const QWidget*>> parts;
-  for (const Screen* screen : screens()) {
-    parts.emplace_back(screen->title(), screen);
-    if (screen == queue_screen_)
-      parts.emplace_back(tr("Queue: editing masks"), queue_screen_->masksPage());
-  }
+  std::vector<std::pair<QString, const QWidget*>> parts = work_->partsWithKeys();
   parts.emplace_back(tr("Everywhere"), this);
   help_->showShortcuts(parts);
   all_->setCurrentWidget(help_);

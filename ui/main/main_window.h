@@ -18,7 +18,6 @@ namespace ostraka::ui {
 class BatchQueue;
 class CaptureScreen;
 class CaptureWizard;
-class FileWatch;
 class HelpPage;
 class JobRunner;
 class OpenProject;
@@ -91,7 +90,6 @@ class MainWindow final : public QMainWindow {
   SettingsPage* settings_page_ = nullptr;
   HelpPage* help_ = nullptr;
   ProjectCare* care_;
-  FileWatch* file_watch_;
 };
 
 }  // namespace ostraka::ui

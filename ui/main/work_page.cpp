@@ -19,14 +19,20 @@
 #include "ui/widgets/page_area.h"
 
 namespace ostraka::ui {
+namespace {
+
+constexpr const char* kScreen = "window.screen";  // that was in front when the project was closed
+
+}  // namespace
 
 WorkPage::WorkPage(BatchQueue& queue, CaptureScreen& capture, QueueScreen& queue_screen,
                    QWidget* parent)
     : QWidget(parent),
       queue_(queue),
       capture_(capture),
+      queue_screen_(queue_screen),
       screens_(makeScreens(&capture, &queue_screen, this)) {
-  buildLayout(queue_screen);
+  buildLayout();
   for (Screen* screen : screens_) {
     connect(screen, &Screen::said, footer_, &FooterLine::say);
     connect(screen, &Screen::working, this, [this](const QString& words, double fraction) {
@@ -44,8 +50,8 @@ WorkPage::WorkPage(BatchQueue& queue, CaptureScreen& capture, QueueScreen& queue
   // Queued: the other screens have heard of the results by then.
   connect(
       &queue, &BatchQueue::batchComputed, this,
-      [this, &queue_screen](const QString& number) {
-        if (number == awaited_ && !queue_screen.masksPage()->isVisible())
+      [this](const QString& number) {
+        if (number == awaited_ && !queue_screen_.masksPage()->isVisible())
           emit resultsWanted(QStringLiteral("catalogue"), number);
       },
       Qt::QueuedConnection);
@@ -54,14 +60,16 @@ WorkPage::WorkPage(BatchQueue& queue, CaptureScreen& capture, QueueScreen& queue
             footer_->say(MainWindow::tr("%1 stopped: %2").arg(number, why));
           });
   connect(&queue, &BatchQueue::workChanged, this, &WorkPage::followLines);
+  connect(&capture, &CaptureScreen::rigRenewed, &queue, &BatchQueue::forgetMoved);
+  connect(&capture, &CaptureScreen::batchSetAside, &queue, &BatchQueue::setAside);
   connect(&capture, &CaptureScreen::lineChanged, this, &WorkPage::followLines);
 }
 
-void WorkPage::buildLayout(QueueScreen& queue_screen) {
+void WorkPage::buildLayout() {
   sidebar_ = new Sidebar(this);
   header_ = new HeaderLine(this);
   pages_ = new QStackedWidget(this);
-  footer_ = new FooterLine(queue_screen.pauseAction(), queue_screen.logAction(), this);
+  footer_ = new FooterLine(queue_screen_.pauseAction(), queue_screen_.logAction(), this);
   for (Screen* screen : screens_) {
     pages_->addWidget(new PageArea(screen, pages_));
     window()->addAction(sidebar_->addScreen(screen));  // its key works on the side pages too
@@ -81,6 +89,24 @@ int WorkPage::shown() const {
   return pages_->currentIndex();
 }
 
+QString WorkPage::shownName() const {
+  return screens_.at(static_cast<std::size_t>(shown()))->iconName();
+}
+
+int WorkPage::shownLast() const {
+  return std::max(0, screenNamed(session_->setting(kScreen)));
+}
+
+std::vector<std::pair<QString, const QWidget*>> WorkPage::partsWithKeys() const {
+  std::vector<std::pair<QString, const QWidget*>> parts;
+  for (const Screen* screen : screens_) {
+    parts.emplace_back(screen->title(), screen);
+    if (screen == &queue_screen_)
+      parts.emplace_back(MainWindow::tr("Queue: editing masks"), queue_screen_.masksPage());
+  }
+  return parts;
+}
+
 int WorkPage::screenNamed(const QString& icon_name) const {
   for (std::size_t i = 0; i < screens_.size(); ++i)
     if (screens_[i]->iconName() == icon_name) return static_cast<int>(i);
@@ -95,6 +121,7 @@ void WorkPage::openProject(ProjectSession& session, const QString& title) {
 }
 
 void WorkPage::closeProject() {
+  if (session_->setting(kScreen) != shownName()) session_->noteSetting(kScreen, shownName());
   for (Screen* screen : screens_) {
     screen->setInFront(false);
     screen->closeProject();

@@ -1,5 +1,7 @@
 #pragma once
+#include <QString>
 #include <QWidget>
+#include <utility>
 #include <vector>
 
 class QStackedWidget;
@@ -29,7 +31,11 @@ class WorkPage final : public QWidget {
   FooterLine* footer() const { return footer_; }
   const std::vector<Screen*>& screens() const { return screens_; }
   int shown() const;                                ///< the screen in front
+  QString shownName() const;                        ///< the icon name of that one
   int screenNamed(const QString& icon_name) const;  ///< -1: none
+  int shownLast() const;  ///< the screen in front when the project was closed; else the first
+  /// The screens and the pages in them that have keys of their own, by their titles.
+  std::vector<std::pair<QString, const QWidget*>> partsWithKeys() const;
 
   void openProject(ProjectSession& session, const QString& title);
   void closeProject();
@@ -59,12 +65,13 @@ class WorkPage final : public QWidget {
     QString words;  ///< empty: none
   };
 
-  void buildLayout(QueueScreen& queue_screen);
+  void buildLayout();
   Warning loss() const;
   bool warn(const Warning& of);
 
   BatchQueue& queue_;
   CaptureScreen& capture_;
+  QueueScreen& queue_screen_;
   std::vector<Screen*> screens_;
   ProjectSession* session_ = nullptr;
   QString title_;  ///< of the project

@@ -226,7 +226,7 @@ void CardInHand::fitAt(std::function<Result<review::LiveFit>(Progress&, std::sto
     if (!isAbout(from.front, from.back)) return;
     const auto& fit = std::any_cast<const review::LiveFit&>(value);
     settling_rms_.push_back(fit.fracture_rms_mm);
-    emit settlingAt(fit.front_from_back);
+    emit settlingAt(fit.front_from_back, settling_rms_);
   });
   whenDone<review::LiveFit>(fit_job_, this, [this, from, made, text](const auto& fit) {
     busy_ = false;

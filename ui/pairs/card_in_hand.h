@@ -40,7 +40,6 @@ class CardInHand final : public QObject {
   bool isSettling() const { return busy_; }
   /// The pair is still loading and is not shown yet, so nobody can judge it; ends in sceneFetched.
   bool isLoading() const { return scene_job_ != nullptr && !isShown(); }
-  const std::vector<double>& settlingRms() const { return settling_rms_; }  ///< so far, mm
   QString reason() const;       ///< why the card is doubtful, or what is tried on it
   QString figuresText() const;  ///< fracture RMS and overlap of the trial, in words
 
@@ -58,8 +57,9 @@ class CardInHand final : public QObject {
  signals:
   void cardChanged();  ///< another card is in hand
   void candidatesChanged();
-  void trialChanged();                                        ///< back or pose
-  void settlingAt(const Eigen::Isometry3d& front_from_back);  ///< on the way; trialChanged follows
+  void trialChanged();  ///< back or pose
+  /// On the way, with the fractures' RMS so far, mm; trialChanged follows.
+  void settlingAt(const Eigen::Isometry3d& front_from_back, const std::vector<double>& rms_mm);
   void sceneChanged(const std::shared_ptr<const ostraka::ui::PairScene>& scene);
   void sceneFetched();  ///< and none is on its way
   void busyChanged(bool busy);

@@ -317,9 +317,10 @@ void ReviewPane::leave() {
 }
 
 // The back moves under the eye, and its fracture's figures with it.
-void ReviewPane::showSettling(const Eigen::Isometry3d& front_from_back) {
+void ReviewPane::showSettling(const Eigen::Isometry3d& front_from_back,
+                              const std::vector<double>& rms_mm) {
   QStringList fractures;
-  for (const double fracture : hand_.settlingRms()) fractures << mm(fracture, 2);
+  for (const double fracture : rms_mm) fractures << mm(fracture, 2);
   figures_->setText(tr("Refining the fit, fracture gap %1. Esc stops.")
                         .arg(fractures.join(QStringLiteral(" → "))));
   if (!closed_->isChecked()) view_->setPose(front_from_back);

@@ -60,7 +60,7 @@ class ReviewPane final : public QWidget {
   void next();
   void previous();
   void leave();
-  void showSettling(const Eigen::Isometry3d& front_from_back);
+  void showSettling(const Eigen::Isometry3d& front_from_back, const std::vector<double>& rms_mm);
   void showFigures();
   QString words() const;  ///< what to do next, or about the card
   void showScene(const PairScene& scene);

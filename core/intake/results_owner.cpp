@@ -38,7 +38,7 @@ SideHashes bySide(const PhotographHashes& photographs) {
 SideHashes readFrom(const fs::path& out) {
   const fs::path file = out / "work" / "batch.json";
   std::error_code failed;
-  if (!fs::exists(file, failed)) return {};  // made by an earlier version
+  if (!fs::exists(file, failed)) return {};  // it does not say
   const nlohmann::json all = valueOrThrow(readJson(file));
   PhotographHashes photographs;
   if (all.is_object())

@@ -30,7 +30,7 @@ std::string text(const json& object, const char* key) {
 }
 const json& listOf(const json& object, const char* key) {
   static const json none = json::array();
-  return object.contains(key) ? object.at(key) : none;  // exports before there were any
+  return object.contains(key) ? object.at(key) : none;  // an empty list is not written
 }
 
 // Where a photograph of the batch goes in an export.

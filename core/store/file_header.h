@@ -15,7 +15,7 @@ Result<void> checkHeader(const std::filesystem::path& file);
 /// pages into the older file. False of a file that cannot be read.
 bool hasWalOfAnother(const std::filesystem::path& file);
 
-/// why: an English clause that ui/words knows.
+/// why: a clause, without a capital letter or full stop.
 Error damagedCatalogue(const Message& why, const std::filesystem::path& file);
 
 /// Where a repair puts the whole catalogue before it removes the WAL and replaces the damaged file.

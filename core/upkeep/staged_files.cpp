@@ -144,7 +144,7 @@ Result<std::vector<std::string>> placeStaged(catalogue::Catalogue& catalogue,
   if (!folder) return folder.error();
   std::vector<WaitingFile> waiting;
   std::set<std::string> kept;
-  // The journal may have come with a stranger's project.
+  // The journal may have come with a project from elsewhere.
   for (const auto& [to, file] : *noted) {
     const Result<ContainedPath> place = ContainedPath::parse(to),
                                 from = ContainedPath::parse(std::string(kStagingFolder) + "/" +

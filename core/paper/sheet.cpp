@@ -121,6 +121,20 @@ Eigen::Vector2d paperSize(Paper paper) {
   return paper == Paper::A4 ? Eigen::Vector2d(210, 297) : Eigen::Vector2d(297, 420);
 }
 
+std::vector<std::uint32_t> codePoints(const std::string& utf8) {
+  std::vector<std::uint32_t> codes;
+  for (std::size_t i = 0; i < utf8.size();) {
+    const auto first = static_cast<unsigned char>(utf8[i]);
+    const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    std::uint32_t code = length == 1 ? first : first & (0x7Fu >> length);
+    for (std::size_t k = 1; k < length && i + k < utf8.size(); ++k)
+      code = code << 6 | (static_cast<unsigned char>(utf8[i + k]) & 0x3F);
+    i += length;
+    codes.push_back(code);
+  }
+  return codes;
+}
+
 std::string winAnsi(const std::string& utf8) {
   // What WinAnsiEncoding puts where Latin-1 has control characters, as far as people type it.
   constexpr std::array<std::pair<std::uint32_t, unsigned char>, 9> kOthers{{{0x20AC, 0x80},
@@ -133,13 +147,7 @@ std::string winAnsi(const std::string& utf8) {
                                                                             {0x2013, 0x96},
                                                                             {0x2014, 0x97}}};
   std::string out;
-  for (std::size_t i = 0; i < utf8.size();) {
-    const auto first = static_cast<unsigned char>(utf8[i]);
-    const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-    std::uint32_t code = length == 1 ? first : first & (0x7Fu >> length);
-    for (std::size_t k = 1; k < length && i + k < utf8.size(); ++k)
-      code = code << 6 | (static_cast<unsigned char>(utf8[i + k]) & 0x3F);
-    i += length;
+  for (const std::uint32_t code : codePoints(utf8)) {
     char drawn = '?';
     if ((code >= 32 && code < 127) || (code >= 0xA0 && code < 0x100))
       drawn = static_cast<char>(code);

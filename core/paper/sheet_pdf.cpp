@@ -31,13 +31,7 @@ std::string hex(unsigned value, int digits) {
 // Letters as PDF names them: in UTF-16 with the larger byte first.
 std::string utf16(const std::string& utf8) {
   std::string out;
-  for (std::size_t i = 0; i < utf8.size();) {
-    const auto first = static_cast<unsigned char>(utf8[i]);
-    const std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-    unsigned code = length == 1 ? first : first & (0x7Fu >> length);
-    for (std::size_t k = 1; k < length && i + k < utf8.size(); ++k)
-      code = code << 6 | (static_cast<unsigned char>(utf8[i + k]) & 0x3F);
-    i += length;
+  for (const std::uint32_t code : codePoints(utf8)) {
     if (code < 0x10000)
       out += hex(code, 4);
     else

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "paper/sheet_text.h"
+
 namespace ostraka {
 namespace {
 
@@ -30,6 +32,12 @@ std::string wordsOf(const std::string& pdf) {
     if (!line.empty()) lines += (lines.empty() ? "" : "\n") + line;
   }
   return lines;
+}
+
+TEST(CodePoints, AreThoseOfLettersOfOneToFourBytes) {
+  EXPECT_THAT(codePoints("a\u00e9\u20ac\U0001f3fa"),
+              testing::ElementsAre(0x61, 0xE9, 0x20AC, 0x1F3FA));
+  EXPECT_EQ(winAnsi("a\u00e9\u20ac\U0001f3fa"), "a\xE9\x80?");
 }
 
 TEST(Sheet, StatesThePagesSizeInMillimetres) {

@@ -29,7 +29,7 @@ constexpr std::array<const char*, 8> kDoubts = {"",          "self_check", "othe
                                                 "displaced", "shared_back"};
 constexpr const char* kPaper = "paper";  // of the key "pairing"; absent: the default
 
-FailedCheck slipOf(const std::string& name) {
+FailedCheck failedCheckOf(const std::string& name) {
   for (std::size_t i = 0; i < kFailedChecks.size(); ++i)
     if (name == kFailedChecks[i]) return static_cast<FailedCheck>(i);
   return FailedCheck::None;
@@ -104,7 +104,7 @@ Result<RegisteredCandidate> candidateFrom(const json& value, const CandidateTabl
   r.thickness_mm = numberAt(value, "thickness_mm");
   r.scale = numberAt(value, "scale");
   r.check_failed = value.at("check_failed").get<bool>();
-  r.failed_check = slipOf(value.at("failed_check").get<std::string>());
+  r.failed_check = failedCheckOf(value.at("failed_check").get<std::string>());
   r.reason = value.at("reason").get<std::string>();
   r.start = wholeAt(value, "start");
   const Result<Eigen::Isometry3d> pose = isometryFromJson(value.at("T_front_from_back"), where);

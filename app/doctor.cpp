@@ -9,6 +9,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 #include <vector>
 
@@ -110,10 +111,10 @@ Finding program(const std::string& name, const std::string& use) {
 }
 
 Finding openGl() {
-  bool ok = false;
-  const std::string words = openGlWords(ok);
-  if (words.starts_with("not looked at")) return {State::Good, "OpenGL", words};
-  if (!ok) return {State::Missing, "OpenGL", words + ". The window works, without 3D views"};
+  std::optional<bool> works;
+  const std::string words = openGlWords(works);
+  if (!works) return {State::Good, "OpenGL", words};
+  if (!*works) return {State::Missing, "OpenGL", words + ". The window works, without 3D views"};
   if (words.find("llvmpipe") != std::string::npos)
     return {State::Slow, "OpenGL", words + "; drawn by the processor: turning is less smooth"};
   return {State::Good, "OpenGL", words};

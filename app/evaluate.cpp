@@ -120,6 +120,14 @@ Result<std::vector<NamedScan>> readScans(const fs::path& folder) {
   return scans;
 }
 
+Result<void> addPairs(const Result<PairsEvaluation>& evaluation, Sheet& sheet) {
+  if (!evaluation) return evaluation.error();
+  const PairsSummary summary = summarise({*evaluation});
+  sheet.add("pairs", table(*evaluation) + table(summary), toJson(*evaluation, summary),
+            summary.goals_met);
+  return {};
+}
+
 // Scans of a processed batch are told apart by where they lie.
 Result<void> evaluateProcessPairs(const EvaluateArguments& arguments,
                                   const std::vector<TrueSherd>& sherds, Session& session,
@@ -141,12 +149,7 @@ Result<void> evaluateProcessPairs(const EvaluateArguments& arguments,
         if (scan.name == name) return scan.cloud;
     return Error::unusable("This scan is not there.", name);
   };
-  const Result<PairsEvaluation> evaluation = evaluatePairs(*proposal, truth, read);
-  if (!evaluation) return evaluation.error();
-  const PairsSummary summary = summarise({*evaluation});
-  sheet.add("pairs", table(*evaluation) + table(summary), toJson(*evaluation, summary),
-            summary.goals_met);
-  return {};
+  return addPairs(evaluatePairs(*proposal, truth, read), sheet);
 }
 
 Result<void> evaluateMasks(const EvaluateArguments& arguments, Session& session, Sheet& sheet) {
@@ -198,13 +201,8 @@ Result<void> evaluateRegister(const EvaluateArguments& arguments, Session& sessi
   const Result<PairsTruth> truth = readPairsTruth(arguments.truth / "truth.json");
   if (!truth) return truth.error();
   const fs::path scans = arguments.scans.value_or(arguments.truth);
-  const Result<PairsEvaluation> evaluation = evaluatePairs(
-      *proposal, *truth, [&](const std::string& file) { return readPlyCloudWithin(scans, file); });
-  if (!evaluation) return evaluation.error();
-  const PairsSummary summary = summarise({*evaluation});
-  sheet.add("pairs", table(*evaluation) + table(summary), toJson(*evaluation, summary),
-            summary.goals_met);
-  return {};
+  const auto read = [&](const std::string& file) { return readPlyCloudWithin(scans, file); };
+  return addPairs(evaluatePairs(*proposal, *truth, read), sheet);
 }
 
 Result<void> evaluateOneModel(const EvaluateArguments& arguments, Session& session, Sheet& sheet) {

@@ -33,16 +33,15 @@ int openWindow([[maybe_unused]] int argc, [[maybe_unused]] char** argv,
 
 #ifdef OSTRAKA_WITH_WINDOW
 
-std::string openGlWords(bool& ok) {
-  ok = false;
+std::string openGlWords(std::optional<bool>& works) {
+  works = false;
   std::array<int, 2> ends{};
   if (::pipe(ends.data()) != 0) return "could not be looked at";
   const pid_t child = ::fork();
   if (child == 0) {
     ::close(ends[0]);
-    bool works = false;
     const std::string words = ui::openGlOfThisComputer(works);
-    const std::string answer = (works ? "+" : "-") + words;
+    const std::string answer = (!works ? "?" : *works ? "+" : "-") + words;
     const ssize_t written = ::write(ends[1], answer.data(), answer.size());
     ::_exit(written < 0 ? 1 : 0);
   }
@@ -55,14 +54,14 @@ std::string openGlWords(bool& ok) {
   int status = 0;
   ::waitpid(child, &status, 0);
   if (answer.empty()) return "its driver breaks down; set LIBGL_ALWAYS_SOFTWARE=1";
-  ok = answer[0] == '+';
+  works = answer[0] == '?' ? std::nullopt : std::optional(answer[0] == '+');
   return answer.substr(1);
 }
 
 #else
 
-std::string openGlWords(bool& ok) {
-  ok = true;
+std::string openGlWords(std::optional<bool>& works) {
+  works.reset();
   return "not looked at: built without the window";
 }
 

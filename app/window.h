@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 
 namespace ostraka::app {
@@ -7,7 +8,8 @@ namespace ostraka::app {
 int openWindow(int argc, char** argv, const std::string& project);
 
 /// What the computer's OpenGL calls itself, or why there is none, for `ostraka doctor`; found in a
-/// child process, since a broken driver may take its process down. ok: the window's 3D view works.
-std::string openGlWords(bool& ok);
+/// child process, since a broken driver may take its process down. works: whether the window's 3D
+/// view does; none where that was not looked at.
+std::string openGlWords(std::optional<bool>& works);
 
 }  // namespace ostraka::app

@@ -10,10 +10,11 @@
 
 namespace ostraka::ui {
 
-std::string openGlOfThisComputer(bool& works) {
-  works = false;
+std::string openGlOfThisComputer(std::optional<bool>& works) {
+  works.reset();
   if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY"))
     return "not looked at: there is no display";
+  works = false;
   prepareOpenGl();
   int argc = 1;
   char name[] = "ostraka";

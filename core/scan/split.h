@@ -45,12 +45,11 @@ struct SplitResult {
 };
 
 /// One cloud per sherd: connected pieces above the plate, with what hovers beside them and what
-/// stereo left without a connection to them within their outlines. Crumbs,
-/// plate points, markers and flying points are dropped; touching sherds are cut apart;
-/// all of it is reported, pieces of fewer than 100 points by their number and, where they are as
-/// large as a sherd, one by one. plate_cloud: oriented points in the side's plate frame, mm. Errors:
-/// NotEnough when nothing is left, UnusableInput without normals. Deterministic; numbers follow the
-/// places on the plate.
+/// stereo left without a connection to them within their outlines. Crumbs, plate points, markers
+/// and flying points are dropped; touching sherds are cut apart; all of it is reported, pieces of
+/// fewer than 100 points by their number and, where they are as large as a sherd, one by one.
+/// plate_cloud: oriented points in the side's plate frame, mm. Errors: NotEnough when nothing is
+/// left, UnusableInput without normals. Deterministic; numbers follow the places on the plate.
 Result<SplitResult> splitScans(const PointCloud& plate_cloud, batch::Side side,
                                const SplitOptions& options, Progress& progress);
 

@@ -99,10 +99,9 @@ HelpPage::HelpPage(QWidget* parent)
   column->addLayout(bar);
   column->addWidget(note_);
   column->addWidget(text_, 1);
-  // In English it goes without saying.
-  if (const QString words = tr("The manual is in English.");
-      words != QLatin1String("The manual is in English."))
-    note_->setText(words);
+  // In English, that is untranslated, it goes without saying.
+  constexpr const char* kNote = QT_TR_NOOP("The manual is in English.");
+  if (const QString words = tr(kNote); words != QLatin1String(kNote)) note_->setText(words);
   note_->hide();
 }
 

@@ -151,15 +151,6 @@ class FirstTrialTest : public QObject {
              QString("B0002"));
   }
 
-  void aBatchFolderWithoutPhotographsLeavesNoProject() {
-    QVERIFY(QDir(home_->path("")).mkpath("nothing/front"));
-    drop({home_->path("nothing")});
-    auto* message = named<MessagePanel>(*window_, "startMessage");
-    QTRY_VERIFY(message->isVisible());
-    QVERIFY(window_->session() == nullptr);
-    QVERIFY(!QDir(home_->path("Ostraka")).exists());
-  }
-
   void aFolderIsDroppedOntoThePageNotIntoAField() {
     for (const char* name : {"newName", "newSite", "newFolder", "newNumbering"})
       QVERIFY(!named<QLineEdit>(*window_, name)->acceptDrops());
@@ -180,8 +171,14 @@ class FirstTrialTest : public QObject {
                  qPrintable(sheet->text()));
   }
 
+  void whatHoldsNoPhotographsIsSaidAndLeavesNoProject_data() {
+    QTest::addColumn<QString>("made");
+    QTest::newRow("an empty folder") << "nothing";
+    QTest::newRow("an empty batch") << "nothing/front";
+  }
   void whatHoldsNoPhotographsIsSaidAndLeavesNoProject() {
-    QVERIFY(QDir(home_->path("")).mkpath("nothing"));
+    QFETCH(QString, made);
+    QVERIFY(QDir(home_->path("")).mkpath(made));
     drop({home_->path("nothing")});
     auto* message = named<MessagePanel>(*window_, "startMessage");
     QTRY_VERIFY(message->isVisible());

@@ -3,6 +3,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/core/model/shapes.h"
 #include "ui/look/distance_scale.h"
 #include "ui/viewport/shading.h"
 #include "ui/viewport/sherd_view.h"
@@ -19,17 +20,6 @@ TriangleMesh square() {
   mesh.normals.assign(4, {0, 0, 1});
   mesh.colors.assign(4, {0, 160, 160});
   mesh.triangles = {{0, 3, 2}, {0, 2, 1}};
-  return mesh;
-}
-
-// Closed, outward, of 40 x 20 x 10 mm.
-TriangleMesh box() {
-  TriangleMesh mesh;
-  for (const float z : {-5.0f, 5.0f})
-    for (const float y : {-10.0f, 10.0f})
-      for (const float x : {-20.0f, 20.0f}) mesh.vertices.emplace_back(x, y, z);
-  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   return mesh;
 }
 
@@ -148,7 +138,7 @@ void ModelTextureTest::aModelWithoutATextureHasItsOwnColours() {
 }
 
 void ModelTextureTest::theTextureChangesNeitherCapNorHatching() {
-  TriangleMesh mesh = box();
+  TriangleMesh mesh = model::boxMesh({40, 20, 10});
   mesh.seen = {1, 1, 1, 1, 0, 0, 0, 0};  // all but the upper face
   view_->showModel(mesh, quarters(8));
   QTRY_VERIFY(seen(DistanceScale::notSeen()).share > 0.2);

@@ -5,6 +5,7 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/core/model/shapes.h"
 #include "ui/look/distance_scale.h"
 #include "ui/look/look.h"
 #include "ui/look/state_colours.h"
@@ -66,7 +67,6 @@ class SherdViewTest : public QObject {
   int count(const QColor& colour);
   int notBackground();
   int exactly(const QColor& colour);  ///< pixels of just this colour
-  static TriangleMesh box();
   void drag(QEvent::Type type, const QPoint& at);
   QImage picture();
   QOpenGLWidget* canvas() { return view_->findChild<QOpenGLWidget*>("canvas"); }
@@ -208,19 +208,8 @@ void SherdViewTest::theSectionCutsHalfAway() {
   QTRY_VERIFY(notBackground() > 0.95 * whole);
 }
 
-// Closed, outward, of 40 x 20 x 10 mm.
-TriangleMesh SherdViewTest::box() {
-  TriangleMesh mesh;
-  for (const float z : {-5.0f, 5.0f})
-    for (const float y : {-10.0f, 10.0f})
-      for (const float x : {-20.0f, 20.0f}) mesh.vertices.emplace_back(x, y, z);
-  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return mesh;
-}
-
 void SherdViewTest::theCapOfACutModelIsFlat() {
-  view_->showModel(box());
+  view_->showModel(model::boxMesh({40, 20, 10}));
   QTRY_VERIFY(notBackground() > 10000);
   QCOMPARE(exactly(capColour()), 0);
   view_->setSection(true);
@@ -242,7 +231,7 @@ void SherdViewTest::theBandOfCutScansHasTheColoursOfTheSides() {
 }
 
 void SherdViewTest::unseenPartsOfAModelAreHatchedInMagenta() {
-  TriangleMesh mesh = box();
+  TriangleMesh mesh = model::boxMesh({40, 20, 10});
   view_->showModel(mesh);
   auto* overlay = view_->findChild<ViewOverlay*>();
   QTRY_VERIFY(notBackground() > 10000);

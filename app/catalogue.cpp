@@ -12,6 +12,7 @@
 #include "command.h"
 #include "exchange/export_folder.h"
 #include "intake/enter_results.h"
+#include "intake/side_photographs.h"
 #include "options.h"
 #include "sherds/filter.h"
 #include "sherds/sherds.h"
@@ -38,7 +39,7 @@ struct Options {
   std::size_t most_model_bytes = 0;
   drawing::Surface surface = drawing::Surface::Relief;
   drawing::Dpi dpi = drawing::Dpi::Usual;
-  bool quick = false, with_damage = false;
+  bool quick = false, with_damage = false, keep_both = false;
 };
 
 int runNew(const Options& options, Session& session) {
@@ -119,6 +120,11 @@ int runEnter(const Options& options, Session& session) {
   // entered.
   if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
   session.progress.begin("enter", 1.0);
+  if (options.keep_both)
+    if (const auto kept =
+            intake::keepBoth(project->catalogue(), options.batch, kCommandLine);
+        !kept)
+      return fail(session, kept.error());
   const auto entered = intake::enterResults(project->catalogue(), project->folder(), batch->row,
                                             project->resultsFolder(options.batch), kCommandLine,
                                             session.progress, session.stop);
@@ -337,6 +343,9 @@ void addCatalogue(CLI::App& root, Command& chosen) {
   CLI::App* enter = add("enter", "Enter the results of 'ostraka process' of a batch", runEnter);
   addProject(*enter, options->project);
   enter->add_option("BATCH", options->batch, "Number of the batch, as B0031")->required();
+  enter->add_flag("--keep-both", options->keep_both,
+                  "Also when another batch has the same photographs; their sherds are then in the "
+                  "catalogue twice");
   CLI::App* archive =
       add("archive", "Write the whole project as a folder with checksums", runArchive);
   addProject(*archive, options->project);

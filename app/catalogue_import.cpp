@@ -31,7 +31,7 @@ constexpr std::size_t kMostSaid = 20;
 struct ImportArguments {
   fs::path project, source, refusals;
   std::vector<std::string> columns, confirmed;
-  bool enter = false, make_places = false;
+  bool enter = false, make_places = false, keep_both = false;
 };
 
 const char* chosenBy(tables::ChosenBy by) {
@@ -254,7 +254,9 @@ int runImport(const ImportArguments& arguments, Session& session) {
   session.progress.begin("import", 1.0);
   if (fs::is_directory(arguments.source)) {
     const auto report = exchange::readBack(*project, arguments.source, modeOf(arguments),
-                                           kCommandLine, session.progress, session.stop);
+                                           kCommandLine, session.progress, session.stop,
+                                           arguments.keep_both ? exchange::SamePhotographs::KeepBoth
+                                                               : exchange::SamePhotographs::Refuse);
     return report ? reported(session, *report, arguments) : fail(session, report.error());
   }
   const Result<std::string> bytes = readFile(arguments.source, limits::kTableBytes.most);
@@ -285,6 +287,9 @@ void addCatalogueImport(CLI::App& catalogue, Command& chosen) {
   command->add_flag("--enter", arguments->enter, "Enter it; otherwise only say what would happen");
   command->add_flag("--make-places", arguments->make_places,
                     "Make sites, trenches, contexts and bags that are not there");
+  command->add_flag("--keep-both", arguments->keep_both,
+                    "Of an export: also batches whose photographs another batch has, too; their "
+                    "sherds are then in the catalogue twice");
   command->add_option(
       "--refusals", arguments->refusals,
       "Write the refused rows with their reasons to a new table (CSV), to be corrected");

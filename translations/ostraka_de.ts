@@ -1637,11 +1637,6 @@
       <translation>Der Messplatz ist nach %1 kalibriert; die Kalibrierung davor liegt als %2.</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 hat diese Dateien schon; nichts wurde importiert.</translation>
-    </message>
-    <message>
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>„%1“ nennt keinen Beutel: Fundort-Schnitt-Befund-Beutel schreiben, oder die Zeile leeren, um ohne einen weiterzumachen.</translation>
@@ -1650,11 +1645,6 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Diesen Durchgang beiseitelegen</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde importiert. Um alle zu haben, alle importieren und %1 in der Warteschlange beiseitelegen.</translation>
     </message>
     <message>
       <source>The bag is another now, the numbers are not</source>
@@ -1735,6 +1725,16 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotos behalten</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hat diese Dateien schon; nichts wurde importiert. Trotzdem importiert, stehen seine Scherben zweimal im Katalog.</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde importiert. Trotzdem importiert, stehen die Scherben beider im Katalog; %1 in der Warteschlange beiseitelegen, wenn das nicht gewollt ist.</translation>
     </message>
 </context>
 <context>
@@ -3858,6 +3858,16 @@
       <source>Marker side…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Markenseite…</translation>
+    </message>
+    <message>
+      <source>Keep both</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Beide behalten</translation>
+    </message>
+    <message>
+      <source>Processes this batch although another one has the same photographs; the sherds of both are then in the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Verarbeitet diesen Durchgang, obwohl ein anderer dieselben Fotos hat; dann stehen die Scherben beider im Katalog</translation>
     </message>
 </context>
 <context>
@@ -10320,6 +10330,16 @@
       <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein Gegenstand aus nur %1 Punkten bei x %2, y %3 mm wurde ausgelassen; wenn es eine Scherbe ist, sie aus geringerem Abstand aufnehmen.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs or scans of %3 belong to %4, too: its sherds would be in the catalogue twice. Nothing was entered. Set %3 aside and use %4, or keep both: 'Keep both' in the queue, 'ostraka catalogue enter --keep-both' on the command line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 der %2 Fotos oder Scans von %3 gehören auch zu %4: Seine Scherben stünden zweimal im Katalog. Nichts wurde eingetragen. %3 beiseitelegen und %4 verwenden, oder beide behalten: „Beide behalten“ in der Warteschlange, 'ostraka catalogue enter --keep-both' auf der Befehlszeile.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of %3, which this export holds, belong to %4, too: its sherds would be in the catalogue twice. Use %4 and leave the export out, or keep both on purpose (on the command line: --keep-both).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 der %2 Fotos von %3, das dieser Export enthält, gehören auch zu %4: Seine Scherben stünden zweimal im Katalog. %4 verwenden und den Export weglassen, oder beide absichtlich behalten (auf der Befehlszeile: --keep-both).</translation>
     </message>
 </context>
 <context>

@@ -1637,11 +1637,6 @@
       <translation>Η διάταξη βαθμονομήθηκε από το %1· η προηγούμενη φυλάσσεται ως %2.</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η %1 έχει ήδη αυτά τα αρχεία· τίποτα δεν εισήχθη.</translation>
-    </message>
-    <message>
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το «%1» δεν ονομάζει σακούλα: γράψτε θέση-τομή-πλαίσιο-σακούλα ή αδειάστε τη γραμμή για να συνεχίσετε χωρίς.</translation>
@@ -1650,11 +1645,6 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Παραμερισμός αυτής της παρτίδας</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Η %1 έχει ήδη %2 από αυτά τα %3 αρχεία· δεν έγινε εισαγωγή. Για να τα έχετε όλα, εισαγάγετέ τα και παραμερίστε την %1 στην ουρά.</translation>
     </message>
     <message>
       <source>The bag is another now, the numbers are not</source>
@@ -1735,6 +1725,16 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Διατήρηση των φωτογραφιών</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 έχει ήδη αυτά τα αρχεία· δεν εισήχθη τίποτα. Αν εισαχθούν παρ’ όλα αυτά, τα όστρακά του βρίσκονται δύο φορές στον κατάλογο.</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το %1 έχει ήδη %2 από αυτά τα %3 αρχεία· δεν εισήχθη τίποτα. Αν εισαχθούν παρ’ όλα αυτά, τα όστρακα και των δύο βρίσκονται στον κατάλογο· βάλτε το %1 στην άκρη στην ουρά, αν δεν το θέλετε.</translation>
     </message>
 </context>
 <context>
@@ -3858,6 +3858,16 @@
       <source>Marker side…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Πλευρά δείκτη…</translation>
+    </message>
+    <message>
+      <source>Keep both</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Διατήρηση και των δύο</translation>
+    </message>
+    <message>
+      <source>Processes this batch although another one has the same photographs; the sherds of both are then in the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Επεξεργάζεται αυτή την παρτίδα, αν και μια άλλη έχει τις ίδιες φωτογραφίες· τα όστρακα και των δύο βρίσκονται τότε στον κατάλογο</translation>
     </message>
 </context>
 <context>
@@ -10320,6 +10330,16 @@
       <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ένα αντικείμενο με μόνο %1 σημεία στο x %2, y %3 mm έμεινε στην άκρη· αν είναι όστρακο, φωτογραφίστε το από πιο κοντά.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs or scans of %3 belong to %4, too: its sherds would be in the catalogue twice. Nothing was entered. Set %3 aside and use %4, or keep both: 'Keep both' in the queue, 'ostraka catalogue enter --keep-both' on the command line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 από τις %2 φωτογραφίες ή σαρώσεις του %3 ανήκουν και στο %4: τα όστρακά του θα βρίσκονταν δύο φορές στον κατάλογο. Δεν καταχωρίστηκε τίποτα. Βάλτε το %3 στην άκρη και χρησιμοποιήστε το %4, ή κρατήστε και τα δύο: «Διατήρηση και των δύο» στην ουρά, 'ostraka catalogue enter --keep-both' στη γραμμή εντολών.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of %3, which this export holds, belong to %4, too: its sherds would be in the catalogue twice. Use %4 and leave the export out, or keep both on purpose (on the command line: --keep-both).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 από τις %2 φωτογραφίες του %3, που περιέχει αυτή η εξαγωγή, ανήκουν και στο %4: τα όστρακά του θα βρίσκονταν δύο φορές στον κατάλογο. Χρησιμοποιήστε το %4 χωρίς την εξαγωγή, ή κρατήστε σκόπιμα και τα δύο (στη γραμμή εντολών: --keep-both).</translation>
     </message>
 </context>
 <context>

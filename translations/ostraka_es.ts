@@ -1637,11 +1637,6 @@
       <translation>El equipo está calibrado según %1; la calibración anterior se guarda como %2.</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ya tiene estos archivos; no se ha importado nada.</translation>
-    </message>
-    <message>
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1» no nombra ninguna bolsa: escriba yacimiento-corte-contexto-bolsa, o vacíe la línea para seguir sin ella.</translation>
@@ -1650,11 +1645,6 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Apartar esta tanda</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ya tiene %2 de estos %3 archivos; no se importó nada. Para tenerlos completos, impórtelos todos y aparte %1 en la cola.</translation>
     </message>
     <message>
       <source>The bag is another now, the numbers are not</source>
@@ -1735,6 +1725,16 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Conservar las fotos</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ya tiene estos archivos; no se importó nada. Si se importan de todos modos, sus fragmentos están dos veces en el catálogo.</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ya tiene %2 de estos %3 archivos; no se importó nada. Si se importan de todos modos, los fragmentos de ambas están en el catálogo; aparte %1 en la cola si no lo desea.</translation>
     </message>
 </context>
 <context>
@@ -3858,6 +3858,16 @@
       <source>Marker side…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Lado del marcador…</translation>
+    </message>
+    <message>
+      <source>Keep both</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Conservar ambas</translation>
+    </message>
+    <message>
+      <source>Processes this batch although another one has the same photographs; the sherds of both are then in the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Procesa esta tanda aunque otra tenga las mismas fotografías; los fragmentos de ambas están entonces en el catálogo</translation>
     </message>
 </context>
 <context>
@@ -10320,6 +10330,16 @@
       <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un objeto de solo %1 puntos en x %2, y %3 mm se omitió; si es un fragmento, fotografíelo más de cerca.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs or scans of %3 belong to %4, too: its sherds would be in the catalogue twice. Nothing was entered. Set %3 aside and use %4, or keep both: 'Keep both' in the queue, 'ostraka catalogue enter --keep-both' on the command line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 de las %2 fotografías o escaneos de %3 pertenecen también a %4: sus fragmentos estarían dos veces en el catálogo. No se registró nada. Aparte %3 y use %4, o conserve ambas: «Conservar ambas» en la cola, 'ostraka catalogue enter --keep-both' en la línea de órdenes.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of %3, which this export holds, belong to %4, too: its sherds would be in the catalogue twice. Use %4 and leave the export out, or keep both on purpose (on the command line: --keep-both).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 de las %2 fotografías de %3, que contiene esta exportación, pertenecen también a %4: sus fragmentos estarían dos veces en el catálogo. Use %4 sin esta exportación, o conserve ambas a propósito (en la línea de órdenes: --keep-both).</translation>
     </message>
 </context>
 <context>

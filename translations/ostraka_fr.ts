@@ -1637,11 +1637,6 @@
       <translation>Le banc est calibré d'après %1 ; la calibration précédente est gardée sous %2.</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 a déjà ces fichiers ; rien n’a été importé.</translation>
-    </message>
-    <message>
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>« %1 » ne nomme aucun sac : écrivez site-tranchée-contexte-sac, ou videz la ligne pour continuer sans.</translation>
@@ -1650,11 +1645,6 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mettre ce lot de côté</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 a déjà %2 de ces %3 fichiers ; rien n'a été importé. Pour les avoir tous, importez-les et mettez %1 de côté dans la file.</translation>
     </message>
     <message>
       <source>The bag is another now, the numbers are not</source>
@@ -1735,6 +1725,16 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Garder les photos</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a déjà ces fichiers ; rien n’a été importé. Importés quand même, ses tessons figurent deux fois au catalogue.</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 a déjà %2 de ces %3 fichiers ; rien n’a été importé. Importés quand même, les tessons des deux figurent au catalogue ; mettre %1 de côté dans la file si ce n’est pas voulu.</translation>
     </message>
 </context>
 <context>
@@ -3858,6 +3858,16 @@
       <source>Marker side…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Côté du marqueur…</translation>
+    </message>
+    <message>
+      <source>Keep both</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Garder les deux</translation>
+    </message>
+    <message>
+      <source>Processes this batch although another one has the same photographs; the sherds of both are then in the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Traite ce lot bien qu’un autre ait les mêmes photographies ; les tessons des deux figurent alors au catalogue</translation>
     </message>
 </context>
 <context>
@@ -10320,6 +10330,16 @@
       <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un objet de seulement %1 points en x %2, y %3 mm a été laissé de côté ; si c’est un tesson, photographiez-le de plus près.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs or scans of %3 belong to %4, too: its sherds would be in the catalogue twice. Nothing was entered. Set %3 aside and use %4, or keep both: 'Keep both' in the queue, 'ostraka catalogue enter --keep-both' on the command line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 des %2 photographies ou scans de %3 appartiennent aussi à %4 : ses tessons figureraient deux fois au catalogue. Rien n’a été enregistré. Mettre %3 de côté et utiliser %4, ou garder les deux : « Garder les deux » dans la file, 'ostraka catalogue enter --keep-both' en ligne de commande.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of %3, which this export holds, belong to %4, too: its sherds would be in the catalogue twice. Use %4 and leave the export out, or keep both on purpose (on the command line: --keep-both).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 des %2 photographies de %3, que contient cette exportation, appartiennent aussi à %4 : ses tessons figureraient deux fois au catalogue. Utiliser %4 sans cette exportation, ou garder les deux exprès (en ligne de commande : --keep-both).</translation>
     </message>
 </context>
 <context>

@@ -1637,11 +1637,6 @@
       <translation>Սարքակազմը տրամաչափված է ըստ %1-ի. նախորդը պահված է որպես %2։</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ն արդեն ունի այս ֆայլերը. ոչինչ չի ներմուծվել։</translation>
-    </message>
-    <message>
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>«%1»-ը տոպրակ չի անվանում. գրեք հուշարձան-խրամատ-համատեքստ-տոպրակ կամ դատարկեք տողը՝ առանց դրա շարունակելու համար։</translation>
@@ -1650,11 +1645,6 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մի կողմ դնել այս խմբաքանակը</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1-ն արդեն ունի այս %3 ֆայլից %2-ը. ոչինչ չի ներմուծվել։ Բոլորն ունենալու համար ներմուծեք դրանք և %1-ը հերթում մի կողմ դրեք։</translation>
     </message>
     <message>
       <source>The bag is another now, the numbers are not</source>
@@ -1735,6 +1725,16 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Պահել լուսանկարները</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն արդեն ունի այս ֆայլերը. ոչինչ չի ներմուծվել։ Եթե այնուամենայնիվ ներմուծվեն, դրա բեկորները կատալոգում երկու անգամ կլինեն։</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ն արդեն ունի այս %3 ֆայլերից %2-ը. ոչինչ չի ներմուծվել։ Եթե այնուամենայնիվ ներմուծվեն, երկուսի բեկորներն էլ կատալոգում կլինեն. եթե դա չեք ուզում, հերթում %1-ը մի կողմ դրեք։</translation>
     </message>
 </context>
 <context>
@@ -3858,6 +3858,16 @@
       <source>Marker side…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Նշիչի կողմը…</translation>
+    </message>
+    <message>
+      <source>Keep both</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պահել երկուսը</translation>
+    </message>
+    <message>
+      <source>Processes this batch although another one has the same photographs; the sherds of both are then in the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մշակում է այս խմբաքանակը, թեև մեկ ուրիշն ունի նույն լուսանկարները. այդ դեպքում երկուսի բեկորներն էլ կատալոգում են</translation>
     </message>
 </context>
 <context>
@@ -10320,6 +10330,16 @@
       <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ընդամենը %1 կետից կազմված առարկան x %2, y %3 մմ տեղում բաց է թողնվել. եթե բեկոր է, լուսանկարեք այն ավելի մոտիկից։</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs or scans of %3 belong to %4, too: its sherds would be in the catalogue twice. Nothing was entered. Set %3 aside and use %4, or keep both: 'Keep both' in the queue, 'ostraka catalogue enter --keep-both' on the command line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%3-ի %2 լուսանկարից կամ սկանից %1-ը պատկանում է նաև %4-ին. դրա բեկորները կատալոգում երկու անգամ կլինեին։ Ոչինչ չի մուտքագրվել։ %3-ը մի կողմ դրեք և օգտագործեք %4-ը, կամ պահեք երկուսը. «Պահել երկուսը» հերթում, 'ostraka catalogue enter --keep-both' հրամանի տողում։</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of %3, which this export holds, belong to %4, too: its sherds would be in the catalogue twice. Use %4 and leave the export out, or keep both on purpose (on the command line: --keep-both).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս արտահանման մեջ եղած %3-ի %2 լուսանկարից %1-ը պատկանում է նաև %4-ին. դրա բեկորները կատալոգում երկու անգամ կլինեին։ Օգտագործեք %4-ը առանց այս արտահանման, կամ դիտմամբ պահեք երկուսը (հրամանի տողում՝ --keep-both)։</translation>
     </message>
 </context>
 <context>

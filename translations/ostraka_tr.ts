@@ -1621,11 +1621,6 @@
       <translation>Düzenek %1 ile kalibre edildi; önceki kalibrasyon %2 olarak saklandı.</translation>
     </message>
     <message>
-      <source>%1 has these files already; nothing was imported.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 bu dosyaları zaten içeriyor; hiçbir şey içe aktarılmadı.</translation>
-    </message>
-    <message>
       <source>'%1' names no bag: write site-trench-context-bag, or empty the line to go on without one.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>“%1” bir torbanın adı değil: alan-açma-kontekst-torba yazın ya da onsuz sürdürmek için satırı boşaltın.</translation>
@@ -1634,11 +1629,6 @@
       <source>Set this batch aside</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu partiyi kenara ayır</translation>
-    </message>
-    <message>
-      <source>%1 has %2 of these %3 files already; nothing was imported. To have them whole, import them all and set %1 aside in the queue.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 bu %3 dosyadan %2 tanesine zaten sahip; hiçbir şey içe aktarılmadı. Hepsini almak için tümünü içe aktarın ve sırada %1 partisini kenara ayırın.</translation>
     </message>
     <message>
       <source>The bag is another now, the numbers are not</source>
@@ -1719,6 +1709,16 @@
       <source>Keep the photographs</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğrafları tut</translation>
+    </message>
+    <message>
+      <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 bu dosyalara zaten sahip; hiçbir şey içe aktarılmadı. Yine de içe aktarılırsa parçaları katalogda iki kez yer alır.</translation>
+    </message>
+    <message>
+      <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 bu %3 dosyadan %2 tanesine zaten sahip; hiçbir şey içe aktarılmadı. Yine de içe aktarılırsa ikisinin parçaları da katalogda yer alır; bunu istemiyorsanız %1 partisini sırada kenara ayırın.</translation>
     </message>
 </context>
 <context>
@@ -3817,6 +3817,16 @@
       <source>Marker side…</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İşaret kenarı…</translation>
+    </message>
+    <message>
+      <source>Keep both</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İkisini de tut</translation>
+    </message>
+    <message>
+      <source>Processes this batch although another one has the same photographs; the sherds of both are then in the catalogue</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Başka bir partide aynı fotoğraflar olsa da bu partiyi işler; o zaman ikisinin parçaları da katalogda yer alır</translation>
     </message>
 </context>
 <context>
@@ -10274,6 +10284,16 @@
       <source>A sparse object of %1 points at x %2, y %3 mm was left out; if it is a sherd, photograph it closer.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Yalnızca %1 noktadan oluşan bir nesne (x %2, y %3 mm) dışarıda bırakıldı; parçaysa onu daha yakından çekin.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs or scans of %3 belong to %4, too: its sherds would be in the catalogue twice. Nothing was entered. Set %3 aside and use %4, or keep both: 'Keep both' in the queue, 'ostraka catalogue enter --keep-both' on the command line.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%3 partisinin %2 fotoğraf veya taramasından %1 tanesi %4 partisine de ait: parçaları katalogda iki kez yer alırdı. Hiçbir şey girilmedi. %3 partisini kenara ayırıp %4 partisini kullanın ya da ikisini de tutun: sırada “İkisini de tut”, komut satırında 'ostraka catalogue enter --keep-both'.</translation>
+    </message>
+    <message>
+      <source>%1 of the %2 photographs of %3, which this export holds, belong to %4, too: its sherds would be in the catalogue twice. Use %4 and leave the export out, or keep both on purpose (on the command line: --keep-both).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu dışa aktarımdaki %3 partisinin %2 fotoğrafından %1 tanesi %4 partisine de ait: parçaları katalogda iki kez yer alırdı. %4 partisini kullanıp dışa aktarımı bırakın ya da bilerek ikisini de tutun (komut satırında: --keep-both).</translation>
     </message>
 </context>
 <context>

@@ -99,6 +99,13 @@ Result<std::vector<Wanted>> wantedOf(const upkeep::Project& project,
                                 "window's queue processes it.")));
       continue;
     }
+    if (const auto own =
+            intake::checkNotShared(project.catalogue(), project.folder(), batch, stop);
+        !own) {
+      if (own.error().code != ErrorCode::UnusableInput) return own.error();
+      submitted.warnings.push_back(own.error().sentence());
+      continue;
+    }
     QuietProgress quiet;
     const Result<batch::Batch> read = batch::readPhotographs(folder, {}, {}, {}, quiet);
     if (!read) {

@@ -12,6 +12,7 @@
 #include "exchange/other_version.h"
 #include "files/checksum.h"
 #include "files/folder_lock.h"
+#include "intake/side_photographs.h"
 #include "metadata/metadata.h"
 #include "metadata/sherd_json.h"
 #include "records/records.h"
@@ -85,6 +86,7 @@ class ReadingBack {
     copies_ = std::move(beside.copies);
     fresh_batches_ = std::move(beside.fresh);
     lost_joins_.clear();
+    noteShared(stop);
     tables::ImportReport kept;
     std::vector<tables::ImportRow> fresh;
     std::vector<const metadata::ReadSherdJson*> fresh_records;
@@ -124,6 +126,7 @@ class ReadingBack {
           message("Joins with sherds that are not in the export or were not imported are left out: "
                   "%1; enter them by hand.",
                   joined(lost_joins_, ", ")));
+    report.warnings.insert(report.warnings.end(), shared_.begin(), shared_.end());
     report.same += kept.same;
     report.changes.insert(report.changes.end(), kept.changes.begin(), kept.changes.end());
     report.undo.insert(report.undo.begin(), kept.undo.rbegin(), kept.undo.rend());
@@ -131,6 +134,9 @@ class ReadingBack {
     report.refusals.insert(report.refusals.end(), kept.refusals.begin(), kept.refusals.end());
     return report;
   }
+
+  /// Of the batches that entered last those that share photographs with others, a sentence each.
+  const std::vector<Message>& shared() const { return shared_; }
 
   /// Files of sherds that are new. One that is there already, of an import that broke off, is not
   /// touched if it is the same, and stops the import if it is another.
@@ -219,6 +225,30 @@ class ReadingBack {
   }
 
  private:
+  void noteShared(const std::stop_token& stop) {
+    Catalogue& catalogue = project_.catalogue();
+    shared_.clear();
+    for (const store::BatchRow row : fresh_batches_) {
+      std::vector<intake::SideFile> photographs;
+      for (const records::FileRecord& file : valueOrThrow(Files(catalogue).of(row)))
+        if (file.role == "photo")
+          photographs.push_back(
+              {file.path, static_cast<std::uintmax_t>(file.bytes), file.sha256});
+      const auto shared = valueOrThrow(intake::sharedPhotographs(
+          catalogue, project_.folder(), std::move(photographs),
+          [&](const records::BatchRecord& other) { return !fresh_batches_.contains(other.row); },
+          stop));
+      if (!shared) continue;
+      const std::string number = valueOrThrow(Batches(catalogue).get(row)).number;
+      shared_.push_back(
+          message("%1 of the %2 photographs of %3, which this export holds, belong to %4, too: its "
+                  "sherds would be in the catalogue twice. Use %4 and leave the export out, or "
+                  "keep both on purpose (on the command line: --keep-both).",
+                  shared->shared, shared->of, number, shared->batch));
+      valueOrThrow(intake::keepBoth(catalogue, number, provenance_));
+    }
+  }
+
   // Before anything is written: each file is in the export, and no two get one place.
   void copiesAreThere() const {
     std::map<std::string, std::string> hashes;
@@ -325,6 +355,7 @@ class ReadingBack {
   std::map<std::string, std::string> uuids_;  ///< of the records, by number
   std::set<store::BatchRow> fresh_batches_;   ///< what entered last
   std::vector<std::string> lost_joins_;
+  std::vector<Message> shared_;
   std::vector<metadata::FileCopy> copies_;  ///< of what was entered last
   std::vector<metadata::FileCopy> copied_;
   std::vector<std::string> written_;
@@ -336,7 +367,7 @@ class ReadingBack {
 Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& folder,
                                       tables::ImportMode mode,
                                       const records::Provenance& provenance, Progress& progress,
-                                      std::stop_token stop) {
+                                      std::stop_token stop, SamePhotographs same) {
   const Result<archive::BagReader> bag = archive::BagReader::open(folder, progress, stop);
   if (!bag) return bag.error();
   ReadingBack reading(project, folder, *bag, provenance);
@@ -355,6 +386,8 @@ Result<tables::ImportReport> readBack(upkeep::Project& project, const fs::path& 
   const std::int64_t before = History(project.catalogue()).length();
   if (const Result<void> fits = records(tables::ImportMode::Preview); !fits) return fits.error();
   if (mode == tables::ImportMode::Preview) return report;
+  if (same == SamePhotographs::Refuse && !reading.shared().empty())
+    return Error::unusable(reading.shared().front(), folder.string());
   if (const auto saved = project.backUp(); !saved) return saved.error();
   // From where files are copied until the rows that name them are there they are nobody's: two
   // imports would take each other's copies for what was there before, or for their own. Of the

@@ -16,6 +16,7 @@
 #include "files/json.h"
 #include "intake/computed_again.h"
 #include "intake/enter_results.h"
+#include "intake/side_photographs.h"
 #include "pipeline/process_batch.h"
 #include "records/records.h"
 #include "review/more_candidates.h"
@@ -244,6 +245,7 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
     const auto record = valueOrThrow(catalogue::Batches(rows).byNumber(options.number));
     const fs::path batch = project->batchFolder(options.number);
     const fs::path output = project->resultsFolder(options.number);
+    valueOrThrow(checkNotShared(rows, options.project, record, stop));
     const auto missing = valueOrThrow(missingPhotographs(*project, record));
     std::vector<Message> warnings;
     if (!missing.empty()) warnings.push_back(missingSentence(missing, batch));

@@ -22,6 +22,7 @@ struct ComputeOptions {
 /// A batch of the project from photographs (or scans) to rows of the catalogue, going on from the
 /// last whole stage; at the end the catalogue is backed up. Opens the project by itself: callable
 /// in any thread. The batch's state becomes Computed, then Review or Done; on an error it stays.
+/// Errors: also those of checkNotShared, before anything is computed.
 Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progress,
                                   std::stop_token stop);
 

@@ -26,6 +26,7 @@
 #include "intake/review_decisions.h"
 #include "intake/same_pieces.h"
 #include "intake/settle_batch.h"
+#include "intake/side_photographs.h"
 #include "records/records.h"
 #include "records/sherd.h"
 #include "review/review.h"
@@ -247,6 +248,7 @@ Result<EnteredResults> entered(catalogue::Catalogue& catalogue, const fs::path& 
     const auto record = valueOrThrow(catalogue::Batches(catalogue).get(batch));
     const std::optional<Message> other_photographs =
         valueOrThrow(checkResultsAreOf(catalogue, project, record, out, stop));
+    valueOrThrow(checkNotShared(catalogue, project, record, stop));
     const FolderLock models =
         valueOrThrow(sherds::holdModels(project, record.number, progress, stop));
     const ReadResults read = readResults(project, record, out, progress, stop);

@@ -27,7 +27,7 @@ struct EnteredResults {
 /// The photographs that they were made from are recorded, too, where they are whole (as
 /// enterPhotographs does). The batch's state becomes Review when something wants a person, else
 /// Done. Errors: also UnusableInput for results of another batch's or earlier photographs
-/// (checkResultsAreOf).
+/// (checkResultsAreOf), and for photographs that another batch has, too (checkNotShared).
 Result<EnteredResults> enterResults(catalogue::Catalogue& catalogue,
                                     const std::filesystem::path& project, store::BatchRow batch,
                                     const std::filesystem::path& out,

@@ -1,12 +1,19 @@
 #include "intake/side_photographs.h"
 
+#include <algorithm>
+#include <set>
 #include <system_error>
 #include <utility>
-#include <vector>
 
+#include "base/message.h"
 #include "base/text.h"
 #include "batch/photographs.h"
+#include "catalogue/batches.h"
+#include "catalogue/files.h"
+#include "catalogue/settings.h"
 #include "files/files.h"
+#include "store/database.h"
+#include "store/values.h"
 
 namespace ostraka::intake {
 namespace {
@@ -32,7 +39,136 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
   return files;
 }
 
+constexpr auto kShared = translatable<4>(
+    "%1 of the %2 photographs or scans of %3 belong to %4, too: its sherds would be in the "
+    "catalogue twice. Nothing was entered. Set %3 aside and use %4, or keep both: 'Keep both' in "
+    "the queue, 'ostraka catalogue enter --keep-both' on the command line.");
+
+std::string keptKey(const std::string& batch_number) {
+  return "photographs.kept_twice." + batch_number;
+}
+
+std::string hashOf(const SideFile& file) {
+  if (!file.sha256.empty()) return file.sha256;
+  const Result<std::string> bytes = readFile(file.file);
+  return bytes ? sha256(*bytes) : std::string();
+}
+
+// Photographs that the catalogue has, by batch.
+using Recorded = std::map<store::BatchRow, std::vector<SideFile>>;
+
+Recorded recordedPhotographs(const catalogue::Catalogue& catalogue) {
+  Recorded photographs;
+  for (const records::FileRecord& file : store::valueOrThrow(catalogue::Files(catalogue).all()))
+    if (file.role == "photo" && file.batch)
+      photographs[file.batch].push_back(
+          {file.path, static_cast<std::uintmax_t>(file.bytes), file.sha256});
+  return photographs;
+}
+
+// What lies in its folder is what the catalogue recorded if name and size say so.
+std::vector<SideFile> filesOf(const records::BatchRecord& batch, const Recorded& recorded,
+                              const fs::path& project) {
+  std::vector<SideFile> files;
+  if (const auto own = recorded.find(batch.row); own != recorded.end()) files = own->second;
+  std::map<std::string, std::uintmax_t> known;
+  for (const SideFile& file : files) known[file.file.generic_string()] = file.bytes;
+  for (const SideFile& file : sideFilesIn(project / "batches" / batch.number)) {
+    const auto same = known.find(file.file.lexically_relative(project).generic_string());
+    if (same == known.end() || same->second != file.bytes) files.push_back(file);
+  }
+  return files;
+}
+
 }  // namespace
+
+std::vector<SideFile> sideFiles(const std::vector<fs::path>& files) {
+  std::vector<SideFile> sized;
+  for (const fs::path& file : files) {
+    std::error_code failed;
+    const std::uintmax_t bytes = fs::file_size(file, failed);
+    if (!failed) sized.push_back({file, bytes});
+  }
+  return sized;
+}
+
+std::vector<SideFile> sideFilesIn(const fs::path& batch_folder) {
+  std::vector<fs::path> files;
+  for (const auto& [folder, side] : kSideFolders)
+    for (const fs::path& file : filesIn(batch_folder / folder)) files.push_back(file);
+  return sideFiles(files);
+}
+
+Result<std::optional<SharedPhotographs>> sharedPhotographs(const catalogue::Catalogue& catalogue,
+                                                           const fs::path& project,
+                                                           std::vector<SideFile> files,
+                                                           const CountsBatch& counts,
+                                                           const std::stop_token& stop) {
+  return catalogue.database().asResult([&]() -> std::optional<SharedPhotographs> {
+    const Recorded recorded = recordedPhotographs(catalogue);
+    std::set<std::uintmax_t> sizes;
+    for (const SideFile& file : files) sizes.insert(file.bytes);
+    std::optional<SharedPhotographs> most;
+    std::vector<records::BatchRecord> batches =
+        store::valueOrThrow(catalogue::Batches(catalogue).all());
+    std::reverse(batches.begin(), batches.end());  // of equals the oldest
+    for (const records::BatchRecord& batch : batches) {
+      if (!counts(batch)) continue;
+      std::set<std::uintmax_t> there_sizes;
+      std::set<std::string> there;
+      for (const SideFile& file : filesOf(batch, recorded, project)) {
+        if (stop.stop_requested()) throw store::Refused(Error::cancelled());
+        if (!sizes.contains(file.bytes)) continue;
+        there_sizes.insert(file.bytes);
+        if (const std::string hash = hashOf(file); !hash.empty()) there.insert(hash);
+      }
+      int shared = 0;
+      for (SideFile& file : files) {
+        if (stop.stop_requested()) throw store::Refused(Error::cancelled());
+        if (!there_sizes.contains(file.bytes)) continue;
+        file.sha256 = hashOf(file);
+        shared += there.contains(file.sha256) ? 1 : 0;
+      }
+      if (shared > (most ? most->shared : 0))
+        most = {batch.number, shared, static_cast<int>(files.size())};
+    }
+    return most;
+  });
+}
+
+Result<void> checkNotShared(const catalogue::Catalogue& catalogue, const fs::path& project,
+                            const records::BatchRecord& batch, const std::stop_token& stop) {
+  return catalogue.database().asResult([&] {
+    const catalogue::Batches batches(catalogue);
+    if (!store::valueOrThrow(batches.scans(batch.row)).empty() ||
+        !store::valueOrThrow(catalogue::Settings(catalogue).value(keptKey(batch.number))).empty())
+      return;
+    std::vector<SideFile> files = sideFilesIn(project / "batches" / batch.number);
+    if (files.empty()) {  // the folder was moved to another disk
+      Recorded recorded = recordedPhotographs(catalogue);
+      files = std::move(recorded[batch.row]);
+    }
+    const auto entersItsSherds = [&](const records::BatchRecord& other) {
+      if (other.row == batch.row) return false;
+      return (other.row < batch.row && other.state != records::BatchState::Failed) ||
+             !store::valueOrThrow(batches.scans(other.row)).empty();
+    };
+    const auto shared = store::valueOrThrow(
+        sharedPhotographs(catalogue, project, std::move(files), entersItsSherds, stop));
+    if (shared)
+      store::refuse(message(kShared, shared->shared, shared->of, batch.number, shared->batch),
+                    (project / "batches" / batch.number).string());
+  });
+}
+
+bool isAboutShared(const Message& sentence) {
+  return sentence.templateWords() == kShared.words();
+}
+
+Result<void> keepBoth(const catalogue::Catalogue& catalogue, const std::string& batch_number,
+                      const records::Provenance& provenance) {
+  return catalogue::Settings(catalogue).setValue(keptKey(batch_number), "1", provenance);
+}
 
 std::optional<batch::Side> sideOf(const std::string& name) {
   for (const auto& [folder, side] : kSideFolders)

@@ -1,12 +1,20 @@
 #pragma once
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "batch/batch.h"
+#include "records/records.h"
+
+namespace ostraka::catalogue {
+class Catalogue;
+}  // namespace ostraka::catalogue
 
 namespace ostraka::intake {
 
@@ -24,5 +32,44 @@ Result<PhotographHashes> photographsNow(const std::filesystem::path& batch_folde
 /// What tells one taking of the batch from another: one hash of the names and hashes of all these.
 Result<std::string> takingNow(const std::filesystem::path& batch_folder,
                               const std::stop_token& stop);
+
+/// A photograph (or imported scan) of a side, to be compared by content.
+struct SideFile {
+  std::filesystem::path file;
+  std::uintmax_t bytes = 0;
+  std::string sha256 = {};  ///< empty: `file` is read where another has its size
+};
+/// Those that lie in the folders of both sides.
+std::vector<SideFile> sideFilesIn(const std::filesystem::path& batch_folder);
+/// These files, as far as they are there.
+std::vector<SideFile> sideFiles(const std::vector<std::filesystem::path>& files);
+
+/// A batch that has some of the asked photographs, byte for byte. A photograph shows what lies on
+/// the plate at one moment: one that two batches have shows the same sherds, so that both would
+/// enter them, or it is in the wrong folder of one. There is no share below which it is neither.
+struct SharedPhotographs {
+  std::string batch;  ///< B0031: the one that has most of them
+  int shared = 0, of = 0;
+};
+using CountsBatch = std::function<bool(const records::BatchRecord&)>;
+
+/// Among the batches that count, by what the catalogue recorded of them and by what lies in their
+/// folders and is not recorded yet. Reads only files of a size that both have. Errors: Cancelled.
+Result<std::optional<SharedPhotographs>> sharedPhotographs(
+    const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
+    std::vector<SideFile> files, const CountsBatch& counts, const std::stop_token& stop);
+
+/// Before a batch is processed, and before its results are entered: UnusableInput with the other
+/// batch and what to do where its photographs are another's, too. Nothing where its sherds are in
+/// the catalogue already, for it is only processed again; where the other one's never come there,
+/// since it came later or has failed or was set aside; and where a person keeps both.
+Result<void> checkNotShared(const catalogue::Catalogue& catalogue,
+                            const std::filesystem::path& project, const records::BatchRecord& batch,
+                            const std::stop_token& stop);
+/// Whether this is the sentence of checkNotShared.
+bool isAboutShared(const Message& sentence);
+/// A person wants both batches, and their sherds twice. It goes into the history.
+Result<void> keepBoth(const catalogue::Catalogue& catalogue, const std::string& batch_number,
+                      const records::Provenance& provenance);
 
 }  // namespace ostraka::intake

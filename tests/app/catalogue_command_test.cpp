@@ -331,6 +331,22 @@ TEST_F(CatalogueCommand, BacksUpBeforeAndAfterResultsAreEntered) {
   EXPECT_EQ(upkeep::Project::open(folder_ / "p")->backups().size(), 2u);
 }
 
+TEST_F(CatalogueCommand, EntersTheSamePhotographsTwiceOnlyWithKeepBoth) {
+  makeResults(folder_ / "p");
+  put("p/batches/B0001/front/a.jpg", "the same");
+  ASSERT_EQ(run("enter " + at("p") + " B0001"), 0) << said_;
+  {
+    auto opened = upkeep::Project::open(folder_ / "p");
+    ASSERT_TRUE(opened);
+    ASSERT_TRUE(catalogue::Batches(opened->catalogue()).add({}, {}));
+    catalogue::ResultFolder(opened->resultsFolder("B0002"), 2);
+  }
+  put("p/batches/B0002/back/b.jpg", "the same");
+  EXPECT_EQ(run("enter " + at("p") + " B0002"), 2);
+  EXPECT_EQ(run("enter " + at("p") + " B0002 --keep-both"), 0) << said_;
+  EXPECT_EQ(said_["new_sherds"], 2);
+}
+
 // Whichever page is damaged, also one that entering does not read.
 TEST_F(CatalogueCommand, EntersNothingIntoADamagedCatalogue) {
   constexpr std::size_t kPage = 4096;

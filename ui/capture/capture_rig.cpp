@@ -29,9 +29,12 @@ void CaptureScreen::buildTwice() {
             twice_->showWords(
                 folder,
                 there == files
-                    ? tr("%1 has these files already; nothing was imported.").arg(number)
-                    : tr("%1 has %2 of these %3 files already; nothing was imported. To have them "
-                         "whole, import them all and set %1 aside in the queue.")
+                    ? tr("%1 has these files already; nothing was imported. Imported anyway, its "
+                         "sherds are in the catalogue twice.")
+                          .arg(number)
+                    : tr("%1 has %2 of these %3 files already; nothing was imported. Imported "
+                         "anyway, the sherds of both are in the catalogue; set %1 aside in the "
+                         "queue unless you want that.")
                           .arg(number)
                           .arg(there)
                           .arg(files),

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "catalogue/batches.h"
+#include "intake/side_photographs.h"
 #include "records/records.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/record_photographs.h"
@@ -80,7 +81,8 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
                         QString::fromStdString(options.from.string()), copied->same, copied->files);
       return;
     }
-    const Result<QString> number = copied ? enter(*copied, place) : copied.error();
+    const Result<QString> number =
+        copied ? enter(*copied, place, options.twice) : copied.error();
     if (!number) {
       emit failed(number.error());
       return;
@@ -97,7 +99,7 @@ void BatchImporter::cancel() {
 }
 
 // The folder gets its name before the row is kept: what fails in between leaves neither.
-Result<QString> BatchImporter::enter(const Imported& copied, const PlaceText& place) {
+Result<QString> BatchImporter::enter(const Imported& copied, const PlaceText& place, bool twice) {
   upkeep::Project& project = session_->project();
   catalogue::Catalogue& rows = project.catalogue();
   std::string number;
@@ -106,6 +108,9 @@ Result<QString> BatchImporter::enter(const Imported& copied, const PlaceText& pl
     const Result<std::string> added = addBatch(copied, place);
     if (!added) return added.error();
     number = *added;
+    if (twice)
+      if (Result<void> kept = intake::keepBoth(rows, number, session_->provenance()); !kept)
+        return kept;
     std::error_code error;
     std::filesystem::rename(copied.folder, project.batchFolder(number), error);
     if (error)

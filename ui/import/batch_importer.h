@@ -41,7 +41,7 @@ class BatchImporter final : public QObject {
 
  private:
   void copy(const ImportOptions& options, const PlaceText& place);
-  Result<QString> enter(const Imported& copied, const PlaceText& place);
+  Result<QString> enter(const Imported& copied, const PlaceText& place, bool twice);
   Result<std::string> addBatch(const Imported& copied, const PlaceText& place);  ///< its number
 
   QPointer<ProjectSession> session_;

@@ -3,8 +3,6 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <cstdint>
-#include <map>
-#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -15,7 +13,9 @@
 #include "batch/mask_source.h"
 #include "batch/photographs.h"
 #include "files/files.h"
+#include "intake/side_photographs.h"
 #include "pipeline/proposed_sheet.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {
@@ -104,68 +104,28 @@ Result<std::vector<Taken>> sidesOf(const ImportSides& sides, Progress& progress)
   return files;
 }
 
-// What was photographed or scanned, by size; the same picture has the same size.
-using BySize = std::multimap<std::uintmax_t, fs::path>;
-
-BySize takenIn(const fs::path& folder) {
-  BySize files;
-  for (const char* side : {"front", "back"}) {
-    std::error_code error;
-    for (fs::directory_iterator at(folder / side, error), end; !error && at != end;
-         at.increment(error))
-      if (at->is_regular_file(error)) files.emplace(at->file_size(error), at->path());
-  }
-  return files;
-}
-
-std::string hashOf(const fs::path& file) {
-  const Result<std::string> bytes = readFile(file);
-  return bytes ? sha256(*bytes) : std::string();
-}
-
-BySize takenFor(const ImportOptions& options) {
-  if (!options.sides) return takenIn(options.from);
-  BySize files;
-  for (const std::vector<fs::path>* side : {&options.sides->front, &options.sides->back})
-    for (const fs::path& file : *side) {
-      std::error_code error;
-      const std::uintmax_t size = fs::file_size(file, error);
-      if (!error) files.emplace(size, file);
-    }
-  return files;
-}
-
-// Names may be others by now, and some files missing: most of them are enough. Only files of one
-// size are read.
 Result<Imported> batchWithTheSame(const ImportOptions& options, const std::stop_token& stop) {
-  const BySize fresh = takenFor(options);
-  std::map<fs::path, std::string> hashes;
-  std::error_code error;
-  for (fs::directory_iterator at(options.project / "batches", error), end; !error && at != end;
-       at.increment(error)) {
-    if (at->path().extension() == ".partial") continue;
-    std::size_t same = 0;
-    std::set<std::string> there;
-    for (const auto& [size, file] : takenIn(at->path()))
-      if (fresh.contains(size)) {
-        if (stop.stop_requested()) return Error::cancelled();
-        there.insert(hashOf(file));
-      }
-    if (there.size() * 2 <= fresh.size()) continue;
-    for (const auto& [size, file] : fresh) {
-      if (stop.stop_requested()) return Error::cancelled();
-      std::string& hash = hashes[file];
-      if (hash.empty()) hash = hashOf(file);
-      same += there.contains(hash) ? 1 : 0;
-    }
-    if (same * 2 <= fresh.size()) continue;
-    Imported there_already;
-    there_already.same_as = at->path().filename().string();
-    there_already.same = static_cast<int>(same);
-    there_already.files = static_cast<int>(fresh.size());
-    return there_already;
+  const Result<catalogue::Catalogue> rows = upkeep::Project::connect(options.project);
+  if (!rows) return rows.error();
+  std::vector<intake::SideFile> files;
+  if (options.sides) {
+    files = intake::sideFiles(options.sides->front);
+    const std::vector<intake::SideFile> backs = intake::sideFiles(options.sides->back);
+    files.insert(files.end(), backs.begin(), backs.end());
+  } else {
+    files = intake::sideFilesIn(options.from);
   }
-  return Imported();
+  const auto shared = intake::sharedPhotographs(
+      *rows, options.project, std::move(files), [](const records::BatchRecord&) { return true; },
+      stop);
+  if (!shared) return shared.error();
+  Imported there_already;
+  if (*shared) {
+    there_already.same_as = (*shared)->batch;
+    there_already.same = (*shared)->shared;
+    there_already.files = (*shared)->of;
+  }
+  return there_already;
 }
 
 Error anotherImport(const fs::path& folder) {

@@ -33,7 +33,7 @@ struct Imported {
   /// By the cameras' clocks, since 1970, UTC; nothing where no photograph says it.
   std::optional<std::int64_t> first_taken_ms, last_taken_ms;
   std::optional<batch::Plate> found_sheet;  ///< in the photographs, as large as a person typed it
-  std::string same_as;  ///< "B0031" has most of these photographs or scans; nothing was copied
+  std::string same_as;  ///< "B0031" has some of these photographs or scans; nothing was copied
   int same = 0;         ///< how many of `files` that batch has; photographs or scans
 };
 

@@ -9,6 +9,7 @@
 #include "intake/batch_figures.h"
 #include "intake/computed_again.h"
 #include "intake/settle_batch.h"
+#include "intake/side_photographs.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
@@ -54,6 +55,7 @@ void readDetails(const upkeep::Project& project, QueueRow& row) {
     row.failure = wordsOf(failure);
     row.cancelled = failure.cancelled;
     row.aside = failure.aside;
+    row.shared = !failure.aside && intake::isAboutShared(failure.error.what);
   }
   row.figures = intake::shownFigures(project.catalogue(), row.number.toStdString());
   row.picture = frontPicture(project.batchFolder(row.number.toStdString()));
@@ -107,6 +109,7 @@ QueueRow BatchQueue::rowFrom(const records::BatchRecord& batch, const QueueRow* 
     row.failure = before->failure;
     row.cancelled = before->cancelled;
     row.aside = before->aside;
+    row.shared = before->shared;
     row.picture = before->picture;
     // A person's decisions change them while the state stays.
     row.figures = intake::shownFigures(project.catalogue(), row.number.toStdString());
@@ -351,6 +354,14 @@ void BatchQueue::retry(const QString& number) {
   if (asked) asked = forgetFailure(rows, number);
   if (!asked) stopFor(asked.error());
   session_->tellBatchChanged(number);
+}
+
+void BatchQueue::keepBoth(const QString& number) {
+  if (session_ == nullptr || find(number) == nullptr) return;
+  const Result<void> kept = intake::keepBoth(session_->project().catalogue(), number.toStdString(),
+                                             session_->provenance());
+  if (!kept) return stopFor(kept.error());
+  retry(number);
 }
 
 void BatchQueue::forgetMoved(const QString& number) {

@@ -38,6 +38,7 @@ struct QueueRow {
   QString failure;  ///< the sentence of the error, of Failed
   bool cancelled = false;
   bool aside = false;        ///< Failed, and nobody wants it
+  bool shared = false;       ///< Failed: another batch has its photographs, too
   bool without_bag = false;  ///< its sherds have no context but by hand
   bool has_masks = false;
   bool masks_edited = false;  ///< Review: since its results were computed
@@ -81,6 +82,8 @@ class BatchQueue final : public QAbstractListModel {
   /// and what there is of it stays. retry() brings it back, also to be photographed on.
   void setAside(const QString& number);
   void retry(const QString& number);
+  /// Retries what shares photographs with another batch: its sherds are wanted twice.
+  void keepBoth(const QString& number);
   /// The rig was calibrated again by this batch: its cameras stand where the rig has them.
   void forgetMoved(const QString& number);
 

@@ -76,6 +76,11 @@ QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
       tr("A camera was bumped: this batch's photographs tell where the cameras stand now (C)"));
   marker_action_ = addPageAct(this, "queueMarkerSide", "measure", tr("Marker side…"), {}, this,
                               [this] { marker_side_->ask(selected()); });
+  keep_both_ = addPageAct(this, "queueKeepBoth", "plus", tr("Keep both"), {}, this,
+                          [this] { queue_->keepBoth(selected()); });
+  keep_both_->setToolTip(
+      tr("Processes this batch although another one has the same photographs; the sherds of both "
+         "are then in the catalogue"));
   marker_side_ = new MarkerSide(this);
   buildLayout();
 
@@ -138,7 +143,8 @@ void QueueScreen::buildLayout() {
 QWidget* QueueScreen::buildList() {
   auto* page = new QWidget(this);
   tools_ = new ToolRow(page);
-  tools_->addGroup(tr("Batch"), {review_, report_, masks_, again_, marker_action_, cancel_});
+  tools_->addGroup(tr("Batch"), {review_, report_, masks_, again_, keep_both_, marker_action_,
+                               cancel_});
   tools_->addGroup(tr("Queue"), {drafts_, calibrate_});
   next_ = new BigButton(QStringLiteral("queueNext"), {}, page);
   next_->setKeyHint(keyText(Qt::Key_Return));
@@ -246,6 +252,8 @@ void QueueScreen::follow() {
       action->setEnabled(false);
   marker_action_->setVisible(marker_side_->isTyped(selected()));
   marker_action_->setEnabled(again_->isEnabled());
+  keep_both_->setVisible(at >= 0 && queue_->row(at).shared);
+  keep_both_->setEnabled(again_->isEnabled());
   followNext(mending ? QueueState::Shooting : state);
   if (!queue_->switches()->trouble().isEmpty())
     message_->showError({ErrorCode::CannotWrite, queue_->switches()->trouble().toStdString(), {}},

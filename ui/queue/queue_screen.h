@@ -72,7 +72,7 @@ class QueueScreen final : public Screen {
   MaskPage* masks_page_;
   PageArea* masks_area_;
   QAction *pause_, *cancel_, *again_, *report_, *review_, *masks_, *log_action_, *drafts_,
-      *calibrate_, *open_, *marker_action_;
+      *calibrate_, *open_, *marker_action_, *keep_both_;
   MarkerSide* marker_side_;
   BigButton* next_;
   QPushButton* to_capture_;

@@ -39,8 +39,9 @@ struct Task {
 Result<tables::ImportReport> run(upkeep::Project& project, const Task& task, Progress& progress,
                                  std::stop_token stop) {
   if (!task.bytes)
+    // Who goes on after the preview has read its warnings.
     return exchange::readBack(project, task.source, task.options.mode, task.provenance, progress,
-                              stop);
+                              stop, exchange::SamePhotographs::KeepBoth);
   if (task.options.mode == tables::ImportMode::Enter)
     if (const auto saved = project.backUp(); !saved) return saved.error();
   return tables::importTable(project.catalogue(), *task.bytes, task.source.string(), task.options,

@@ -380,6 +380,30 @@ TEST_F(ReadingBack, ABatchWhoseNumberIsTakenGetsTheNextOne) {
   EXPECT_TRUE(other.catalogue().checkIntegrity());
 }
 
+// The same photographs were taken in on both laptops.
+TEST_F(ReadingBack, ABatchWithPhotographsOfAnotherEntersOnlyWhereBothAreKept) {
+  ASSERT_TRUE(exportTo("out", all));
+  upkeep::Project other = empty("other");
+  ASSERT_TRUE(Batches(other.catalogue()).add({}, {}));
+  put(other.folder() / "batches/B0001/front/another_name.jpg", "JPEG");
+  const auto readAs = [&](tables::ImportMode mode, SamePhotographs same) {
+    return readBack(other, folder_.path() / "out", mode, {}, quiet, {}, same);
+  };
+  const auto preview = readAs(tables::ImportMode::Preview, SamePhotographs::Refuse);
+  ASSERT_TRUE(preview) << preview.error().sentence();
+  ASSERT_EQ(preview->warnings.size(), 1u);
+  EXPECT_THAT(preview->warnings[0], testing::HasSubstr("1 of the 1 photographs of B0002"));
+  EXPECT_THAT(preview->warnings[0], testing::HasSubstr("belong to B0001, too"));
+  const auto refused = readAs(tables::ImportMode::Enter, SamePhotographs::Refuse);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(Batches(other.catalogue()).all()->size(), 1u);
+  EXPECT_FALSE(fs::exists(other.folder() / "batches/B0002"));
+  const auto kept = readAs(tables::ImportMode::Enter, SamePhotographs::KeepBoth);
+  ASSERT_TRUE(kept) << kept.error().sentence();
+  EXPECT_EQ(kept->fresh, 3);
+}
+
 class Looking : public Progress {
  public:
   explicit Looking(std::function<void()> looked) : looked_(std::move(looked)) {}

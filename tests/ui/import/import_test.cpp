@@ -12,6 +12,7 @@
 #include "catalogue/places.h"
 #include "files/files.h"
 #include "files/hold.h"
+#include "intake/side_photographs.h"
 #include "ui/frame/project_session.h"
 #include "ui/import/batch_importer.h"
 #include "virtualrig/batch_files.h"
@@ -80,14 +81,24 @@ class ImportTest : public QObject {
     take("whole");
     QTRY_COMPARE(there.count(), 2);
     QCOMPARE(there[1].mid(2), (QVariantList{3, 4}));
-    take("copy");
+    QVERIFY(writeFileAtomically(path("one") / "front" / "p.ply", "front/a.ply").has_value());
+    for (const char* file : {"front/q.ply", "back/r.ply", "back/s.ply"})
+      QVERIFY(writeFileAtomically(path("one") / file, std::string("new ") + file).has_value());
+    take("one");
     QTRY_COMPARE(there.count(), 3);
+    QCOMPARE(there[2].mid(2), (QVariantList{1, 4}));
+    take("copy");
+    QTRY_COMPARE(there.count(), 4);
     QCOMPARE(catalogue::Batches(session_->project().catalogue()).all()->size(), std::size_t{2});
     QVERIFY(!std::filesystem::exists(path("project") / "batches" / "import.partial"));
     importer.startAllTheSame();
     QTRY_COMPARE(imported.count(), 3);
     QCOMPARE(catalogue::Batches(session_->project().catalogue()).all()->size(), std::size_t{3});
-    QCOMPARE(there.count(), 3);
+    QCOMPARE(there.count(), 4);
+    QVERIFY(intake::checkNotShared(
+                session_->project().catalogue(), session_->folder(),
+                *catalogue::Batches(session_->project().catalogue()).byNumber("B0003"), {})
+                .has_value());
   }
 
   void aFolderWithoutBacksIsRefusedWithASentenceAndLeavesNothing() {

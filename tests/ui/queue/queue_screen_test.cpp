@@ -20,10 +20,12 @@
 #include "../project_in.h"
 #include "catalogue/batches.h"
 #include "files/files.h"
+#include "intake/side_photographs.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/widgets/message_panel.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -86,6 +88,35 @@ class QueueScreenTest : public QObject {
     queue_.reset();
     jobs_.reset();
     session_.reset();
+  }
+
+  void aBatchWithThePhotographsOfAnotherIsKeptByOneButton() {
+    addBatch(records::BatchState::Done);
+    addBatch();
+    for (const char* number : {"B0001", "B0002"})
+      QVERIFY(writeFileAtomically(session_->folder() / "batches" / number / "front/IMG_1.jpg",
+                                  "the same")
+                  .has_value());
+    queue_->computation()->setWork([this](const intake::ComputeOptions& options, Progress&,
+                                          std::stop_token stop) -> Result<intake::BatchFigures> {
+      const Result<catalogue::Catalogue> rows = upkeep::Project::connect(options.project);
+      const auto batch = catalogue::Batches(*rows).byNumber(options.number);
+      const Result<void> own = intake::checkNotShared(*rows, options.project, *batch, stop);
+      if (!own) return own.error();
+      ++begun_;
+      while (!stop.stop_requested()) std::this_thread::yield();
+      return Error::cancelled();
+    });
+    screen_->openProject(*session_);
+    auto* action = screen_->findChild<QAction*>("queueKeepBoth");
+    screen_->showItem("B0001");
+    QVERIFY(!action->isVisible());
+    screen_->showItem("B0002");
+    QTRY_VERIFY(action->isVisible() && action->isEnabled());
+    QVERIFY(queue_->row(queue_->rowOf("B0002")).failure.contains("B0001"));
+    action->trigger();
+    QTRY_COMPARE(begun_.load(), 1);
+    QVERIFY(!action->isVisible());
   }
 
   void anEmptyQueueSaysWhatToDoFirst() {

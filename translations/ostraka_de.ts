@@ -3228,6 +3228,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 wird verarbeitet. Beim Verlassen des Projekts hält das an und geht weiter, wenn das Projekt wieder geöffnet wird. Zum Verlassen noch einmal Projekte wählen.</translation>
     </message>
+    <message>
+      <source>Import cancelled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Import abgebrochen</translation>
+    </message>
+    <message>
+      <source>The project that was created for it is removed. Your photographs are as they were.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Das Projekt, das dafür angelegt wurde, ist entfernt. Ihre Fotos sind, wie sie waren.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>

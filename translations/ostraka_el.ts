@@ -3228,6 +3228,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η παρτίδα %1 υποβάλλεται σε επεξεργασία. Η έξοδος από το έργο τη σταματά και συνεχίζεται όταν το έργο ανοίξει ξανά. Επιλέξτε πάλι Έργα για έξοδο.</translation>
     </message>
+    <message>
+      <source>Import cancelled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η εισαγωγή ακυρώθηκε</translation>
+    </message>
+    <message>
+      <source>The project that was created for it is removed. Your photographs are as they were.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το έργο που δημιουργήθηκε γι’ αυτήν αφαιρέθηκε. Οι φωτογραφίες σας είναι όπως ήταν.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>

@@ -3228,6 +3228,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 se está procesando. Al salir del proyecto se detiene y continúa cuando el proyecto se abre de nuevo. Elija Proyectos otra vez para salir.</translation>
     </message>
+    <message>
+      <source>Import cancelled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importación cancelada</translation>
+    </message>
+    <message>
+      <source>The project that was created for it is removed. Your photographs are as they were.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El proyecto creado para ella se ha eliminado. Sus fotografías están como estaban.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>

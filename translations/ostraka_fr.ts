@@ -3228,6 +3228,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 est en cours de traitement. Quitter le projet l’arrête ; il reprend quand le projet est rouvert. Choisissez Projets encore une fois pour quitter.</translation>
     </message>
+    <message>
+      <source>Import cancelled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Importation annulée</translation>
+    </message>
+    <message>
+      <source>The project that was created for it is removed. Your photographs are as they were.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le projet créé pour elle est supprimé. Vos photographies sont comme avant.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>

@@ -3228,6 +3228,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ը մշակվում է։ Նախագծից դուրս գալը կանգնեցնում է մշակումը. այն շարունակվում է, երբ նախագիծը նորից բացվի։ Դուրս գալու համար ևս մեկ անգամ ընտրեք «Նախագծեր»։</translation>
     </message>
+    <message>
+      <source>Import cancelled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ներմուծումը չեղարկվեց</translation>
+    </message>
+    <message>
+      <source>The project that was created for it is removed. Your photographs are as they were.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Դրա համար ստեղծված նախագիծը հեռացված է։ Ձեր լուսանկարներն այնպես են, ինչպես կային։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>

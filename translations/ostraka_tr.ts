@@ -3191,6 +3191,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 işleniyor. Projeden çıkmak bunu durdurur; proje yeniden açılınca sürer. Çıkmak için Projeler seçeneğini bir kez daha seçin.</translation>
     </message>
+    <message>
+      <source>Import cancelled</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İçe aktarma iptal edildi</translation>
+    </message>
+    <message>
+      <source>The project that was created for it is removed. Your photographs are as they were.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bunun için oluşturulan proje kaldırıldı. Fotoğraflarınız olduğu gibi duruyor.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>

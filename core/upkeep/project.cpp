@@ -4,8 +4,10 @@
 #include <array>
 #include <chrono>
 #include <utility>
+#include <vector>
 
 #include "base/message.h"
+#include "catalogue/history.h"
 #include "catalogue/settings.h"
 #include "files/files.h"
 #include "files/output_place.h"
@@ -184,6 +186,38 @@ Result<Project> Project::open(const fs::path& folder, const catalogue::Catalogue
   if (!kept) return kept.error();
   project.kept_files_ = std::move(*kept);
   return project;
+}
+
+Result<bool> Project::removeUnused(const fs::path& folder, std::int64_t history) {
+  {
+    const Result<Project> project = open(folder);
+    if (!project) return project.error();
+    if (catalogue::History(project->catalogue()).length() > history) return false;
+  }
+  std::vector<fs::path> files, folders;
+  std::error_code code;
+  for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
+    const std::string name = at->path().filename().string();
+    if (std::find(kFolders.begin(), kFolders.end(), name) != kFolders.end())
+      folders.push_back(at->path());
+    else if (name.starts_with(kFile))
+      files.push_back(at->path());
+    else
+      return false;
+  }
+  for (const fs::path& own : folders)
+    for (fs::directory_iterator at(own, code), end; !code && at != end; at.increment(code)) {
+      if (own.filename() != "backups" ||
+          !at->path().filename().string().starts_with("catalogue-"))
+        return false;
+      files.push_back(at->path());
+    }
+  for (const std::vector<fs::path>* list : {&files, &folders})
+    for (const fs::path& one : *list)
+      if (!code) fs::remove(one, code);
+  if (!code) fs::remove(folder, code);
+  if (code) return cannotWrite(folder, code.value());
+  return true;
 }
 
 bool Project::isProject(const fs::path& folder) {

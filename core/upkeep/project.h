@@ -33,6 +33,10 @@ class Project {
   static Result<Project> open(const std::filesystem::path& folder,
                               const catalogue::Catalogue::Clock& clock = {},
                               const store::Waiting& waiting = {});
+  /// Removes a project in which nobody worked: its history is no longer than `history`, and its
+  /// folder holds nothing but what the program makes of itself. False otherwise; it stays then. It
+  /// must be closed. Errors: those of open, CannotWrite.
+  static Result<bool> removeUnused(const std::filesystem::path& folder, std::int64_t history);
   static bool isProject(const std::filesystem::path& folder);
 
   const std::filesystem::path& folder() const { return folder_; }

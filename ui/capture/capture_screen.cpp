@@ -123,6 +123,7 @@ void CaptureScreen::buildImport(QVBoxLayout* all) {
   connect(import_ask_, &ImportAsk::asked, this, &CaptureScreen::follow);
   connect(import_ask_, &ImportAsk::confirmed, this, &CaptureScreen::follow);
   connect(import_ask_, &ImportAsk::left, this, &CaptureScreen::follow);
+  connect(import_ask_, &ImportAsk::left, this, &CaptureScreen::importLeft);
   filled(all, {import_ask_, new ImportLine(importer_, this)});
 }
 
@@ -316,8 +317,10 @@ void CaptureScreen::setCompact(bool compact) {
 }
 
 void CaptureScreen::showFailure(const Error& error) {
-  if (error.code == ErrorCode::Cancelled)
-    return emit said(tr("Import cancelled. Nothing was left behind."));
+  if (error.code == ErrorCode::Cancelled) {
+    emit said(tr("Import cancelled. Nothing was left behind."));
+    return emit importLeft();
+  }
   failure_->showError(error, tr("OK"));
   emit said(sentenceOf(error));
 }

@@ -57,6 +57,7 @@ class CaptureScreen final : public Screen {
   void lineChanged();  ///< where we are, or the rig
   void rigRenewed(const QString& batch);
   void batchSetAside(const QString& number);
+  void importLeft();  ///< cancelled before it began, or while it ran
 
  private:
   void buildActions();

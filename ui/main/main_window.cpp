@@ -7,6 +7,7 @@
 #include <QUndoGroup>
 #include <utility>
 
+#include "catalogue/history.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
@@ -54,6 +55,8 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   applySettings(settings_);
   settings_page_->setSettings(settings_);
   start_->setRecent(settings_.recent, settings_.titles);
+  connect(capture_screen_, &CaptureScreen::importLeft, this, &MainWindow::leaveBegun,
+          Qt::QueuedConnection);  // it closes the screen that tells
   connect(queue_, &BatchQueue::batchComputed, care_, &ProjectCare::measureRoom);
   connect(care_, &ProjectCare::roomMeasured, work_->header(), &HeaderLine::setRoom);
   connect(care_, &ProjectCare::said, work_->footer(), &FooterLine::say);
@@ -166,6 +169,7 @@ void MainWindow::showProject() {
 
 void MainWindow::closeProject() {
   if (session() == nullptr) return;
+  begun_ = {};
   // What stands in a field without Return or Tab after it is saved too.
   if (auto* typing = qobject_cast<QLineEdit*>(focusWidget())) emit typing->editingFinished();
   work_->closeProject();
@@ -205,8 +209,31 @@ void MainWindow::beginWith(const QStringList& photographs) {
     if (session() != nullptr) return;  // one was opened meanwhile
     if (!plan) return start_->showError(plan.error());
     start_->makeFor(photographs);
-    if (session() != nullptr) capture_screen_->importPhotographs(photographs);
+    if (session() == nullptr) return;
+    begun_ = {session()->folder(),
+              catalogue::History(session()->project().catalogue()).length()};
+    capture_screen_->importPhotographs(photographs);
   });
+}
+
+// Without its photographs the project that was made for them is nothing that a person asked for.
+void MainWindow::leaveBegun() {
+  const auto begun = std::exchange(begun_, {});
+  if (session() == nullptr || session()->folder() != begun.folder ||
+      catalogue::History(session()->project().catalogue()).length() > begun.history)
+    return;
+  const QString folder = QString::fromStdString(begun.folder.string());
+  closeProject();
+  if (const auto removed = upkeep::Project::removeUnused(begun.folder, begun.history);
+      !removed || !*removed)
+    return openProject(folder);
+  settings_.forget(folder);
+  keepSettings();
+  start_->setRecent(settings_.recent, settings_.titles);
+  start_->tell(tr("Import cancelled"),
+               tr("The project that was created for it is removed. Your photographs are as they "
+                  "were."),
+               {});
 }
 
 void MainWindow::showScreen(int index) {

@@ -24,6 +24,11 @@ void WindowSettings::remember(const QString& project, const QString& title) {
   while (recent.size() > kMostRecentProjects) titles.remove(recent.takeLast());
 }
 
+void WindowSettings::forget(const QString& project) {
+  recent.removeAll(project);
+  titles.remove(project);
+}
+
 void WindowSettings::moved(const QString& from, const QString& to) {
   const qsizetype at = recent.indexOf(from);
   if (at < 0 || from == to) return;

@@ -20,6 +20,7 @@ struct WindowSettings {
   QByteArray geometry;            ///< of the window
 
   void remember(const QString& project, const QString& title);
+  void forget(const QString& project);
   void moved(const QString& from, const QString& to);  ///< a project's folder
 };
 

@@ -33,6 +33,29 @@ TEST_F(ProjectFolder, HoldsTheFoldersThatTheProgramWorksIn) {
   EXPECT_EQ(project_->batchFolder("B0001"), project_->folder() / "batches" / "B0001");
 }
 
+TEST_F(ProjectFolder, IsRemovedAsUnusedOnlyWhereNobodyWorkedInIt) {
+  const fs::path folder = folder_.path() / "fresh";
+  std::int64_t history = 0;
+  {
+    const Result<Project> fresh = Project::create(folder, {.code = "ARM"});
+    ASSERT_TRUE(fresh) << fresh.error().sentence();
+    history = catalogue::History(fresh->catalogue()).length();
+    ASSERT_TRUE(fresh->backUp());
+  }
+  std::ofstream(folder / "batches" / "notes.txt") << "a person's";
+  EXPECT_FALSE(*Project::removeUnused(folder, history));
+  fs::remove(folder / "batches" / "notes.txt");
+  {
+    const Result<Project> worked = Project::open(folder);
+    ASSERT_TRUE(worked);
+    ASSERT_TRUE(catalogue::Settings(worked->catalogue()).setValue("key", "value", {}));
+  }
+  EXPECT_FALSE(*Project::removeUnused(folder, history));
+  EXPECT_TRUE(Project::isProject(folder));
+  EXPECT_TRUE(*Project::removeUnused(folder, history + 1));
+  EXPECT_FALSE(fs::exists(folder));
+}
+
 TEST_F(ProjectFolder, TheCataloguesHeaderTellsItFromOtherDatabases) {
   project_.reset();
   std::ifstream file(folder_.path() / "project" / "catalogue.sqlite", std::ios::binary);

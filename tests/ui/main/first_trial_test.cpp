@@ -151,6 +151,31 @@ class FirstTrialTest : public QObject {
              QString("B0002"));
   }
 
+  void aCancelledImportLeavesNoProjectUnlessSomebodyWorkedInIt() {
+    photographs("fronts", 4);
+    photographs("backs", 3);
+    QVERIFY(virtualrig::writePlateAndBoard(path("")).has_value());
+    const auto begin = [this] {
+      drop({home_->path("fronts"), home_->path("backs")});
+      QTRY_VERIFY(window_->session() != nullptr);
+      QTRY_VERIFY(named<QPushButton>(*window_, "importLeave")->isVisible());
+    };
+    begin();
+    const QString folder = QString::fromStdString(window_->session()->folder().string());
+    QTest::mouseClick(named<QPushButton>(*window_, "importLeave"), Qt::LeftButton);
+    auto* message = named<MessagePanel>(*window_, "startMessage");
+    QTRY_VERIFY(message->isVisible());
+    QVERIFY(window_->session() == nullptr);
+    QVERIFY(!QDir(folder).exists());
+    QVERIFY(QFileInfo::exists(home_->path("fronts/IMG_0.jpg")));
+    begin();
+    workInIt();
+    QTest::mouseClick(named<QPushButton>(*window_, "importLeave"), Qt::LeftButton);
+    QTest::qWait(50);  // for what is queued
+    QVERIFY(window_->session() != nullptr);
+    QVERIFY(QDir(folder).exists());
+  }
+
   void aFolderIsDroppedOntoThePageNotIntoAField() {
     for (const char* name : {"newName", "newSite", "newFolder", "newNumbering"})
       QVERIFY(!named<QLineEdit>(*window_, name)->acceptDrops());
@@ -163,6 +188,7 @@ class FirstTrialTest : public QObject {
     auto* sheet = named<QLabel>(*window_, "importSheet");
     QTRY_VERIFY(sheet->isVisible());
     named<QDoubleSpinBox>(*window_, "importMarker")->setValue(18);
+    workInIt();
     QTest::mouseClick(named<QPushButton>(*window_, "importLeave"), Qt::LeftButton);
     print("startPrintSheet");
     named<CaptureScreen>(*window_, "capture")
@@ -200,6 +226,7 @@ class FirstTrialTest : public QObject {
     QTRY_VERIFY2(sheet->isVisible() && sheet->text().contains("sheets/A4/plate.json"),
                  qPrintable(sheet->text()));
     QVERIFY(named<QPushButton>(*window_, "importPrintSheet")->isVisible());
+    workInIt();
     // What a person cleared is not proposed again.
     QTest::mouseClick(named<QPushButton>(*window_, "importClearSheet"), Qt::LeftButton);
     QTest::mouseClick(named<QPushButton>(*window_, "importLeave"), Qt::LeftButton);
@@ -271,6 +298,12 @@ class FirstTrialTest : public QObject {
   }
 
   // What is shown of the photographs is right: the batch is in the queue, then its models.
+  // So that the project that was made for an import stays when it is cancelled.
+  void workInIt() {
+    QVERIFY(catalogue::Settings(window_->session()->project().catalogue())
+                .setValue("key", "value", {})
+                .has_value());
+  }
   void importThem() {
     click(shown("importStart"));
     QTRY_VERIFY(screen("queue")->isVisible());

@@ -5632,11 +5632,6 @@
       <translation>Die Datei lässt sich nicht lesen (%1); noch einmal kopieren.</translation>
     </message>
     <message>
-      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ein anderer Lauf schreibt in diesen Ordner; sein Ende abwarten oder einen anderen Ordner wählen.</translation>
-    </message>
-    <message>
       <source>The JSON text is larger than 64 MiB.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der JSON-Text ist größer als 64 MiB.</translation>
@@ -10351,6 +10346,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 der %2 Fotos von %3, das dieser Export enthält, gehören auch zu %4: Seine Scherben stünden zweimal im Katalog. %4 verwenden und den Export weglassen, oder beide absichtlich behalten (auf der Befehlszeile: --keep-both).</translation>
     </message>
+    <message>
+      <source>Another run is writing to this folder. What it has saved is kept, and this run has changed nothing; wait until the other one ends, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ein anderer Lauf schreibt in diesen Ordner. Was er gespeichert hat, bleibt erhalten, und dieser Lauf hat nichts geändert; das Ende des anderen abwarten oder einen anderen Ordner wählen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -10828,6 +10828,11 @@
       <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Noch wurde nichts zusammengeführt: Ihre Wahl führt zu weiteren Konflikten.</translation>
+    </message>
+    <message>
+      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine frühere Zusammenführung wurde unterbrochen, und dies wurde geändert, bevor sie beendet war: %1. Es bleibt, wie es hier ist; die Fassung des anderen Projekts wurde weggelassen.</translation>
     </message>
 </context>
 <context>

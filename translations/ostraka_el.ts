@@ -5632,11 +5632,6 @@
       <translation>Το αρχείο δεν διαβάζεται (%1)· αντιγράψτε το ξανά.</translation>
     </message>
     <message>
-      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Μια άλλη εκτέλεση γράφει εδώ· περιμένετε να τελειώσει ή επιλέξτε άλλον φάκελο.</translation>
-    </message>
-    <message>
       <source>The JSON text is larger than 64 MiB.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το κείμενο JSON είναι μεγαλύτερο από 64 MiB.</translation>
@@ -10351,6 +10346,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 από τις %2 φωτογραφίες του %3, που περιέχει αυτή η εξαγωγή, ανήκουν και στο %4: τα όστρακά του θα βρίσκονταν δύο φορές στον κατάλογο. Χρησιμοποιήστε το %4 χωρίς την εξαγωγή, ή κρατήστε σκόπιμα και τα δύο (στη γραμμή εντολών: --keep-both).</translation>
     </message>
+    <message>
+      <source>Another run is writing to this folder. What it has saved is kept, and this run has changed nothing; wait until the other one ends, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια άλλη εκτέλεση γράφει σε αυτόν τον φάκελο. Ό,τι έχει αποθηκεύσει διατηρείται, και αυτή εδώ δεν άλλαξε τίποτα· περιμένετε να τελειώσει η άλλη ή επιλέξτε άλλον φάκελο.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -10828,6 +10828,11 @@
       <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν συγχωνεύθηκε ακόμη τίποτα: οι επιλογές σας οδηγούν σε άλλες διαφωνίες.</translation>
+    </message>
+    <message>
+      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μια προηγούμενη συγχώνευση διακόπηκε, και αυτό άλλαξε πριν ολοκληρωθεί: %1. Μένει όπως είναι εδώ· η εκδοχή του άλλου έργου δεν μεταφέρθηκε.</translation>
     </message>
 </context>
 <context>

@@ -5632,11 +5632,6 @@
       <translation>El archivo no se puede leer (%1); cópielo otra vez.</translation>
     </message>
     <message>
-      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Otro proceso está escribiendo en esta carpeta; espere a que termine o elija otra carpeta.</translation>
-    </message>
-    <message>
       <source>The JSON text is larger than 64 MiB.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El texto JSON supera los 64 MiB.</translation>
@@ -10351,6 +10346,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 de las %2 fotografías de %3, que contiene esta exportación, pertenecen también a %4: sus fragmentos estarían dos veces en el catálogo. Use %4 sin esta exportación, o conserve ambas a propósito (en la línea de órdenes: --keep-both).</translation>
     </message>
+    <message>
+      <source>Another run is writing to this folder. What it has saved is kept, and this run has changed nothing; wait until the other one ends, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Otro proceso está escribiendo en esta carpeta. Lo que ha guardado se conserva, y este no ha cambiado nada; espere a que el otro termine o elija otra carpeta.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -10828,6 +10828,11 @@
       <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aún no se unió nada: lo que eligió lleva a otros conflictos.</translation>
+    </message>
+    <message>
+      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Una fusión anterior se interrumpió, y esto se cambió antes de que terminara: %1. Se conserva como está aquí; la versión del otro proyecto se dejó fuera.</translation>
     </message>
 </context>
 <context>

@@ -5632,11 +5632,6 @@
       <translation>Le fichier ne peut pas être lu (%1) ; copiez-le à nouveau.</translation>
     </message>
     <message>
-      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un autre traitement écrit dans ce dossier ; attendez qu’il soit terminé, ou choisissez un autre dossier.</translation>
-    </message>
-    <message>
       <source>The JSON text is larger than 64 MiB.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le texte JSON dépasse 64 Mio.</translation>
@@ -10351,6 +10346,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 des %2 photographies de %3, que contient cette exportation, appartiennent aussi à %4 : ses tessons figureraient deux fois au catalogue. Utiliser %4 sans cette exportation, ou garder les deux exprès (en ligne de commande : --keep-both).</translation>
     </message>
+    <message>
+      <source>Another run is writing to this folder. What it has saved is kept, and this run has changed nothing; wait until the other one ends, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un autre traitement écrit dans ce dossier. Ce qu’il a enregistré est conservé, et celui-ci n’a rien modifié ; attendez que l’autre soit terminé, ou choisissez un autre dossier.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -10828,6 +10828,11 @@
       <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Rien n’est encore fusionné : vos choix entraînent d’autres conflits.</translation>
+    </message>
+    <message>
+      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Une fusion antérieure a été interrompue, et ceci a été modifié avant sa fin : %1. La version d’ici est gardée ; celle de l’autre projet a été laissée de côté.</translation>
     </message>
 </context>
 <context>

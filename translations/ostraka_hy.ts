@@ -5632,11 +5632,6 @@
       <translation>Ֆայլը չի կարդացվում (%1). նորից պատճենեք։</translation>
     </message>
     <message>
-      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Այստեղ գրում է մեկ այլ գործարկում. սպասեք դրա ավարտին կամ ընտրեք այլ պանակ։</translation>
-    </message>
-    <message>
       <source>The JSON text is larger than 64 MiB.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JSON տեքստը մեծ է 64 ՄիԲ-ից։</translation>
@@ -10351,6 +10346,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս արտահանման մեջ եղած %3-ի %2 լուսանկարից %1-ը պատկանում է նաև %4-ին. դրա բեկորները կատալոգում երկու անգամ կլինեին։ Օգտագործեք %4-ը առանց այս արտահանման, կամ դիտմամբ պահեք երկուսը (հրամանի տողում՝ --keep-both)։</translation>
     </message>
+    <message>
+      <source>Another run is writing to this folder. What it has saved is kept, and this run has changed nothing; wait until the other one ends, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս պանակում գրում է մեկ այլ գործարկում։ Նրա պահպանածը մնում է, և այս գործարկումը ոչինչ չի փոխել. սպասեք մյուսի ավարտին կամ ընտրեք այլ պանակ։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -10828,6 +10828,11 @@
       <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դեռ ոչինչ չի միավորվել. ձեր ընտրածը հանգեցնում է նոր հակասությունների։</translation>
+    </message>
+    <message>
+      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նախորդ միավորումն ընդհատվել է, և մինչև դրա ավարտը սա փոխվել է. %1։ Պահվել է այնպես, ինչպես այստեղ է. մյուս նախագծի տարբերակը չի վերցվել։</translation>
     </message>
 </context>
 <context>

@@ -5586,11 +5586,6 @@
       <translation>Dosya okunamıyor (%1); yeniden kopyalayın.</translation>
     </message>
     <message>
-      <source>Another run is writing to this folder; wait until it ends, or choose another folder.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Buraya başka bir işlem yazıyor; bitmesini bekleyin ya da başka bir klasör seçin.</translation>
-    </message>
-    <message>
       <source>The JSON text is larger than 64 MiB.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>JSON metni 64 MiB’den büyük.</translation>
@@ -10305,6 +10300,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu dışa aktarımdaki %3 partisinin %2 fotoğrafından %1 tanesi %4 partisine de ait: parçaları katalogda iki kez yer alırdı. %4 partisini kullanıp dışa aktarımı bırakın ya da bilerek ikisini de tutun (komut satırında: --keep-both).</translation>
     </message>
+    <message>
+      <source>Another run is writing to this folder. What it has saved is kept, and this run has changed nothing; wait until the other one ends, or choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bu klasöre başka bir işlem yazıyor. Kaydettikleri korunuyor ve bu işlem hiçbir şeyi değiştirmedi; ötekinin bitmesini bekleyin ya da başka bir klasör seçin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>
@@ -10779,6 +10779,11 @@
       <source>Nothing was merged yet: what you chose leads to further conflicts.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Henüz hiçbir şey birleştirilmedi: seçtikleriniz yeni çelişkilere yol açıyor.</translation>
+    </message>
+    <message>
+      <source>An earlier merge was interrupted, and this was changed before it was completed: %1. It is kept as it is here; the other project's version was left out.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Önceki bir birleştirme yarıda kaldı ve tamamlanmadan önce şu değiştirildi: %1. Buradaki hali tutuldu; öteki projenin sürümü alınmadı.</translation>
     </message>
 </context>
 <context>

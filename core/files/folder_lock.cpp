@@ -42,7 +42,8 @@ Result<FolderLock> FolderLock::take(const std::filesystem::path& folder) {
     if (!tried) return tried.error();
     if (tried->second == Held::Elsewhere)
       return Error{ErrorCode::CannotWrite,
-                   message("Another run is writing to this folder; wait until it ends, or choose "
+                   message("Another run is writing to this folder. What it has saved is kept, and "
+                           "this run has changed nothing; wait until the other one ends, or choose "
                            "another folder."),
                    folder.string()};
     if (tried->first.holdsNothingOrStands() || tries == kMostTries) return std::move(tried->first);

@@ -97,6 +97,8 @@ Result<FolderLock> claimed(const fs::path& output, const fs::path& file,
   if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
     return own.error();
   Result<FolderLock> held = FolderLock::take(output / "work");
+  if (!held && held.error().where == (output / "work").string())  // a person named OUT
+    return Error{held.error().code, held.error().what, output.string()};
   if (!held) return held;
   if (const Result<void> written = writeJson(file, content); !written) return written.error();
   return held;

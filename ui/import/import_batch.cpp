@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/message.h"
 #include "batch/batch.h"
 #include "batch/copied_photographs.h"
 #include "batch/exif.h"
@@ -130,7 +131,8 @@ Result<Imported> batchWithTheSame(const ImportOptions& options, const std::stop_
 
 Error anotherImport(const fs::path& folder) {
   return {ErrorCode::CannotWrite,
-          "Another run is writing to this folder; wait until it ends, or choose another folder.",
+          message("Another run is writing to this folder. What it has saved is kept, and this run "
+                  "has changed nothing; wait until the other one ends, or choose another folder."),
           folder.string()};
 }
 

@@ -22,6 +22,7 @@
 #include "ui/main/window_actions.h"
 #include "ui/main/window_place.h"
 #include "ui/main/work_page.h"
+#include "ui/merge/merge_words.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/queue/queue_screen.h"
@@ -164,6 +165,8 @@ void MainWindow::showProject() {
     all_->currentWidget() == settings_area_ ? settings_page_->say(why) : work_->footer()->say(why);
   });
   if (!read_only.isEmpty()) work_->footer()->say(read_only);
+  if (const QString kept = keptWords(session()->project().keptFiles()); !kept.isEmpty())
+    work_->footer()->say(kept);
   care_->begin(folder, !read_only.isEmpty());
 }
 

@@ -102,6 +102,7 @@ QString MergeModel::notes() const {
     lines << tr("Missing in the other project: %n file(s), %1", nullptr,
                 static_cast<int>(missing.size()))
                  .arg(firstOf(missing, kMostNamed));
+  if (!report_->kept.empty()) lines << keptWords(report_->kept);
   return lines.join('\n');
 }
 

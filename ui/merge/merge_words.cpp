@@ -7,10 +7,14 @@
 #include "records/words.h"
 #include "store/values.h"
 #include "ui/frame/term_words.h"
+#include "ui/merge/merge_model.h"
 #include "ui/sherds/field_words.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
+
+constexpr int kMostKeptNamed = 4;
 
 QString text(const std::string& value) {
   return QString::fromStdString(value);
@@ -97,6 +101,17 @@ QString countWords(const merge::MergeReport& report) {
       .arg(locale.toString(report.sherds), locale.toString(report.batches),
            locale.toString(report.changed), locale.toString(report.files),
            locale.formattedDataSize(report.bytes));
+}
+
+QString keptWords(const std::vector<std::string>& kept) {
+  QStringList places;
+  for (const std::string& place : kept) places << text(place);
+  return places.isEmpty()
+             ? QString()
+             : MergeModel::tr("An earlier merge was interrupted, and this was changed before it "
+                              "was completed: %1. It is kept as it is here; the other project's "
+                              "version was left out.")
+                   .arg(firstOf(places, kMostKeptNamed));
 }
 
 }  // namespace ostraka::ui

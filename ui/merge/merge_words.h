@@ -1,5 +1,7 @@
 #pragma once
 #include <QString>
+#include <string>
+#include <vector>
 
 #include "merge/merge.h"
 
@@ -15,5 +17,7 @@ QString versionWords(const merge::Conflict& conflict, const merge::Version& vers
                      const TermWords& terms);
 /// What came, or would come: counts of sherds, batches, records and files.
 QString countWords(const merge::MergeReport& report);
+/// Of files and folders that a completed merge left as they were changed here; empty: none.
+QString keptWords(const std::vector<std::string>& kept);
 
 }  // namespace ostraka::ui

@@ -37,7 +37,9 @@ TEST_F(ProjectFolder, IsRemovedAsUnusedOnlyWhereNobodyWorkedInIt) {
   const fs::path folder = folder_.path() / "fresh";
   std::int64_t history = 0;
   {
-    const Result<Project> fresh = Project::create(folder, {.code = "ARM"});
+    records::ProjectRecord record;
+    record.code = "ARM";
+    const Result<Project> fresh = Project::create(folder, record);
     ASSERT_TRUE(fresh) << fresh.error().sentence();
     history = catalogue::History(fresh->catalogue()).length();
     ASSERT_TRUE(fresh->backUp());

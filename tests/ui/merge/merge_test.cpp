@@ -13,6 +13,8 @@
 #include "../named.h"
 #include "../names.h"
 #include "catalogue/history.h"
+#include "catalogue/settings.h"
+#include "files/files.h"
 #include "sample_project.h"
 #include "sherds/sherd_changes.h"
 #include "ui/catalogue/catalogue_screen.h"
@@ -102,6 +104,19 @@ class MergeTest : public QObject {
     QTRY_COMPARE(model_->state(), MergeModel::State::Done);
     QCOMPARE(sample_->value(0, "ware"), QString("red slipped"));
     QVERIFY(child<QLabel>("mergeSummary")->text().startsWith("Merged b."));
+  }
+
+  // As a merge leaves it that was killed, and whose batch was processed again since.
+  void whatAnEarlierMergeLeftAsItIsHereIsNamed() {
+    const std::filesystem::path folder = sample_->session().folder();
+    SampleProject::must(writeFileAtomically(folder / "results/B0009/report.json", "made anew"));
+    SampleProject::must(writeFileAtomically(folder / "merge.partial/1", "report of B"));
+    SampleProject::must(catalogue::Settings(sample_->catalogue())
+                            .setValue("merge.files", R"({"results/B0009/report.json":["1",")" +
+                                                         sha256("of before") + R"("]})"));
+    compare();
+    QVERIFY2(model_->notes().contains("kept as it is here"), qPrintable(model_->notes()));
+    QVERIFY2(model_->notes().contains("results/B0009"), qPrintable(model_->notes()));
   }
 
   void whatIsSettledCanBeUndoneUntilItIsEntered() {

@@ -121,8 +121,7 @@ int runEnter(const Options& options, Session& session) {
   if (const auto saved = project->backUp(); !saved) return fail(session, saved.error());
   session.progress.begin("enter", 1.0);
   if (options.keep_both)
-    if (const auto kept =
-            intake::keepBoth(project->catalogue(), options.batch, kCommandLine);
+    if (const auto kept = intake::keepBoth(project->catalogue(), options.batch, kCommandLine);
         !kept)
       return fail(session, kept.error());
   const auto entered = intake::enterResults(project->catalogue(), project->folder(), batch->row,

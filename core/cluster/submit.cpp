@@ -99,8 +99,7 @@ Result<std::vector<Wanted>> wantedOf(const upkeep::Project& project,
                                 "window's queue processes it.")));
       continue;
     }
-    if (const auto own =
-            intake::checkNotShared(project.catalogue(), project.folder(), batch, stop);
+    if (const auto own = intake::checkNotShared(project.catalogue(), project.folder(), batch, stop);
         !own) {
       if (own.error().code != ErrorCode::UnusableInput) return own.error();
       submitted.warnings.push_back(own.error().sentence());

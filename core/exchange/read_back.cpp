@@ -232,8 +232,7 @@ class ReadingBack {
       std::vector<intake::SideFile> photographs;
       for (const records::FileRecord& file : valueOrThrow(Files(catalogue).of(row)))
         if (file.role == "photo")
-          photographs.push_back(
-              {file.path, static_cast<std::uintmax_t>(file.bytes), file.sha256});
+          photographs.push_back({file.path, static_cast<std::uintmax_t>(file.bytes), file.sha256});
       const auto shared = valueOrThrow(intake::sharedPhotographs(
           catalogue, project_.folder(), std::move(photographs),
           [&](const records::BatchRecord& other) { return !fresh_batches_.contains(other.row); },

@@ -19,6 +19,7 @@ namespace ostraka::intake {
 namespace {
 
 namespace fs = std::filesystem;
+using store::valueOrThrow;
 
 constexpr std::pair<const char*, batch::Side> kSideFolders[] = {
     {"front", batch::Side::Front},
@@ -49,17 +50,15 @@ std::string keptKey(const std::string& batch_number) {
 }
 
 std::string hashOf(const SideFile& file) {
-  if (!file.sha256.empty()) return file.sha256;
-  const Result<std::string> bytes = readFile(file.file);
-  return bytes ? sha256(*bytes) : std::string();
+  const Result<std::string> bytes = file.sha256.empty() ? readFile(file.file) : std::string();
+  return !file.sha256.empty() ? file.sha256 : bytes ? sha256(*bytes) : std::string();
 }
 
-// Photographs that the catalogue has, by batch.
 using Recorded = std::map<store::BatchRow, std::vector<SideFile>>;
 
 Recorded recordedPhotographs(const catalogue::Catalogue& catalogue) {
   Recorded photographs;
-  for (const records::FileRecord& file : store::valueOrThrow(catalogue::Files(catalogue).all()))
+  for (const records::FileRecord& file : valueOrThrow(catalogue::Files(catalogue).all()))
     if (file.role == "photo" && file.batch)
       photographs[file.batch].push_back(
           {file.path, static_cast<std::uintmax_t>(file.bytes), file.sha256});
@@ -109,8 +108,7 @@ Result<std::optional<SharedPhotographs>> sharedPhotographs(const catalogue::Cata
     std::set<std::uintmax_t> sizes;
     for (const SideFile& file : files) sizes.insert(file.bytes);
     std::optional<SharedPhotographs> most;
-    std::vector<records::BatchRecord> batches =
-        store::valueOrThrow(catalogue::Batches(catalogue).all());
+    std::vector<records::BatchRecord> batches = valueOrThrow(catalogue::Batches(catalogue).all());
     std::reverse(batches.begin(), batches.end());  // of equals the oldest
     for (const records::BatchRecord& batch : batches) {
       if (!counts(batch)) continue;
@@ -140,20 +138,16 @@ Result<void> checkNotShared(const catalogue::Catalogue& catalogue, const fs::pat
                             const records::BatchRecord& batch, const std::stop_token& stop) {
   return catalogue.database().asResult([&] {
     const catalogue::Batches batches(catalogue);
-    if (!store::valueOrThrow(batches.scans(batch.row)).empty() ||
-        !store::valueOrThrow(catalogue::Settings(catalogue).value(keptKey(batch.number))).empty())
+    if (!valueOrThrow(batches.scans(batch.row)).empty() ||
+        !valueOrThrow(catalogue::Settings(catalogue).value(keptKey(batch.number))).empty())
       return;
     std::vector<SideFile> files = sideFilesIn(project / "batches" / batch.number);
-    if (files.empty()) {  // the folder was moved to another disk
-      Recorded recorded = recordedPhotographs(catalogue);
-      files = std::move(recorded[batch.row]);
-    }
+    if (files.empty()) files = recordedPhotographs(catalogue)[batch.row];  // on another disk
     const auto entersItsSherds = [&](const records::BatchRecord& other) {
-      if (other.row == batch.row) return false;
       return (other.row < batch.row && other.state != records::BatchState::Failed) ||
-             !store::valueOrThrow(batches.scans(other.row)).empty();
+             !valueOrThrow(batches.scans(other.row)).empty();  // batch itself has none
     };
-    const auto shared = store::valueOrThrow(
+    const auto shared = valueOrThrow(
         sharedPhotographs(catalogue, project, std::move(files), entersItsSherds, stop));
     if (shared)
       store::refuse(message(kShared, shared->shared, shared->of, batch.number, shared->batch),

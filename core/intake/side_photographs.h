@@ -45,8 +45,8 @@ std::vector<SideFile> sideFilesIn(const std::filesystem::path& batch_folder);
 std::vector<SideFile> sideFiles(const std::vector<std::filesystem::path>& files);
 
 /// A batch that has some of the asked photographs, byte for byte. A photograph shows what lies on
-/// the plate at one moment: one that two batches have shows the same sherds, so that both would
-/// enter them, or it is in the wrong folder of one. There is no share below which it is neither.
+/// the plate at one moment: one is enough, for either both would enter the same sherds, or it is in
+/// the wrong folder of one.
 struct SharedPhotographs {
   std::string batch;  ///< B0031: the one that has most of them
   int shared = 0, of = 0;
@@ -55,9 +55,11 @@ using CountsBatch = std::function<bool(const records::BatchRecord&)>;
 
 /// Among the batches that count, by what the catalogue recorded of them and by what lies in their
 /// folders and is not recorded yet. Reads only files of a size that both have. Errors: Cancelled.
-Result<std::optional<SharedPhotographs>> sharedPhotographs(
-    const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
-    std::vector<SideFile> files, const CountsBatch& counts, const std::stop_token& stop);
+Result<std::optional<SharedPhotographs>> sharedPhotographs(const catalogue::Catalogue& catalogue,
+                                                           const std::filesystem::path& project,
+                                                           std::vector<SideFile> files,
+                                                           const CountsBatch& counts,
+                                                           const std::stop_token& stop);
 
 /// Before a batch is processed, and before its results are entered: UnusableInput with the other
 /// batch and what to do where its photographs are another's, too. Nothing where its sherds are in
@@ -66,8 +68,7 @@ Result<std::optional<SharedPhotographs>> sharedPhotographs(
 Result<void> checkNotShared(const catalogue::Catalogue& catalogue,
                             const std::filesystem::path& project, const records::BatchRecord& batch,
                             const std::stop_token& stop);
-/// Whether this is the sentence of checkNotShared.
-bool isAboutShared(const Message& sentence);
+bool isAboutShared(const Message& sentence);  ///< of checkNotShared
 /// A person wants both batches, and their sherds twice. It goes into the history.
 Result<void> keepBoth(const catalogue::Catalogue& catalogue, const std::string& batch_number,
                       const records::Provenance& provenance);

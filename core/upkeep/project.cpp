@@ -207,8 +207,7 @@ Result<bool> Project::removeUnused(const fs::path& folder, std::int64_t history)
   }
   for (const fs::path& own : folders)
     for (fs::directory_iterator at(own, code), end; !code && at != end; at.increment(code)) {
-      if (own.filename() != "backups" ||
-          !at->path().filename().string().starts_with("catalogue-"))
+      if (own.filename() != "backups" || !at->path().filename().string().starts_with("catalogue-"))
         return false;
       files.push_back(at->path());
     }

@@ -81,8 +81,7 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
                         QString::fromStdString(options.from.string()), copied->same, copied->files);
       return;
     }
-    const Result<QString> number =
-        copied ? enter(*copied, place, options.twice) : copied.error();
+    const Result<QString> number = copied ? enter(*copied, place, options.twice) : copied.error();
     if (!number) {
       emit failed(number.error());
       return;

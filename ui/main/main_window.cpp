@@ -213,8 +213,7 @@ void MainWindow::beginWith(const QStringList& photographs) {
     if (!plan) return start_->showError(plan.error());
     start_->makeFor(photographs);
     if (session() == nullptr) return;
-    begun_ = {session()->folder(),
-              catalogue::History(session()->project().catalogue()).length()};
+    begun_ = {session()->folder(), catalogue::History(session()->project().catalogue()).length()};
     capture_screen_->importPhotographs(photographs);
   });
 }

@@ -106,12 +106,12 @@ QString countWords(const merge::MergeReport& report) {
 QString keptWords(const std::vector<std::string>& kept) {
   QStringList places;
   for (const std::string& place : kept) places << text(place);
-  return places.isEmpty()
-             ? QString()
-             : MergeModel::tr("An earlier merge was interrupted, and this was changed before it "
-                              "was completed: %1. It is kept as it is here; the other project's "
-                              "version was left out.")
-                   .arg(firstOf(places, kMostKeptNamed));
+  return places.isEmpty() ? QString()
+                          : MergeModel::tr(
+                                "An earlier merge was interrupted, and this was changed before it "
+                                "was completed: %1. It is kept as it is here; the other project's "
+                                "version was left out.")
+                                .arg(firstOf(places, kMostKeptNamed));
 }
 
 }  // namespace ostraka::ui

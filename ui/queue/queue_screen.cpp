@@ -143,8 +143,8 @@ void QueueScreen::buildLayout() {
 QWidget* QueueScreen::buildList() {
   auto* page = new QWidget(this);
   tools_ = new ToolRow(page);
-  tools_->addGroup(tr("Batch"), {review_, report_, masks_, again_, keep_both_, marker_action_,
-                               cancel_});
+  tools_->addGroup(tr("Batch"),
+                   {review_, report_, masks_, again_, keep_both_, marker_action_, cancel_});
   tools_->addGroup(tr("Queue"), {drafts_, calibrate_});
   next_ = new BigButton(QStringLiteral("queueNext"), {}, page);
   next_->setKeyHint(keyText(Qt::Key_Return));

@@ -24,8 +24,8 @@ class TheSamePhotographs : public Entering {
     ASSERT_TRUE(writeFileAtomically(project_->batchFolder(number) / name, bytes));
   }
   void photograph(const std::string& number, const std::string& bytes) {
-    for (const char* name : {"front/a.jpg", "front/b.jpg", "front/c.jpg", "back/a.jpg",
-                             "back/b.jpg", "back/c.jpg"})
+    for (const char* name :
+         {"front/a.jpg", "front/b.jpg", "front/c.jpg", "back/a.jpg", "back/b.jpg", "back/c.jpg"})
       put(number, name, bytes + name);
   }
   // B0002, whose photographs are its own.
@@ -91,8 +91,7 @@ TEST_F(TheSamePhotographs, HoldBackTheLaterBatchOnly) {
   photograph("B0002", "of B0001 ");
   EXPECT_TRUE(check(batch)) << "neither is entered yet";
   EXPECT_FALSE(check(row));
-  ASSERT_TRUE(
-      catalogue::Batches(catalogue()).setState(batch, records::BatchState::Failed, anna));
+  ASSERT_TRUE(catalogue::Batches(catalogue()).setState(batch, records::BatchState::Failed, anna));
   EXPECT_TRUE(check(row)) << "the other one was set aside";
   ASSERT_TRUE(enterSecond(row));
   EXPECT_FALSE(check(batch)) << "whose turn it would be again";
@@ -111,8 +110,8 @@ TEST_F(TheSamePhotographs, AreKnownByContentAlsoWhereTheirFolderIsGone) {
   fs::remove_all(project_->batchFolder("B0001"));
   const fs::path taken = folder_.path() / "card";
   for (const char* name : {"x.jpg", "y.jpg"})
-    ASSERT_TRUE(writeFileAtomically(taken / name, name[0] == 'x' ? "of B0001 front/a.jpg"
-                                                                 : "of B0001 front/z.jpg"));
+    ASSERT_TRUE(writeFileAtomically(
+        taken / name, name[0] == 'x' ? "of B0001 front/a.jpg" : "of B0001 front/z.jpg"));
   const auto all = [](const records::BatchRecord&) { return true; };
   const auto shared = valueIn(sharedPhotographs(
       catalogue(), project_->folder(), sideFiles({taken / "x.jpg", taken / "y.jpg"}), all, {}));
@@ -120,8 +119,8 @@ TEST_F(TheSamePhotographs, AreKnownByContentAlsoWhereTheirFolderIsGone) {
   EXPECT_EQ(shared->batch, "B0001");
   EXPECT_EQ(shared->shared, 1);
   EXPECT_EQ(shared->of, 2);
-  EXPECT_FALSE(valueIn(sharedPhotographs(catalogue(), project_->folder(),
-                                         sideFiles({taken / "y.jpg"}), all, {})));
+  EXPECT_FALSE(valueIn(
+      sharedPhotographs(catalogue(), project_->folder(), sideFiles({taken / "y.jpg"}), all, {})));
 }
 
 }  // namespace

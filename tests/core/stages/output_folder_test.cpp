@@ -84,6 +84,16 @@ TEST_F(OutputFolder, WithALinkInPlaceOfAFolderIsRefused) {
   }
 }
 
+TEST_F(OutputFolder, ThatAnotherRunHoldsIsNamedAsThePersonChoseIt) {
+  const fs::path output = outputWith({});
+  const auto first = claimOutput(output, "scans");
+  ASSERT_TRUE(first) << first.error().sentence();
+  const auto second = claimOutput(output, "scans");
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().where, output.string()) << "not OUT/work";
+  EXPECT_THAT(second.error().what, HasSubstr("this run has changed nothing"));
+}
+
 // What lies behind the link enters no catalogue, so that it is not computed either.
 TEST_F(OutputFolder, AndBatchOfAProjectAreNoLinks) {
   const fs::path project = folder / "project", elsewhere = folder / "elsewhere";

@@ -139,6 +139,7 @@ ordered_json describe(const GlbExtras& extras) {
   if (!extras.number.empty()) about["number"] = extras.number;
   about["unit"] = "m";
   if (extras.filled_percent >= 0) about["filled_pct"] = extras.filled_percent;
+  if (!extras.munsell.empty()) about["munsell"] = ordered_json::parse(extras.munsell);
   return about;
 }
 

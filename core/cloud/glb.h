@@ -15,6 +15,7 @@ namespace ostraka {
 struct GlbExtras {
   std::string id, number, copyright;
   double filled_percent = -1;  ///< < 0: left out
+  std::string munsell;         ///< proposals for its Munsell colours: a JSON object as text
 };
 
 /// A picture on the mesh.
@@ -43,6 +44,9 @@ struct TexturedModel {
 /// UnusableInput.
 Result<std::optional<TexturedModel>> parseTexturedGlb(std::string_view bytes,
                                                       const std::string& where);
+/// GlbExtras::munsell of a file that formatGlb made, of which only the head is read; empty where it
+/// has none or is no such file.
+std::string munsellInGlb(const std::filesystem::path& path);
 /// What formatGlb made, into this file; its error names the file.
 Result<void> writeGlb(const std::filesystem::path& path, const Result<std::string>& bytes);
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "base/message.h"
@@ -14,6 +15,7 @@ using nlohmann::json;
 
 constexpr std::uint32_t kReadMagic = 0x46546C67, kReadJson = 0x4E4F534A, kReadBinary = 0x004E4942;
 constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+constexpr std::size_t kMostHead = 1 << 20;  // bytes of JSON; formatGlb writes some thousand
 
 Error noTexture(const std::string& where) {
   return Error::unusable(message("The texture of this GLB model cannot be read, so the model is "
@@ -204,6 +206,24 @@ class GlbReader {
 };
 
 }  // namespace
+
+std::string munsellInGlb(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kHeader + kChunkHeader, '\0');
+  if (!file.read(head.data(), static_cast<std::streamsize>(head.size())) ||
+      valueAt<std::uint32_t>(head, 0) != kReadMagic ||
+      valueAt<std::uint32_t>(head, kHeader + 4) != kReadJson)
+    return {};
+  const std::size_t size = valueAt<std::uint32_t>(head, kHeader);
+  if (size > kMostHead) return {};
+  std::string text(size, '\0');
+  if (!file.read(text.data(), static_cast<std::streamsize>(size))) return {};
+  const Result<json> root = parseJson(text, path.string());
+  if (!root) return {};
+  const json& munsell =
+      memberOf(memberOf(memberOf(entryOf(*root, "nodes", 0u), "extras"), "ostraka"), "munsell");
+  return munsell.is_object() ? munsell.dump() : std::string();
+}
 
 Result<std::optional<TexturedModel>> parseTexturedGlb(std::string_view bytes,
                                                       const std::string& where) {

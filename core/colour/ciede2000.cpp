@@ -7,8 +7,6 @@
 namespace ostraka::colour {
 namespace {
 
-const Eigen::Vector3d kWhite(0.96422, 1, 0.82521);  // D50
-
 // Lindbloom's table: XYZ of D50 to linear sRGB, Bradford's adaptation to D65 within.
 const Eigen::Matrix3d& lightFromXyz() {
   static const Eigen::Matrix3d matrix{{3.1338561, -1.6168667, -0.4906146},
@@ -45,10 +43,13 @@ double squareRootOfShare(double chroma) {
 
 }  // namespace
 
+Lab labOfXyz(const Eigen::Vector3d& xyz) {
+  const Eigen::Vector3d f = xyz.cwiseQuotient(kWhite).unaryExpr(&rooted);
+  return {116 * f.y() - 16, 500 * (f.x() - f.y()), 200 * (f.y() - f.z())};
+}
+
 Lab labOf(const Eigen::Vector3d& light) {
-  const Eigen::Vector3d xyz =
-      (lightFromXyz().inverse() * light).cwiseQuotient(kWhite).unaryExpr(&rooted);
-  return {116 * xyz.y() - 16, 500 * (xyz.x() - xyz.y()), 200 * (xyz.y() - xyz.z())};
+  return labOfXyz(lightFromXyz().inverse() * light);
 }
 
 Eigen::Vector3d lightOf(const Lab& lab) {

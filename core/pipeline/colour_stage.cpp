@@ -28,6 +28,8 @@ std::optional<colour::Correction> correctionOf(const ordered_json& figures) {
     for (Eigen::Index c = 0; c < 3; ++c)
       correction.matrix(r, c) =
           figures[kMatrix][static_cast<std::size_t>(r)][static_cast<std::size_t>(c)].get<double>();
+  correction.median = figures["ciede2000_median"].get<double>();
+  correction.within_95 = figures["ciede2000_95"].get<double>();
   return correction;
 }
 

@@ -7,11 +7,13 @@
 #include "base/text.h"
 #include "cloud/glb.h"
 #include "cloud/ply.h"
+#include "colour/munsell_proposals.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "model/preview.h"
 #include "pairing/common_scale.h"
 #include "pipeline/chain.h"
+#include "texture/sherd_colours.h"
 #include "texture/texture.h"
 
 namespace ostraka::pipeline {
@@ -96,6 +98,19 @@ Result<std::optional<texture::TexturedMesh>> texturedOf(const Run& run, const Tr
   return Textured(std::move(*textured));
 }
 
+// Measured where a chart corrected the photographs, else rough.
+colour::MunsellProposals munsellOf(const texture::TexturedMesh& textured,
+                                   const std::optional<colour::Correction>& correction) {
+  const texture::SherdColours colours = texture::coloursOf(textured);
+  colour::MunsellProposals proposals;
+  if (colours.outer) proposals.out = colour::proposedFor(*colours.outer);
+  if (colours.inner) proposals.in = colour::proposedFor(*colours.inner);
+  if (colours.fracture) proposals.core = colour::proposedFor(*colours.fracture);
+  proposals.front_is_out = colours.front_is_outer;
+  if (correction) proposals.chart = {correction->median, correction->within_95};
+  return proposals;
+}
+
 // The colours of the scan's points where there are no photographs.
 Result<std::string> glbOf(const TriangleMesh& mesh,
                           const std::optional<texture::TexturedMesh>& textured,
@@ -129,10 +144,14 @@ Result<stages::StageNotes> makeModel(const Run& run, const fs::path& folder,
     return r.error();
   const Result<TriangleMesh> light = model::decimated(model->mesh, kGlbDeviation_mm);
   if (!light) return light.error();
-  const GlbExtras extras{front.id + "+" + back.id, number, {}, 100 * model->filled_share};
+  GlbExtras extras{front.id + "+" + back.id, number, {}, 100 * model->filled_share, {}};
   stages::StageNotes notes;
   const auto textured = texturedOf(run, *light, number, views, second, notes);
   if (!textured) return textured.error();
+  if (*textured) {
+    notes.figures["munsell"] = colour::toJson(munsellOf(**textured, run.colours.value));
+    extras.munsell = notes.figures["munsell"].dump();
+  }
   if (const Result<void> r = writeGlb(folder / "model.glb", glbOf(*light, *textured, extras)); !r)
     return r.error();
   if (const Result<void> r = writePreview(folder / "preview.png", model->mesh, *textured); !r)

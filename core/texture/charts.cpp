@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
@@ -28,8 +27,6 @@ constexpr float kLeastCosine = 0.3f;
 constexpr float kLeastStretch = 0.1f, kMostStretch = 3;
 
 constexpr double kWorthAChart = 64;  // texels; a chart's margin is worth more than less of it
-
-enum class Part : std::uint8_t { Front, Back, Fracture };
 
 struct Faces {
   std::vector<Eigen::Vector3f> normals;
@@ -422,6 +419,12 @@ std::vector<int> seenAlongTheirOwn(const TriangleMesh& mesh, const Faces& faces,
 }
 
 }  // namespace
+
+SherdParts partsOf(const TriangleMesh& mesh) {
+  const Faces faces = facesOf(mesh);
+  const Eigen::Vector3f axis = axesOf(faces).col(2);
+  return {partsOf(faces, axis), axis};
+}
 
 std::vector<Chart> chartsOf(const TriangleMesh& mesh, double texel_mm) {
   const Faces faces = facesOf(mesh);

@@ -1,11 +1,23 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "cloud/point_cloud.h"
 
 namespace ostraka::texture {
+
+/// What of a sherd a triangle belongs to. The front lay up in the front's photographs.
+enum class Part : std::uint8_t { Front, Back, Fracture };
+
+struct SherdParts {
+  std::vector<Part> of_face;                             ///< by triangle
+  Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();  ///< out of the front, unit length
+};
+/// A triangle is of the front or the back up to 55 degrees from the sherd's own axis. mesh: closed,
+/// outward; vertices may be there once for each chart.
+SherdParts partsOf(const TriangleMesh& mesh);
 
 /// A piece of a surface laid flat without an overlap.
 struct Chart {

@@ -32,6 +32,7 @@ ordered_json asJson(const ProcessSummary& summary) {
                        s.fracturesCompared() ? ordered_json(s.fracture_rms_mm) : ordered_json()},
                       {"uncertainty_mm", s.uncertainty_mm},
                       {"model", s.has_model},
+                      {"munsell", s.munsell ? colour::toJson(*s.munsell) : ordered_json()},
                       {"remark", s.remark}});
   return {{"sherds", sherds},
           {"unpaired_front", summary.unpaired_front},

@@ -217,6 +217,8 @@ SherdSummary summaryOf(const ReportSherd& sherd, const stages::StageRecord& reco
   line.ambiguous = sherd.pair->ambiguous;
   line.decided_by = sherd.pair->decided_by;
   line.has_model = sherd.figures.value("model", false);
+  if (sherd.figures.contains("munsell"))
+    line.munsell = colour::parseMunsellProposals(sherd.figures["munsell"].dump());
   line.remark = sherd.pair->ambiguous ? sherd.pair->reason : "";
   if ((!line.has_model || line.remark.empty()) && !record.notes.warnings.empty())
     line.remark = record.notes.warnings.front().english();

@@ -7,6 +7,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "colour/munsell_proposals.h"
 #include "pairing/candidates.h"
 #include "registration/register_sides.h"
 
@@ -51,6 +52,8 @@ struct SherdSummary {
   bool ambiguous = false;
   bool has_model = false;
   std::string decided_by;  ///< the person who settled this pair; empty: the program
+  /// What the photographs propose for its Munsell fields; none without a texture.
+  std::optional<colour::MunsellProposals> munsell{};
   std::string remark;      ///< why a person must look, or what the model lacks; else empty
   bool fracturesCompared() const {
     return fracture_rms_mm > 0;

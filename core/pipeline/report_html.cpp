@@ -205,6 +205,23 @@ std::string measureLine(const nlohmann::ordered_json& figures) {
          " % of the surface, orange in the picture.</p>";
 }
 
+std::string munsellLine(const nlohmann::ordered_json& figures) {
+  if (!figures.contains("munsell")) return {};
+  const nlohmann::ordered_json& munsell = figures["munsell"];
+  std::string words;
+  for (const auto& [key, name] :
+       {std::pair("out", "outside"), std::pair("in", "inside"), std::pair("core", "core")})
+    if (munsell.contains(key))
+      words += std::string(words.empty() ? "" : ", ") + name + ' ' +
+               munsell[key]["munsell"].get<std::string>() + " (" +
+               fixed(munsell[key]["ciede2000"], 1) + ')';
+  if (words.empty()) return {};
+  return "<p>Nearest Munsell colours (CIEDE2000 in brackets): " + words + ". " +
+         (munsell["chart"].is_null()
+              ? "Rough: there is no usable colour chart in these photographs.</p>"
+              : "Measured by the colour chart.</p>");
+}
+
 std::string decidedWords(const DecidedPair& pair) {
   return "Decided by " + pair.decided_by + ", " + pair.decided_at.substr(0, 10) + ".";
 }
@@ -225,7 +242,7 @@ std::string sherdSection(const ReportSherd& sherd) {
                      (pair.score ? ", confidence " + confidence(pair) : "") + "</p>";
   if (pair.ambiguous) html += "<p class=\"ask\">Needs review: " + markupText(pair.reason) + "</p>";
   if (!pair.decided_by.empty()) html += "<p>" + markupText(decidedWords(pair)) + "</p>";
-  html += measureLine(sherd.figures);
+  html += measureLine(sherd.figures) + munsellLine(sherd.figures);
   if (const Result<std::string> preview = readFile(sherd.preview))
     html += picture(*preview, "png", "model of sherd " + sherd.number);
   const Line front = outlineInFront(*sherd.front, Eigen::Isometry3d::Identity()),

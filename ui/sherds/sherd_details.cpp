@@ -14,11 +14,13 @@
 #include <set>
 
 #include "catalogue/places.h"
+#include "cloud/glb.h"
 #include "sherds/numbers.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
+#include "ui/sherds/munsell_line.h"
 #include "ui/widgets/elided_button.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/parts.h"
@@ -65,6 +67,7 @@ void SherdDetails::buildLayout() {
   form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
   const auto addField = [&](const records::SherdField& field) {
     form_->addRow(fieldLabel(field.name), editorFor(field.name, field.kind));
+    if (field.kind == records::FieldKind::Munsell) addProposal(field.name);
   };
   // A context is chosen with its trench and site; what voids a sherd comes last, for Tab too.
   const std::set<std::string> elsewhere = {"site", "trench", "context", "void_reason"};
@@ -140,6 +143,29 @@ void SherdDetails::addPlace() {
     if (sherd_ && index >= 0 && place != shown_.value("place")) emit edited("place", place);
   });
   form_->addRow(tr("context"), place_);
+}
+
+void SherdDetails::addProposal(const std::string& field) {
+  const QString name = QString::fromStdString(field);
+  auto* line = new MunsellLine(field, this);
+  connect(line, &MunsellLine::takenOver, this, [this, name](const QString& notation) {
+    if (sherd_) emit edited(name, notation);
+  });
+  form_->addRow(line);
+  form_->setRowVisible(line, false);
+  proposals_.insert(name, line);
+}
+
+void SherdDetails::showProposals(const std::filesystem::path& project,
+                                 const records::SherdRecord& sherd) {
+  colour::MunsellProposals proposals;
+  if (!sherd.model_path.empty())
+    proposals = colour::parseMunsellProposals(
+                    munsellInGlb((project / sherd.model_path).replace_extension(".glb")))
+                    .value_or(proposals);
+  for (auto at = proposals_.begin(); at != proposals_.end(); ++at)
+    form_->setRowVisible(
+        *at, (*at)->offer(proposals, sherds::textOf(sherd, at.key().toStdString())));
 }
 
 // Custom fields stand above what voids a sherd, for Tab too.
@@ -344,6 +370,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
     }
   if (!sherd->context) place_->setCurrentIndex(-1);
   shown_.insert("place", place_->currentData().toString());
+  showProposals(project, *sherd);
   showUnsaved();
   showTables(catalogue, project, *sherd);
 }
@@ -358,6 +385,7 @@ void SherdDetails::clear() {
   for (const records::SherdField& field : sherds::sherdFields())
     if (field.editable) setText(field.name, {});
   for (const std::string& field : custom_fields_) setText(field, {});
+  showProposals({}, {});
   clearTables();
   widget()->setEnabled(false);
 }

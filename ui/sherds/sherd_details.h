@@ -20,6 +20,8 @@ class QVBoxLayout;
 
 namespace ostraka::ui {
 
+class MunsellLine;
+
 /// One sherd: number, fields with their vocabularies, custom fields, measures with where
 /// they come from, history, files. It shows and asks; who saves is told by signals.
 class SherdDetails final : public QScrollArea {
@@ -65,6 +67,8 @@ class SherdDetails final : public QScrollArea {
   QWidget* buildNumberActs();
   void buildRefusal();
   void addPlace();
+  void addProposal(const std::string& field);
+  void showProposals(const std::filesystem::path& project, const records::SherdRecord& sherd);
   void setCustomFields(const std::vector<std::string>& fields);
   QWidget* editorFor(const std::string& field, records::FieldKind kind);
   void setText(const std::string& field, const QString& text);
@@ -93,6 +97,7 @@ class SherdDetails final : public QScrollArea {
   QFormLayout* form_ = nullptr;
   QComboBox* place_ = nullptr;
   QHash<QString, QWidget*> editors_;
+  QHash<QString, MunsellLine*> proposals_;  ///< below their fields
   std::vector<std::string> custom_fields_;  ///< that have a row
   TermWords words_;
   QHash<QString, QString> shown_;  ///< what the catalogue says

@@ -1,0 +1,57 @@
+#include "ui/sherds/munsell_line.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+
+#include "ui/look/look.h"
+#include "ui/widgets/parts.h"
+
+namespace ostraka::ui {
+namespace {
+
+QString differenceText(double ciede2000) {
+  return QLocale().toString(ciede2000, 'f', 1);
+}
+
+QString trustText(const colour::MunsellProposals& proposals) {
+  if (!proposals.chart)
+    return MunsellLine::tr("Rough: no usable colour chart in these photographs.");
+  return MunsellLine::tr("Measured by the colour chart (Delta E 2000: median %1, 95 % %2).")
+      .arg(differenceText(proposals.chart->median), differenceText(proposals.chart->within_95));
+}
+
+}  // namespace
+
+MunsellLine::MunsellLine(const std::string& field, QWidget* parent)
+    : QWidget(parent), field_(field) {
+  const QString name = QString::fromStdString(field);
+  text_ = wrappedLabel(this, "proposed_" + name);
+  take_over_ = named<QPushButton>("takeOver_" + name, tr("Take over"), this);
+  take_over_->setMinimumHeight(targetSize(*this));
+  filled(bareLayout<QHBoxLayout>(this), {{text_, 1}, take_over_});
+  connect(take_over_, &QPushButton::clicked, this, [this] { emit takenOver(notation_); });
+}
+
+bool MunsellLine::offer(const colour::MunsellProposals& proposals, const std::string& entered) {
+  const std::optional<colour::MunsellProposal>& own = field_ == "munsell_out"  ? proposals.out
+                                                      : field_ == "munsell_in" ? proposals.in
+                                                                               : proposals.core;
+  notation_.clear();
+  text_->clear();
+  if (!own || own->match.notation == entered) return false;
+  notation_ = QString::fromStdString(own->match.notation);
+  text_->setText(tr("Proposed: %1 (Delta E 2000: %2), then %3 (%4). %5")
+                     .arg(notation_, differenceText(own->match.difference),
+                          QString::fromStdString(own->match.second),
+                          differenceText(own->match.second_difference), trustText(proposals)));
+  take_over_->setAccessibleName(tr("Take over %1").arg(notation_));
+  if (field_ != "munsell_core")
+    text_->setToolTip((field_ == "munsell_out") == proposals.front_is_out
+                          ? tr("Of the side that was photographed first.")
+                          : tr("Of the side that was photographed second."));
+  return true;
+}
+
+}  // namespace ostraka::ui

@@ -15,7 +15,7 @@ namespace ostraka {
 struct GlbExtras {
   std::string id, number, copyright;
   double filled_percent = -1;  ///< < 0: left out
-  std::string munsell;         ///< proposals for its Munsell colours: a JSON object as text
+  std::string munsell{};       ///< proposals for its Munsell colours: a JSON object as text
 };
 
 /// A picture on the mesh.

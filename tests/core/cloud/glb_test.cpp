@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace ostraka {
@@ -193,6 +195,24 @@ TEST(Glb, AStrangersTextureIsReadOnlyFromTheFilesOwnBytes) {
   TriangleMesh far = paintedTetrahedron();
   far.vertices[1].x() = NAN;
   EXPECT_FALSE(parseTexturedGlb(*formatGlb(far, kPainting, {}), "a"));
+}
+
+TEST(Glb, ProposedMunsellColoursAreReadFromTheHeadAlone) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "munsell.glb";
+  GlbExtras extras;
+  extras.munsell = R"({"chart":null})";
+  const std::string whole = *formatGlb(paintedTetrahedron(), kPainting, extras);
+  const auto read = [&](const std::string& bytes) {
+    std::ofstream(file, std::ios::binary) << bytes;
+    return munsellInGlb(file);
+  };
+  EXPECT_EQ(read(whole), extras.munsell);
+  EXPECT_EQ(read(whole.substr(0, whole.size() - 50)), extras.munsell) << "the picture is not read";
+  EXPECT_EQ(read(*formatGlb(paintedTetrahedron(), {})), "");
+  EXPECT_EQ(read(whole.substr(0, 100)), "");
+  EXPECT_EQ(read(""), "");
+  std::filesystem::remove(file);
+  EXPECT_EQ(munsellInGlb(file), "");
 }
 
 TEST(Glb, WrongMeshesAreRefused) {

@@ -71,6 +71,8 @@ TEST_F(ColourStage, TakesTheChartOfWhicheverPhotographShowsIt) {
   EXPECT_EQ(figures.at("photographs_with_chart"), 2);
   EXPECT_LT(figures.at("ciede2000_95").get<double>(), 1.5);
   EXPECT_LE(figures.at("ciede2000_median"), figures.at("ciede2000_95"));
+  EXPECT_EQ(found->value->median, figures.at("ciede2000_median").get<double>());
+  EXPECT_EQ(found->value->within_95, figures.at("ciede2000_95").get<double>());
   EXPECT_TRUE(found->record.notes.warnings.empty());
 }
 
@@ -129,7 +131,13 @@ TEST_F(ColourStage, CorrectsPointsAndTextures) {
         for (Eigen::Index c = 0; c < 3; ++c)
           correction.matrix(r, c) = stage.at("figures").at("matrix").at(r).at(c).get<double>();
   ASSERT_GT(correction.matrix(0, 0), 1.2) << "the chart was not found";
-  EXPECT_THAT(*readFile(options.output / "report.html"), HasSubstr("CIEDE2000"));
+  const std::string html = *readFile(options.output / "report.html");
+  EXPECT_THAT(html, HasSubstr("their reference by"));
+  EXPECT_THAT(html, HasSubstr("Measured by the colour chart"));
+  for (const SherdSummary& sherd : summary->sherds) {
+    ASSERT_TRUE(sherd.munsell && sherd.munsell->chart) << sherd.number;
+    EXPECT_GT(sherd.munsell->chart->within_95, 0);
+  }
 
   const auto add = [](std::vector<Color>& all, const fs::path& file) {
     const Result<PointCloud> cloud = readPlyCloud(file);

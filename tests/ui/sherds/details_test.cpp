@@ -1,5 +1,6 @@
 // The details of a sherd: what is refused, and what has little room.
 #include "catalogue/files.h"
+#include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "sherds/measurements.h"
 #include "sherds/sherd_changes.h"
@@ -171,6 +172,38 @@ class DetailsTest : public CatalogueWindow {
     }
     QVERIFY2(tallest >= 3 * screen_->fontMetrics().height(), "the remark goes on in other lines");
     QVERIFY(kinds.contains("Zeichnung"));
+  }
+
+  // Sherd 1 has 10YR 3/1 outside, from a person.
+  void whatThePhotographsProposeIsEnteredByAPressOnly() {
+    colour::MunsellProposals proposals;
+    proposals.out = colour::proposedFor({152, 114, 83});
+    proposals.core = colour::proposedFor({84, 69, 53});
+    sample_->propose(0, proposals);
+    choose(0);
+    auto* told = child<QLabel>("proposed_munsell_out");
+    QVERIFY(told->isVisible());
+    QVERIFY2(told->text().contains("7.5YR 5/4 (Delta E 2000: 0.9), then 5YR 5/4 (2.2)"),
+             qPrintable(told->text()));
+    QVERIFY(told->text().contains("Rough"));
+    QVERIFY(told->toolTip().contains("first"));
+    QVERIFY(!child<QLabel>("proposed_munsell_in")->isVisible());
+    QCOMPARE(sample_->value(0, "munsell_out"), QString("10YR 3/1"));
+    QCOMPARE(sample_->value(0, "munsell_core"), QString());
+    child<QPushButton>("takeOver_munsell_core")->click();
+    QCOMPARE(sample_->value(0, "munsell_core"), QString("10YR 3/2"));
+    QCOMPARE(child<QLineEdit>("field_munsell_core")->text(), QString("10YR 3/2"));
+    QTRY_VERIFY(!child<QLabel>("proposed_munsell_core")->isVisible());
+    QCOMPARE(sample_->session().undo().undoText(), QString("change Munsell core"));
+    const auto history = catalogue::History(sample_->catalogue()).of(sample_->row(0));
+    QCOMPARE(history->front().new_value, std::string("10YR 3/2"));
+    QVERIFY2(static_cast<bool>(history->front().by), "a person's word, as if it were typed");
+    proposals.chart = {0.84, 1.92};
+    sample_->propose(1, proposals);
+    choose(1);
+    QVERIFY2(told->text().contains("median 0.8, 95 % 1.9"), qPrintable(told->text()));
+    choose(2);
+    QVERIFY2(!told->isVisible(), "it has no model");
   }
 
   // As when it is typed at the capture.

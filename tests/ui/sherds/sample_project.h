@@ -4,11 +4,14 @@
 #include <QPainter>
 #include <QTemporaryDir>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "catalogue/places.h"
 #include "closed_shell.h"
+#include "cloud/glb.h"
 #include "cloud/ply.h"
+#include "colour/munsell_proposals.h"
 #include "files/files.h"
 #include "records/records.h"
 #include "records/sherd.h"
@@ -78,6 +81,16 @@ class SampleProject {
     const auto row = sherds_[static_cast<std::size_t>(sherd)];
     must(sherds::Sherds(catalogue())
              .setModel(row, path, must(sherds::Sherds(catalogue()).get(row)).preview_path));
+  }
+
+  /// What its photographs propose, in a GLB beside a model of its own.
+  void propose(int sherd, const colour::MunsellProposals& proposals) {
+    giveModel(sherd);
+    GlbExtras extras;
+    extras.munsell = colour::toJson(proposals).dump();
+    const std::string path = must(sherds::Sherds(catalogue()).get(row(sherd))).model_path;
+    must(writeGlb((project_->folder() / path).replace_extension(".glb"),
+                  formatGlb(exchange::closedShell(), extras)));
   }
 
   template <class T>

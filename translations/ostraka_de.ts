@@ -10987,4 +10987,42 @@
       </translation>
     </message>
 </context>
+<context>
+    <name>ostraka::ui::MunsellLine</name>
+    <message>
+      <source>Rough: no usable colour chart in these photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Grob: Diese Fotos zeigen keine brauchbare Farbtafel.</translation>
+    </message>
+    <message>
+      <source>Measured by the colour chart (Delta E 2000: median %1, 95 % %2).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mit der Farbtafel gemessen (Delta E 2000: Median %1, 95 % %2).</translation>
+    </message>
+    <message>
+      <source>Take over</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Übernehmen</translation>
+    </message>
+    <message>
+      <source>Proposed: %1 (Delta E 2000: %2), then %3 (%4). %5</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vorschlag: %1 (Delta E 2000: %2), dann %3 (%4). %5</translation>
+    </message>
+    <message>
+      <source>Take over %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 übernehmen</translation>
+    </message>
+    <message>
+      <source>Of the side that was photographed first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von der zuerst fotografierten Seite.</translation>
+    </message>
+    <message>
+      <source>Of the side that was photographed second.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von der danach fotografierten Seite.</translation>
+    </message>
+</context>
 </TS>

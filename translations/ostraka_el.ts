@@ -10987,4 +10987,42 @@
       </translation>
     </message>
 </context>
+<context>
+    <name>ostraka::ui::MunsellLine</name>
+    <message>
+      <source>Rough: no usable colour chart in these photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κατά προσέγγιση: κανένας χρησιμοποιήσιμος χρωματικός πίνακας σε αυτές τις φωτογραφίες.</translation>
+    </message>
+    <message>
+      <source>Measured by the colour chart (Delta E 2000: median %1, 95 % %2).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετρήθηκε με τον χρωματικό πίνακα (Delta E 2000: διάμεσος %1, 95 % %2).</translation>
+    </message>
+    <message>
+      <source>Take over</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υιοθέτηση</translation>
+    </message>
+    <message>
+      <source>Proposed: %1 (Delta E 2000: %2), then %3 (%4). %5</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πρόταση: %1 (Delta E 2000: %2), μετά %3 (%4). %5</translation>
+    </message>
+    <message>
+      <source>Take over %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υιοθέτηση %1</translation>
+    </message>
+    <message>
+      <source>Of the side that was photographed first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Της όψης που φωτογραφήθηκε πρώτη.</translation>
+    </message>
+    <message>
+      <source>Of the side that was photographed second.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Της όψης που φωτογραφήθηκε δεύτερη.</translation>
+    </message>
+</context>
 </TS>

@@ -10987,4 +10987,42 @@
       </translation>
     </message>
 </context>
+<context>
+    <name>ostraka::ui::MunsellLine</name>
+    <message>
+      <source>Rough: no usable colour chart in these photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Approximatif : aucune charte de couleurs utilisable sur ces photographies.</translation>
+    </message>
+    <message>
+      <source>Measured by the colour chart (Delta E 2000: median %1, 95 % %2).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mesuré par la charte de couleurs (Delta E 2000 : médiane %1, 95 % %2).</translation>
+    </message>
+    <message>
+      <source>Take over</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Reprendre</translation>
+    </message>
+    <message>
+      <source>Proposed: %1 (Delta E 2000: %2), then %3 (%4). %5</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Proposé : %1 (Delta E 2000 : %2), puis %3 (%4). %5</translation>
+    </message>
+    <message>
+      <source>Take over %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Reprendre %1</translation>
+    </message>
+    <message>
+      <source>Of the side that was photographed first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De la face photographiée en premier.</translation>
+    </message>
+    <message>
+      <source>Of the side that was photographed second.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De la face photographiée en second.</translation>
+    </message>
+</context>
 </TS>

@@ -10987,4 +10987,42 @@
       </translation>
     </message>
 </context>
+<context>
+    <name>ostraka::ui::MunsellLine</name>
+    <message>
+      <source>Rough: no usable colour chart in these photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոտավոր՝ այս լուսանկարներում պիտանի գունային քարտ չկա։</translation>
+    </message>
+    <message>
+      <source>Measured by the colour chart (Delta E 2000: median %1, 95 % %2).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չափված է գունային քարտով (Delta E 2000՝ միջնարժեք %1, 95 % %2)։</translation>
+    </message>
+    <message>
+      <source>Take over</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընդունել</translation>
+    </message>
+    <message>
+      <source>Proposed: %1 (Delta E 2000: %2), then %3 (%4). %5</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առաջարկ՝ %1 (Delta E 2000՝ %2), ապա %3 (%4)։ %5</translation>
+    </message>
+    <message>
+      <source>Take over %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ընդունել %1</translation>
+    </message>
+    <message>
+      <source>Of the side that was photographed first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Առաջինը լուսանկարված կողմի։</translation>
+    </message>
+    <message>
+      <source>Of the side that was photographed second.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկրորդը լուսանկարված կողմի։</translation>
+    </message>
+</context>
 </TS>

@@ -10937,4 +10937,42 @@
       </translation>
     </message>
 </context>
+<context>
+    <name>ostraka::ui::MunsellLine</name>
+    <message>
+      <source>Rough: no usable colour chart in these photographs.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kabaca: bu fotoğraflarda kullanılabilir bir renk kartı yok.</translation>
+    </message>
+    <message>
+      <source>Measured by the colour chart (Delta E 2000: median %1, 95 % %2).</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Renk kartıyla ölçüldü (Delta E 2000: ortanca %1, 95 % %2).</translation>
+    </message>
+    <message>
+      <source>Take over</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Devral</translation>
+    </message>
+    <message>
+      <source>Proposed: %1 (Delta E 2000: %2), then %3 (%4). %5</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Öneri: %1 (Delta E 2000: %2), sonra %3 (%4). %5</translation>
+    </message>
+    <message>
+      <source>Take over %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 devral</translation>
+    </message>
+    <message>
+      <source>Of the side that was photographed first.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İlk fotoğraflanan yüzün.</translation>
+    </message>
+    <message>
+      <source>Of the side that was photographed second.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İkinci fotoğraflanan yüzün.</translation>
+    </message>
+</context>
 </TS>

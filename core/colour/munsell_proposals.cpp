@@ -79,7 +79,8 @@ std::optional<MunsellProposals> parseMunsellProposals(std::string_view text) {
     read.core = partIn(*root, "core");
     const char* face = read.out ? "out" : "in";
     if (read.out || read.in)
-      read.front_is_out = (root->at(face).at("side").get<std::string>() == "front") == read.out.has_value();
+      read.front_is_out =
+          (root->at(face).at("side").get<std::string>() == "front") == read.out.has_value();
     return read;
   } catch (const std::exception&) {  // of nlohmann, numberAt and chipIn
     return std::nullopt;

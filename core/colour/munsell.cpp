@@ -19,8 +19,7 @@ const Vector2d kGrey(0.31006, 0.31616);  // illuminant C, 2 degrees
 constexpr double kDark = 2.5;            // the soil books' half value
 
 const std::set<std::string>& soilHues() {
-  static const std::set<std::string> hues = {"10R",  "2.5YR", "5YR", "7.5YR",
-                                             "10YR", "2.5Y",  "5Y"};
+  static const std::set<std::string> hues = {"10R", "2.5YR", "5YR", "7.5YR", "10YR", "2.5Y", "5Y"};
   return hues;
 }
 

@@ -17,12 +17,10 @@ using nlohmann::ordered_json;
 constexpr double kMostDifference = 200;  // CIEDE2000 of any two colours is less
 
 ordered_json partJson(const MunsellProposal& part, bool is_front) {
-  return {{"side", is_front ? "front" : "back"},
-          {"srgb", part.colour},
-          {"munsell", part.match.notation},
-          {"ciede2000", part.match.difference},
-          {"second", part.match.second},
-          {"second_ciede2000", part.match.second_difference}};
+  return {
+      {"side", is_front ? "front" : "back"}, {"srgb", part.colour},
+      {"munsell", part.match.notation},      {"ciede2000", part.match.difference},
+      {"second", part.match.second},         {"second_ciede2000", part.match.second_difference}};
 }
 
 std::string chipIn(const json& part, const char* name) {

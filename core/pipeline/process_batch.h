@@ -54,7 +54,7 @@ struct SherdSummary {
   std::string decided_by;  ///< the person who settled this pair; empty: the program
   /// What the photographs propose for its Munsell fields; none without a texture.
   std::optional<colour::MunsellProposals> munsell{};
-  std::string remark;      ///< why a person must look, or what the model lacks; else empty
+  std::string remark;  ///< why a person must look, or what the model lacks; else empty
   bool fracturesCompared() const {
     return fracture_rms_mm > 0;
   }  ///< false: the figure says nothing

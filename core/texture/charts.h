@@ -12,7 +12,7 @@ namespace ostraka::texture {
 enum class Part : std::uint8_t { Front, Back, Fracture };
 
 struct SherdParts {
-  std::vector<Part> of_face;                             ///< by triangle
+  std::vector<Part> of_face;                        ///< by triangle
   Eigen::Vector3f axis = Eigen::Vector3f::UnitZ();  ///< out of the front, unit length
 };
 /// A triangle is of the front or the back up to 55 degrees from the sherd's own axis. mesh: closed,

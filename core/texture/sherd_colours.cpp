@@ -71,8 +71,7 @@ SherdColours coloursOf(const TexturedMesh& model) {
   for (std::size_t f = 0; f < parts.of_face.size(); ++f) {
     std::array<Eigen::Vector2d, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector2f& uv =
-          model.uv[static_cast<std::size_t>(model.mesh.triangles[f][k])];
+      const Eigen::Vector2f& uv = model.uv[static_cast<std::size_t>(model.mesh.triangles[f][k])];
       corners[k] = {uv.x() * static_cast<float>(picture.cols) - 0.5f,
                     uv.y() * static_cast<float>(picture.rows) - 0.5f};
     }

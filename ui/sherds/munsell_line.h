@@ -9,7 +9,8 @@ class QPushButton;
 namespace ostraka::ui {
 
 /// Under a Munsell field: the colour that the photographs propose for it, how far it is from
-/// theirs, and whether a colour chart measured it. Nothing is entered before a person takes it over.
+/// theirs, and whether a colour chart measured it. Nothing is entered before a person takes it
+/// over.
 class MunsellLine final : public QWidget {
   Q_OBJECT
 

@@ -164,8 +164,8 @@ void SherdDetails::showProposals(const std::filesystem::path& project,
                     munsellInGlb((project / sherd.model_path).replace_extension(".glb")))
                     .value_or(proposals);
   for (auto at = proposals_.begin(); at != proposals_.end(); ++at)
-    form_->setRowVisible(
-        *at, (*at)->offer(proposals, sherds::textOf(sherd, at.key().toStdString())));
+    form_->setRowVisible(*at,
+                         (*at)->offer(proposals, sherds::textOf(sherd, at.key().toStdString())));
 }
 
 // Custom fields stand above what voids a sherd, for Tab too.

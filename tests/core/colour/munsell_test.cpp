@@ -47,8 +47,8 @@ TEST(Munsell, GetsLighterWithTheValueAndStrongerWithTheChroma) {
   for (const char* hue : {"10R", "2.5YR", "5YR", "7.5YR", "10YR", "2.5Y", "5Y", "5B", "5RP"})
     for (int value = 2; value < 9; ++value) {
       const std::string row = std::string(hue) + ' ' + std::to_string(value) + '/';
-      for (int step = 2;
-           const MunsellChip* next = chipOf(row + std::to_string(step + 2)); step += 2)
+      for (int step = 2; const MunsellChip* next = chipOf(row + std::to_string(step + 2));
+           step += 2)
         EXPECT_GT(chroma(*next), chroma(*chipOf(row + std::to_string(step))) + 2) << next->notation;
       EXPECT_GT(chipOf(std::string(hue) + ' ' + std::to_string(value + 1) + "/2")->lab[0],
                 chipOf(row + '2')->lab[0] + 8);

@@ -11,10 +11,9 @@ constexpr Color kUp = {200, 150, 100}, kDown = {90, 80, 70}, kBroken = {60, 50, 
 
 // A tile whose top, underside and edges have a colour each; `bulge` lifts its middle, mm.
 TexturedMesh tile(float bulge) {
-  const TriangleMesh mesh =
-      block({40, 30, 6}, 1, [&](const Eigen::Vector3f& p) {
-        return Eigen::Vector3f(p.x(), p.y(), p.z() - bulge * p.head<2>().squaredNorm() / 400);
-      });
+  const TriangleMesh mesh = block({40, 30, 6}, 1, [&](const Eigen::Vector3f& p) {
+    return Eigen::Vector3f(p.x(), p.y(), p.z() - bulge * p.head<2>().squaredNorm() / 400);
+  });
   const std::vector<Chart> charts = chartsOf(mesh, 0.2);
   const Atlas atlas = packed(charts, 0.2);
   const Texels texels = texelsOf(charts, atlas);

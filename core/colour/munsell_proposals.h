@@ -24,7 +24,6 @@ struct MunsellProposals {
     double median = 0, within_95 = 0;
   };
   std::optional<ByChart> chart;
-  bool empty() const { return !out && !in && !core; }
 };
 
 MunsellProposal proposedFor(const Color& colour);

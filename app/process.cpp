@@ -153,6 +153,12 @@ void addProcess(CLI::App& root, Command& chosen) {
   command->add_flag_callback(
       "--draft", [options] { options->megapixels = pipeline::kDraftMegapixels; },
       "A quick look, coarser; the same command without it computes the final models");
+  addChoice(
+      *command, "--texture", options->texture,
+      {{"photo", pipeline::TextureColours::Photo}, {"albedo", pipeline::TextureColours::Albedo}},
+      "photo",
+      "Textures as photographed (photo), or without the light that fell on the sherds "
+      "(albedo), which has to stand still from the first photograph to the last");
   addPairing(*command, options->pairing, options->registration, options->boundary);
   command->callback([options, &chosen] {
     checkBoundary(options->registration, options->boundary);

@@ -10351,6 +10351,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ein anderer Lauf schreibt in diesen Ordner. Was er gespeichert hat, bleibt erhalten, und dieser Lauf hat nichts geändert; das Ende des anderen abwarten oder einen anderen Ordner wählen.</translation>
     </message>
+    <message>
+      <source>The photographs do not tell the light from the sherds' own colours, so textures stay as photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Fotos lassen das Licht nicht von den Eigenfarben der Scherben unterscheiden; die Texturen bleiben wie fotografiert.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

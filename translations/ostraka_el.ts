@@ -10351,6 +10351,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μια άλλη εκτέλεση γράφει σε αυτόν τον φάκελο. Ό,τι έχει αποθηκεύσει διατηρείται, και αυτή εδώ δεν άλλαξε τίποτα· περιμένετε να τελειώσει η άλλη ή επιλέξτε άλλον φάκελο.</translation>
     </message>
+    <message>
+      <source>The photographs do not tell the light from the sherds' own colours, so textures stay as photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Οι φωτογραφίες δεν επιτρέπουν να διακριθεί το φως από τα χρώματα των ίδιων των οστράκων· οι υφές μένουν όπως φωτογραφήθηκαν.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10351,6 +10351,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Otro proceso está escribiendo en esta carpeta. Lo que ha guardado se conserva, y este no ha cambiado nada; espere a que el otro termine o elija otra carpeta.</translation>
     </message>
+    <message>
+      <source>The photographs do not tell the light from the sherds' own colours, so textures stay as photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Las fotografías no permiten distinguir la luz de los colores propios de los fragmentos, así que las texturas quedan como se fotografiaron.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10351,6 +10351,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Un autre traitement écrit dans ce dossier. Ce qu’il a enregistré est conservé, et celui-ci n’a rien modifié ; attendez que l’autre soit terminé, ou choisissez un autre dossier.</translation>
     </message>
+    <message>
+      <source>The photographs do not tell the light from the sherds' own colours, so textures stay as photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les photographies ne permettent pas de distinguer la lumière des couleurs propres des tessons ; les textures restent telles que photographiées.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

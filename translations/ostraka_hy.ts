@@ -10351,6 +10351,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այս պանակում գրում է մեկ այլ գործարկում։ Նրա պահպանածը մնում է, և այս գործարկումը ոչինչ չի փոխել. սպասեք մյուսի ավարտին կամ ընտրեք այլ պանակ։</translation>
     </message>
+    <message>
+      <source>The photographs do not tell the light from the sherds' own colours, so textures stay as photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Լուսանկարները թույլ չեն տալիս լույսը տարբերել բեկորների սեփական գույներից. հյուսվածքները մնում են այնպես, ինչպես լուսանկարված են։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10305,6 +10305,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bu klasöre başka bir işlem yazıyor. Kaydettikleri korunuyor ve bu işlem hiçbir şeyi değiştirmedi; ötekinin bitmesini bekleyin ya da başka bir klasör seçin.</translation>
     </message>
+    <message>
+      <source>The photographs do not tell the light from the sherds' own colours, so textures stay as photographed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraflar ışığı parçaların kendi renklerinden ayırmaya yetmiyor; dokular fotoğraftaki gibi kalıyor.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

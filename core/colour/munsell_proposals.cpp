@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/text.h"
 #include "batch/photograph.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
@@ -83,6 +84,22 @@ std::optional<MunsellProposals> parseMunsellProposals(std::string_view text) {
   } catch (const std::exception&) {  // of nlohmann, numberAt and chipIn
     return std::nullopt;
   }
+}
+
+std::string englishOf(const MunsellProposals& proposals) {
+  std::string words;
+  const auto add = [&](const char* name, const std::optional<MunsellProposal>& part) {
+    if (part)
+      words += (words.empty() ? "" : ", ") + std::string(name) + ' ' + part->match.notation + " (" +
+               fixed(part->match.difference, 1) + ')';
+  };
+  add("outside", proposals.out);
+  add("inside", proposals.in);
+  add("core", proposals.core);
+  if (words.empty()) return words;
+  return "Nearest Munsell colours (CIEDE2000 in brackets): " + words +
+         (proposals.chart ? ". Measured by the colour chart."
+                          : ". Rough: there is no usable colour chart in these photographs.");
 }
 
 }  // namespace ostraka::colour

@@ -1,6 +1,7 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "cloud/points_and_meshes.h"
@@ -33,5 +34,8 @@ MunsellProposal proposedFor(const Color& colour);
 nlohmann::ordered_json toJson(const MunsellProposals& proposals);
 /// What toJson made, as text; none where it is anything else, or names what is no chip.
 std::optional<MunsellProposals> parseMunsellProposals(std::string_view text);
+
+/// A sentence on the nearest chips and one on how they were found; empty without proposals.
+std::string englishOf(const MunsellProposals& proposals);
 
 }  // namespace ostraka::colour

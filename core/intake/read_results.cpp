@@ -245,12 +245,17 @@ class Reading {
     note(file.parent_path(), store::valueOrThrow(readJson(stage)));
   }
 
-  // As the stage that made the model noted them: what was cut, emptied or exchanged since is not
-  // what was made.
+  // As the stages that made the model and its texture noted them: what was cut, emptied or
+  // exchanged since is not what was made.
   sherds::ModelHashes modelHashes(const std::string& number) {
-    const fs::path stage = out_ / "work" / ("model_" + number) / "stage.json";
-    opened(stage);
-    return store::valueOrThrow(readJson(stage)).at("files").get<sherds::ModelHashes>();
+    sherds::ModelHashes hashes;
+    for (const char* name : {"model_", "texture_"}) {
+      if (hashes.contains("model.glb")) break;  // of a version that made both at once
+      const fs::path stage = out_ / "work" / (name + number) / "stage.json";
+      opened(stage);
+      hashes.merge(store::valueOrThrow(readJson(stage)).at("files").get<sherds::ModelHashes>());
+    }
+    return hashes;
   }
 
   std::string keptModel(const fs::path& made, const sherds::ModelHashes& hashes) {

@@ -19,7 +19,6 @@
 #include "rig/rig.h"
 #include "rig/sheet_bend.h"
 #include "stages/stage.h"
-#include "texture/sherd_views.h"
 
 namespace ostraka::pipeline {
 
@@ -47,6 +46,11 @@ struct Run {
   /// Those that may each have a whole photograph.
   int threadsForOriginals() const {
     return batch::threadsForOriginals(batch, options.threads, freeMemoryMb());
+  }
+  /// The same run, which reports here.
+  Run with(Progress& part) const {
+    return {options,     batch,     held, work, inputs, batch_hash,
+            photographs, decisions, part, stop, colours};
   }
   const std::string& photographsOf(batch::Side side) const {
     return photographs[side == batch::Side::Front ? 0 : 1];
@@ -132,17 +136,5 @@ Result<Staged<Pairs>> pairStage(const Run& run, const Staged<Poses>& poses, doub
                                 const Staged<Masks>& front_masks, const Staged<Masks>& back_masks,
                                 const Staged<std::vector<scan::Scan>>& fronts,
                                 const Staged<std::vector<scan::Scan>>& backs);
-/// What the photographs show of the pairs' sherds, in their order.
-texture::SherdViews viewsOf(const Run& run, const Poses& poses, const Masks& front_masks,
-                            const Masks& back_masks, const std::vector<DecidedPair>& pairs,
-                            const std::vector<scan::Scan>& fronts,
-                            const std::vector<scan::Scan>& backs);
-/// Leaves front.ply, back.ply, model.ply, model.glb and preview.png in OUT/work/model_<number>.
-/// views: those of this pair, asked for when the stage runs; none for scans.
-using ViewsOfSherd = std::function<Result<texture::Shown>()>;
-Result<stages::StageRecord> modelStage(const Run& run, const std::string& number,
-                                       const DecidedPair& pair, const scan::Scan& front,
-                                       const scan::Scan& back, const ViewsOfSherd& views,
-                                       const std::string& inputs_hash);
 
 }  // namespace ostraka::pipeline

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <functional>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/memory.h"
 #include "base/message.h"
@@ -25,8 +27,10 @@
 #include "pipeline/preflight.h"
 #include "pipeline/proposed_sheet.h"
 #include "pipeline/report.h"
+#include "pipeline/sherd_models.h"
 #include "rig/plate_print.h"
 #include "stages/output_folder.h"
+#include "stages/publish.h"
 #include "stages/run_log.h"
 
 namespace ostraka::pipeline {
@@ -157,27 +161,6 @@ Result<double> matchSizes(const Run& run, Staged<Poses>& poses, const Sides& fro
   return scale->value;
 }
 
-// Copies what a model stage left to OUT/sherds/<number>; without a model only the scans.
-Result<void> publish(const Run& run, const std::string& number) {
-  const fs::path from = run.work / ("model_" + number), to = run.options.output / "sherds" / number;
-  if (!run.held.stands()) return stages::outputGone(run.options.output);
-  for (const char* name : {"front.ply", "back.ply", "model.ply", "model.glb", "preview.png"}) {
-    std::error_code failed;
-    if (!fs::exists(from / name, failed)) {
-      fs::remove(to / name, failed);
-      continue;
-    }
-    const Result<std::string> bytes = readFile(from / name);
-    if (!bytes) return bytes.error();
-    if (const Result<void> written = writeFileAtomically(to / name, *bytes); !written)
-      return written;
-  }
-  if (run.held.stands()) return {};
-  std::error_code ignored;
-  fs::remove_all(to, ignored);
-  return stages::outputGone(run.options.output);
-}
-
 std::vector<const scan::Scan*> scansNamed(const std::vector<std::string>& ids,
                                           const std::vector<scan::Scan>& scans) {
   std::vector<const scan::Scan*> named;
@@ -196,17 +179,7 @@ Result<void> publishLone(const Run& run, std::span<const scan::Scan* const> scan
   return {};
 }
 
-void removeStaleSherds(const fs::path& output, const std::vector<SherdSummary>& sherds) {
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(output / "sherds", ignored)) {
-    const bool current = std::any_of(sherds.begin(), sherds.end(), [&](const SherdSummary& s) {
-      return entry.path().filename() == s.number;
-    });
-    if (!current) fs::remove_all(entry.path(), ignored);
-  }
-}
-
-SherdSummary summaryOf(const ReportSherd& sherd, const stages::StageRecord& record) {
+SherdSummary summaryOf(const ReportSherd& sherd, const std::vector<Message>& warnings) {
   SherdSummary line;
   line.number = sherd.number;
   line.front = sherd.front->id;
@@ -220,45 +193,71 @@ SherdSummary summaryOf(const ReportSherd& sherd, const stages::StageRecord& reco
   if (sherd.figures.contains("munsell"))
     line.munsell = colour::parseMunsellProposals(sherd.figures["munsell"].dump());
   line.remark = sherd.pair->ambiguous ? sherd.pair->reason : "";
-  if ((!line.has_model || line.remark.empty()) && !record.notes.warnings.empty())
-    line.remark = record.notes.warnings.front().english();
+  if ((!line.has_model || line.remark.empty()) && !warnings.empty())
+    line.remark = warnings.front().english();
   return line;
 }
 
-// The model of each pair, in their order, its part of the report and its line of the summary.
+// The model of each pair, in their order, its texture, its part of the report and its line of the
+// summary. Models come first: the light is over all of them.
 Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
                         const std::vector<DecidedPair>& decided, const Sides& front,
                         const Sides& back, double share, ReportInput& report,
                         ProcessSummary& summary) {
   run.progress.begin("models", share);
-  std::string inputs = poses.record.outputs_hash;
-  for (const Sides* side : {&front, &back})
-    inputs += side->masks.record.outputs_hash + side->scans.record.outputs_hash;
-  if (run.colours.value) inputs += run.colours.record.outputs_hash;
+  const std::string scans = front.scans.record.outputs_hash + back.scans.record.outputs_hash;
+  std::string shown = poses.record.outputs_hash + front.masks.record.outputs_hash +
+                      back.masks.record.outputs_hash + scans;
+  if (run.colours.value) shown += run.colours.record.outputs_hash;
   texture::SherdViews views = viewsOf(run, poses.value, front.masks.value, back.masks.value,
                                       decided, front.scans.value, back.scans.value);
+  const bool photographed = !poses.value.images.empty();
+  std::vector<ModelledSherd> modelled;
   for (std::size_t i = 0; i < decided.size(); ++i) {
     if (run.stop.stop_requested()) return Error::cancelled();
     const scan::Scan& f = front.scans.value[static_cast<std::size_t>(decided[i].front)];
     const scan::Scan& b = back.scans.value[static_cast<std::size_t>(decided[i].back)];
     const std::string number = decisions::sherdNumber(f.id);
-    PartProgress progress(run.progress, i, decided.size());
-    const Run one{run.options,     run.batch,     run.held, run.work, run.inputs, run.batch_hash,
-                  run.photographs, run.decisions, progress, run.stop, run.colours};
-    ViewsOfSherd shown;
-    if (!poses.value.images.empty()) shown = [&, i] { return views.of(i, run.stop); };
-    const Result<stages::StageRecord> record =
-        modelStage(one, number, decided[i], f, b, shown, inputs);
+    PartProgress progress(run.progress, i, 2 * decided.size());
+    const auto record = modelStage(run.with(progress), number, decided[i], f, b, scans);
     if (!record) return record.error();
-    if (const Result<void> published = publish(run, number); !published) return published;
     report.stages.push_back({"model " + number, *record});
     report.sherds.push_back({number, &decided[i], &f, &b, record->notes.figures,
-                             run.work / ("model_" + number) / "preview.png"});
-    summary.sherds.push_back(summaryOf(report.sherds.back(), *record));
+                             run.work / ("texture_" + number) / "preview.png"});
+    modelled.push_back({number, f.id + "+" + b.id, *record, {}});
+    if (photographed) modelled.back().views = [&views, &run, i] { return views.of(i, run.stop); };
+    progress.report(1, 1);
+  }
+  Staged<std::optional<texture::Light>> light;
+  if (photographed && run.options.texture == TextureColours::Albedo) {
+    std::vector<ModelledSherd> whole;
+    std::copy_if(modelled.begin(), modelled.end(), std::back_inserter(whole),
+                 std::mem_fn(&ModelledSherd::hasModel));
+    auto found = lightStage(run, poses.value, whole, shown);
+    if (!found) return found.error();
+    light = std::move(*found);
+    report.stages.push_back({"light", light.record});
+  }
+  std::set<std::string> current;
+  for (std::size_t i = 0; i < modelled.size(); ++i) {
+    if (run.stop.stop_requested()) return Error::cancelled();
+    const ModelledSherd& sherd = modelled[i];
+    std::vector<Message> warnings = sherd.model.notes.warnings;
+    PartProgress progress(run.progress, decided.size() + i, 2 * decided.size());
+    if (sherd.hasModel()) {
+      const auto record = textureStage(run.with(progress), sherd, light.value, shown);
+      if (!record) return record.error();
+      report.stages.push_back({"texture " + sherd.number, *record});
+      report.sherds[i].figures.update(record->notes.figures);
+      warnings.insert(warnings.end(), record->notes.warnings.begin(), record->notes.warnings.end());
+    }
+    if (const auto r = stages::publish(run.held, sherd.number, sherd.hasModel()); !r) return r;
+    current.insert(sherd.number);
+    summary.sherds.push_back(summaryOf(report.sherds[i], warnings));
     progress.report(1, 1);
   }
   if (!run.held.stands()) return stages::outputGone(run.options.output);
-  removeStaleSherds(run.options.output, summary.sherds);
+  stages::removeStaleSherds(run.options.output, current);
   return {};
 }
 

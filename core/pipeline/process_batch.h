@@ -15,6 +15,9 @@ namespace ostraka::pipeline {
 
 enum class DenseMethod { Builtin, Colmap, OpenMvs };
 
+/// What a texture shows: the light of the photographs too, or the sherd's own colours alone.
+enum class TextureColours { Photo, Albedo };
+
 /// For a quick look at both sides while they still lie on the plate: coarser, in a fraction of the
 /// time.
 constexpr double kDraftMegapixels = 0.8;
@@ -34,6 +37,7 @@ struct ProcessOptions {
   /// with the pixels; the cameras are found in the originals. Millions of pixels; absent:
   /// usualMegapixels.
   std::optional<double> megapixels;
+  TextureColours texture = TextureColours::Photo;
   pairing::Method pairing = pairing::Method::Default;
   registration::Method registration = registration::Method::Default;
   registration::Boundary boundary = registration::Boundary::Strip;

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "batch/photograph.h"
+#include "colour/munsell_proposals.h"
 #include "files/files.h"
 #include "pairing/contour.h"
 #include "pairing/turning_angles.h"
@@ -207,19 +208,9 @@ std::string measureLine(const nlohmann::ordered_json& figures) {
 
 std::string munsellLine(const nlohmann::ordered_json& figures) {
   if (!figures.contains("munsell")) return {};
-  const nlohmann::ordered_json& munsell = figures["munsell"];
-  std::string words;
-  for (const auto& [key, name] :
-       {std::pair("out", "outside"), std::pair("in", "inside"), std::pair("core", "core")})
-    if (munsell.contains(key))
-      words += std::string(words.empty() ? "" : ", ") + name + ' ' +
-               munsell[key]["munsell"].get<std::string>() + " (" +
-               fixed(munsell[key]["ciede2000"], 1) + ')';
-  if (words.empty()) return {};
-  return "<p>Nearest Munsell colours (CIEDE2000 in brackets): " + words + ". " +
-         (munsell["chart"].is_null()
-              ? "Rough: there is no usable colour chart in these photographs.</p>"
-              : "Measured by the colour chart.</p>");
+  const auto proposals = colour::parseMunsellProposals(figures["munsell"].dump());
+  const std::string words = proposals ? colour::englishOf(*proposals) : std::string();
+  return words.empty() ? words : "<p>" + markupText(words) + "</p>";
 }
 
 std::string decidedWords(const DecidedPair& pair) {
@@ -283,16 +274,22 @@ std::string pairTable(const ReportInput& input) {
   return html;
 }
 
-std::string colourLine(const ReportInput& input) {
+std::string colourLines(const ReportInput& input) {
+  std::string lines;
   for (const ReportStage& stage : input.stages) {
     const nlohmann::ordered_json& figures = stage.record.notes.figures;
     if (figures.contains("ciede2000_median"))
-      return "<p>Colours are corrected by the colour chart; its patches differ from their "
-             "reference by " +
-             fixed(figures["ciede2000_median"], 1) + " (median) and " +
-             fixed(figures["ciede2000_95"], 1) + " (95 %), CIEDE2000.</p>";
+      lines +=
+          "<p>Colours are corrected by the colour chart; its patches differ from their "
+          "reference by " +
+          fixed(figures["ciede2000_median"], 1) + " (median) and " +
+          fixed(figures["ciede2000_95"], 1) + " (95 %), CIEDE2000.</p>";
+    if (figures.contains("light_uncertainty"))
+      lines += "<p>Textures are without the light that fell on the sherds, which is known to " +
+               fixed(100 * figures["light_uncertainty"].get<double>(), 1) +
+               " % (one standard deviation).</p>";
   }
-  return {};
+  return lines;
 }
 
 std::string stageTable(const ReportInput& input) {
@@ -333,7 +330,7 @@ std::string reportHtml(const ReportInput& input) {
   }
   html += "<h2>The plate</h2><div class=\"sides\">" + sidePicture(input, batch::Side::Front) +
           sidePicture(input, batch::Side::Back) + "</div>";
-  html += "<h2>Pairs</h2>" + pairTable(input) + "<h2>Sherds</h2>" + colourLine(input);
+  html += "<h2>Pairs</h2>" + pairTable(input) + "<h2>Sherds</h2>" + colourLines(input);
   for (const ReportSherd& sherd : input.sherds) html += sherdSection(sherd);
   return html + "<h2>Processing time</h2>" + stageTable(input) + "</html>\n";
 }

@@ -114,9 +114,10 @@ struct Place {
 class Baking {
  public:
   Baking(const TriangleMesh& mesh, const Atlas& atlas, Texels texels,
-         const std::vector<View>& views, int threads)
+         const std::vector<View>& views, const std::optional<Light>& light, int threads)
       : mesh_(mesh),
         texels_(std::move(texels)),
+        light_(light),
         threads_(threads),
         cells_((atlas.height - 1) / kCell + 1, (atlas.width - 1) / kCell + 1, -1) {
     views_.reserve(views.size());
@@ -207,7 +208,13 @@ class Baking {
     return best == 1000 ? std::nullopt : std::optional(placeAt(at.x, at.y));
   }
 
-  static Sample sampleOf(const Place& place, const Prepared& p) {
+  // A level, BGR, as photographed at a place, without the light that fell there.
+  Vector3f inEvenLight(const cv::Vec3f& level, const View& view, const Vector3d& normal) const {
+    const Vector3f bgr(level[0], level[1], level[2]);
+    return light_ ? light_->without(bgr, view.light_from_mesh * normal) : bgr;
+  }
+
+  Sample sampleOf(const Place& place, const Prepared& p) const {
     const Vector3d in_camera = p.view->camera_from_mesh * place.point;
     if (!p.view->isInSight(in_camera)) return {};
     const Vector3d normal = p.view->camera_from_mesh.linear() * place.normal;
@@ -220,7 +227,7 @@ class Baking {
     // Pixels to a mm^2 of surface, with a factor for what the lens has blurred there.
     const double density = p.view->intrinsics.fx / in_camera.z();
     const double detail = 1 + linearAt<float>(p.detail, pixel);
-    return {{level[0], level[1], level[2]},
+    return {inEvenLight(level, *p.view, place.normal),
             static_cast<float>(cosine * density * density * detail)};
   }
 
@@ -287,10 +294,12 @@ class Baking {
       const Vector2d pixel = views_[v].view->project(place.point);
       // The cell is seen; beside it the outline may run.
       if (!views_[v].isSurelySherd(pixel)) continue;
-      const cv::Vec3f difference =
-          cubicAt(views_[v].view->picture, pixel) - linearAt<cv::Vec3f>(views_[v].coarse, pixel);
+      const cv::Vec3f level = linearAt<cv::Vec3f>(views_[v].coarse, pixel),
+                      difference = cubicAt(views_[v].view->picture, pixel) - level;
+      const Vector3f even = inEvenLight(level, *views_[v].view, place.normal);
       for (int k = 0; k < 3; ++k)
-        fine[k] += samples[v].weight * gains_(static_cast<Eigen::Index>(v), k) * difference[k];
+        fine[k] += samples[v].weight * gains_(static_cast<Eigen::Index>(v), k) * difference[k] *
+                   (even[k] / std::max(level[k], 1.f));
       sum += samples[v].weight;
     }
     if (sum > 0) out = coarse + fine / sum;
@@ -299,6 +308,7 @@ class Baking {
 
   const TriangleMesh& mesh_;
   Texels texels_;
+  const std::optional<Light>& light_;
   int threads_;
   cv::Mat1i cells_;  // index of the place, -1: no chart
   std::vector<Prepared> views_;
@@ -311,9 +321,9 @@ class Baking {
 }  // namespace
 
 Result<Texture> bake(const TriangleMesh& mesh, const std::vector<Chart>& charts, const Atlas& atlas,
-                     const std::vector<View>& views, int threads, Progress& progress,
-                     const std::stop_token& stop) {
-  Baking baking(mesh, atlas, texelsOf(charts, atlas), views, threads);
+                     const std::vector<View>& views, const std::optional<Light>& light, int threads,
+                     Progress& progress, const std::stop_token& stop) {
+  Baking baking(mesh, atlas, texelsOf(charts, atlas), views, light, threads);
   progress.report(1, 3);
   if (stop.stop_requested()) return Error::cancelled();
   baking.look();

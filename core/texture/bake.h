@@ -1,5 +1,6 @@
 #pragma once
 #include <opencv2/core/mat.hpp>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "cloud/point_cloud.h"
 #include "texture/atlas.h"
 #include "texture/charts.h"
+#include "texture/light.h"
 #include "texture/view.h"
 
 namespace ostraka::texture {
@@ -25,10 +27,11 @@ struct Texture {
 /// shadows); what is finer comes from the one or two that see it best (slant, distance, sharpness),
 /// so that nothing is doubled where the poses are off by a pixel. Exposures are brought together
 /// over both sides beforehand: one gain per photograph and channel by least squares over all places
-/// that several photographs show. Where charts meet, both show the same. mesh: with normals. The
-/// result does not depend on `threads`. Errors: Cancelled.
+/// that several photographs show. Where charts meet, both show the same. mesh: with normals. light:
+/// divided out, so that the page shows what the surface is rather than how it was lit; without one
+/// it is as photographed. The result does not depend on `threads`. Errors: Cancelled.
 Result<Texture> bake(const TriangleMesh& mesh, const std::vector<Chart>& charts, const Atlas& atlas,
-                     const std::vector<View>& views, int threads, Progress& progress,
-                     const std::stop_token& stop);
+                     const std::vector<View>& views, const std::optional<Light>& light, int threads,
+                     Progress& progress, const std::stop_token& stop);
 
 }  // namespace ostraka::texture

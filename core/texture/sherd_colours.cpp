@@ -89,4 +89,16 @@ SherdColours coloursOf(const TexturedMesh& model) {
   return colours;
 }
 
+colour::MunsellProposals munsellOf(const TexturedMesh& model,
+                                   const std::optional<colour::Correction>& correction) {
+  const SherdColours colours = coloursOf(model);
+  colour::MunsellProposals proposals;
+  if (colours.outer) proposals.out = colour::proposedFor(*colours.outer);
+  if (colours.inner) proposals.in = colour::proposedFor(*colours.inner);
+  if (colours.fracture) proposals.core = colour::proposedFor(*colours.fracture);
+  proposals.front_is_out = colours.front_is_outer;
+  if (correction) proposals.chart = {correction->median, correction->within_95};
+  return proposals;
+}
+
 }  // namespace ostraka::texture

@@ -2,6 +2,8 @@
 #include <optional>
 
 #include "cloud/points_and_meshes.h"
+#include "colour/correction.h"
+#include "colour/munsell_proposals.h"
 #include "texture/texture.h"
 
 namespace ostraka::texture {
@@ -16,5 +18,8 @@ struct SherdColours {
 /// Parts as the texture's charts divide a sherd (partsOf). The outer face is the one that bulges,
 /// as in drawings; on a flat sherd either may be.
 SherdColours coloursOf(const TexturedMesh& model);
+/// What these colours propose: measured where a chart corrected the photographs, else rough.
+colour::MunsellProposals munsellOf(const TexturedMesh& model,
+                                   const std::optional<colour::Correction>& correction);
 
 }  // namespace ostraka::texture

@@ -46,6 +46,8 @@ std::vector<std::optional<View>> shownBy(const Photograph& photograph, const cv:
     shown.push_back(cutOut(picture, photograph.mask, photograph.image,
                            meshFromPlate(photograph, sherds[s]), sherds[s].points));
     if (!shown.back()) continue;
+    shown.back()->light_from_mesh =
+        photograph.light_from_plate * meshFromPlate(photograph, sherds[s]).linear().transpose();
     Points others;
     for (std::size_t o = 0; o < sherds.size(); ++o)
       if (o != s &&
@@ -86,9 +88,12 @@ Result<void> SherdViews::read(const std::stop_token& stop) {
   for (const std::optional<Error>& error : errors)
     if (error) unread_.push_back(*error);
   views_.emplace(sherds_.size());
-  for (std::vector<std::optional<View>>& of_photograph : shown)
-    for (std::size_t s = 0; s < of_photograph.size(); ++s)
-      if (of_photograph[s]) (*views_)[s].push_back(std::move(*of_photograph[s]));
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    for (std::size_t s = 0; s < shown[i].size(); ++s) {
+      if (!shown[i][s]) continue;
+      shown[i][s]->photograph = static_cast<int>(i);
+      (*views_)[s].push_back(std::move(*shown[i][s]));
+    }
   return {};
 }
 

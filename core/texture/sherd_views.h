@@ -16,6 +16,8 @@ namespace ostraka::texture {
 struct Photograph {
   rig::PosedImage image;  ///< image.file: the photograph's path
   cv::Mat1b mask;
+  /// Of the plate's directions, where the lights stand still.
+  Eigen::Matrix3d light_from_plate = Eigen::Matrix3d::Identity();
 };
 
 /// A sherd to be textured, mesh frame (the front's plate), mm.

@@ -10,6 +10,7 @@
 #include "batch/photograph.h"
 #include "files/files.h"
 #include "model/model.h"
+#include "model/preview.h"
 
 namespace ostraka::texture {
 namespace {
@@ -33,7 +34,8 @@ Result<cv::Mat> decoded(const std::string& file, const std::string& where) {
 }  // namespace
 
 Result<TexturedMesh> textured(const TriangleMesh& plain, const std::vector<View>& views,
-                              int threads, Progress& progress, const std::stop_token& stop) {
+                              const std::optional<Light>& light, int threads, Progress& progress,
+                              const std::stop_token& stop) {
   TriangleMesh mesh = plain;
   if (mesh.normals.size() != mesh.vertices.size()) mesh.normals = model::vertexNormals(mesh);
   const double pixel_mm = finestPixel_mm(mesh, views);
@@ -41,7 +43,7 @@ Result<TexturedMesh> textured(const TriangleMesh& plain, const std::vector<View>
   const std::vector<Chart> charts = chartsOf(mesh, pixel_mm);
   if (charts.empty()) return nothingShown();
   const Atlas atlas = packed(charts, pixel_mm);
-  Result<Texture> texture = bake(mesh, charts, atlas, views, threads, progress, stop);
+  Result<Texture> texture = bake(mesh, charts, atlas, views, light, threads, progress, stop);
   if (!texture) return texture.error();
   if (texture->seen_share <= 0) return nothingShown();
   UnwrappedMesh unwrapped = texture::unwrapped(mesh, charts, atlas);
@@ -112,6 +114,19 @@ std::vector<Color> vertexColours(const TexturedMesh& model) {
                        cv::saturate_cast<std::uint8_t>(bgr[0])});
   }
   return colours;
+}
+
+Result<std::string> formatGlb(const TexturedMesh& model, const GlbExtras& extras) {
+  return ostraka::formatGlb(
+      model.mesh, {model.uv, asJpeg(model.texture.picture), asPng(model.texture.seen)}, extras);
+}
+
+std::string previewOf(const TexturedMesh& model) {
+  model::PreviewOptions options;
+  options.color_at = [&](const std::array<int, 3>& triangle, const std::array<double, 3>& weights) {
+    return colourAt(model, triangle, weights);
+  };
+  return asPng(model::renderPreview(model.mesh, options));
 }
 
 std::string asJpeg(const cv::Mat3b& picture) {

@@ -14,6 +14,7 @@
 #include "cloud/glb.h"
 #include "cloud/point_cloud.h"
 #include "texture/bake.h"
+#include "texture/light.h"
 #include "texture/view.h"
 
 namespace ostraka::texture {
@@ -27,9 +28,11 @@ struct TexturedMesh {
 };
 
 /// mesh: closed, outward, mm. A texel is as large as a pixel of the photograph that
-/// was taken from nearest. Errors: Cancelled; NotEnough when no photograph shows the mesh.
-Result<TexturedMesh> textured(const TriangleMesh& mesh, const std::vector<View>& views, int threads,
-                              Progress& progress, const std::stop_token& stop);
+/// was taken from nearest. light: divided out (bake.h). Errors: Cancelled; NotEnough when no
+/// photograph shows the mesh.
+Result<TexturedMesh> textured(const TriangleMesh& mesh, const std::vector<View>& views,
+                              const std::optional<Light>& light, int threads, Progress& progress,
+                              const std::stop_token& stop);
 
 /// What parseTexturedGlb read, with its pictures decoded; without a mask of the same size all of it
 /// counts as seen, and the texel's size is not known. Errors: UnusableInput (no picture, or one
@@ -53,6 +56,11 @@ Eigen::Vector3d colourAt(const TexturedMesh& model, const std::array<int, 3>& tr
 
 /// The picture's colour at each vertex, for what shows no pictures.
 std::vector<Color> vertexColours(const TexturedMesh& model);
+
+/// As a GLB with its picture and the mask of what was seen. Errors: those of formatGlb.
+Result<std::string> formatGlb(const TexturedMesh& model, const GlbExtras& extras);
+/// A PNG file of model::renderPreview, each pixel by its texel.
+std::string previewOf(const TexturedMesh& model);
 
 /// The picture as a JPEG file, quality 95.
 std::string asJpeg(const cv::Mat3b& picture);

@@ -19,6 +19,9 @@ struct View {
   Eigen::Isometry3d camera_from_mesh;  ///< mm
   double reach = 0;  ///< the farthest that the photograph shows off its axis, x / z; beyond it a
                      ///< lens model may fold back into the picture
+  int photograph = 0;  ///< counted over the batch
+  /// Of the mesh's normals, where the lights stand still (light.h).
+  Eigen::Matrix3d light_from_mesh = Eigen::Matrix3d::Identity();
 
   /// Whether a point in the camera's frame, mm, lies where the lens model holds.
   bool isInSight(const Eigen::Vector3d& in_camera) const {

@@ -178,7 +178,7 @@ int main(int argc, char** argv) {
     const std::vector<texture::Chart> charts = texture::chartsOf(mesh, texel_mm);
     const texture::Atlas atlas = texture::packed(charts, texel_mm);
     const Page page{mesh, atlas, texture::texelsOf(charts, atlas),
-                    orExit(texture::bake(mesh, charts, atlas, shown, threads, quiet, {}))};
+                    orExit(texture::bake(mesh, charts, atlas, shown, {}, threads, quiet, {}))};
     const double seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     Sums sums;

@@ -115,13 +115,17 @@ class ResultFolder {
     put(out_ / "report.html", "<html></html>");
   }
 
-  /// The stage that made this sherd's model left it as it lies there now.
+  /// The stages that made this sherd's model and its texture left them as they lie there now.
   static void noteModel(const std::filesystem::path& out, const std::string& number) {
-    nlohmann::ordered_json files;
-    for (const char* file : {"model.ply", "model.glb", "preview.png"})
-      files[file] = sha256(*readFile(out / "sherds" / number / file));
-    put(out / "work" / ("model_" + number) / "stage.json",
-        nlohmann::ordered_json({{"files", files}}).dump());
+    const auto note = [&](const std::string& stage, const std::vector<std::string>& names) {
+      nlohmann::ordered_json files;
+      for (const std::string& file : names)
+        files[file] = sha256(*readFile(out / "sherds" / number / file));
+      put(out / "work" / (stage + number) / "stage.json",
+          nlohmann::ordered_json({{"files", files}}).dump());
+    };
+    note("model_", {"model.ply"});
+    note("texture_", {"model.glb", "preview.png"});
   }
 
  private:

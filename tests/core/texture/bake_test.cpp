@@ -83,7 +83,7 @@ class Bake : public testing::Test {
   }
   Texture baked(const std::vector<View>& views, int threads = 2) {
     QuietProgress quiet;
-    return *bake(tile, charts, atlas, views, threads, quiet, {});
+    return *bake(tile, charts, atlas, views, {}, threads, quiet, {});
   }
   const TriangleMesh tile = block({40, 30, 6}, 2);
   const std::vector<Chart> charts = chartsOf(tile, 0.2);
@@ -160,7 +160,7 @@ TEST_F(Bake, DoesNotDependOnThreads) {
   std::stop_source stop;
   stop.request_stop();
   QuietProgress quiet;
-  EXPECT_EQ(bake(tile, charts, atlas, views, 1, quiet, stop.get_token()).error().code,
+  EXPECT_EQ(bake(tile, charts, atlas, views, {}, 1, quiet, stop.get_token()).error().code,
             ErrorCode::Cancelled);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 TEST(Texture, NeedsAPhotograph) {
   QuietProgress quiet;
-  const auto made = textured(block({40, 30, 6}, 2), {}, 1, quiet, {});
+  const auto made = textured(block({40, 30, 6}, 2), {}, {}, 1, quiet, {});
   ASSERT_FALSE(made);
   EXPECT_EQ(made.error().code, ErrorCode::NotEnough);
 }
@@ -25,7 +25,7 @@ TEST(Texture, IsNoneWhereTheMasksShowAnotherPlace) {
       cutOut(cv::Mat3b(600, 800, cv::Vec3b(50, 100, 150)), mask, lookingAt({0, 0, 150}, {0, 0, 0}),
              Eigen::Isometry3d::Identity(), tile.vertices);
   QuietProgress quiet;
-  EXPECT_EQ(textured(tile, {*view}, 1, quiet, {}).error().code, ErrorCode::NotEnough)
+  EXPECT_EQ(textured(tile, {*view}, {}, 1, quiet, {}).error().code, ErrorCode::NotEnough)
       << "a black picture is no texture";
 }
 
@@ -37,7 +37,7 @@ TEST(Texture, HasTexelsOfTheNearestPhotographsPixels) {
                             cv::Mat1b(600, 800, uchar{255}), lookingAt({0, 0, height}, {0, 0, 0}),
                             Eigen::Isometry3d::Identity(), tile.vertices));
   QuietProgress quiet;
-  const auto made = textured(tile, views, 1, quiet, {});
+  const auto made = textured(tile, views, {}, 1, quiet, {});
   ASSERT_TRUE(made);
   EXPECT_NEAR(made->texel_mm, (150 - 3) / 1000.0, 0.002);
   EXPECT_EQ(made->uv.size(), made->mesh.vertices.size());

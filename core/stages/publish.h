@@ -1,0 +1,18 @@
+#pragma once
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "base/result.h"
+#include "files/folder_lock.h"
+
+namespace ostraka::stages {
+
+/// Copies what the stages in OUT/work left of a sherd to OUT/sherds/<number>; without a model only
+/// the scans. held: of OUT/work.
+Result<void> publish(const FolderLock& held, const std::string& number, bool has_model);
+
+/// Takes away what an earlier run left in OUT/sherds of others than these.
+void removeStaleSherds(const std::filesystem::path& output, const std::set<std::string>& numbers);
+
+}  // namespace ostraka::stages

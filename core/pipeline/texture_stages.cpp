@@ -108,7 +108,6 @@ Result<stages::StageNotes> findLight(const Run& run, const Poses& poses,
   if (framesOf(run, poses))
     for (std::size_t i = 0; i < sherds.size(); ++i) {
       if (run.stop.stop_requested()) return Error::cancelled();
-      run.progress.report(static_cast<std::int64_t>(i), static_cast<std::int64_t>(sherds.size()));
       const Result<PlyContents> model = modelOf(run, sherds[i]);
       if (!model) return model.error();
       const Result<texture::Shown> shown = sherds[i].views();

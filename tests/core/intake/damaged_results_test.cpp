@@ -27,7 +27,7 @@ TEST_F(DamagedResults, AreNotEnteredWhereAFileIsCutEmptiedMissingOrALink) {
   };
   for (const char* name :
        {"sherds/02/model.ply", "sherds/02/model.glb", "sherds/02/preview.png", "report.html",
-        "work/model_02/stage.json", "work/scans_front/f001.ply"}) {
+        "work/model_02/stage.json", "work/texture_02/stage.json", "work/scans_front/f001.ply"}) {
     SCOPED_TRACE(name);
     const fs::path file = results / name, aside = folder_.path() / "aside";
     const std::string whole = *readFile(file);

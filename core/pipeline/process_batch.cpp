@@ -228,15 +228,14 @@ Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
     if (photographed) modelled.back().views = [&views, &run, i] { return views.of(i, run.stop); };
     progress.report(1, 1);
   }
-  Staged<std::optional<texture::Light>> light;
+  Result<Staged<std::optional<texture::Light>>> light = Staged<std::optional<texture::Light>>();
   if (photographed && run.options.texture == TextureColours::Albedo) {
     std::vector<ModelledSherd> whole;
     std::copy_if(modelled.begin(), modelled.end(), std::back_inserter(whole),
                  std::mem_fn(&ModelledSherd::hasModel));
-    auto found = lightStage(run, poses.value, whole, shown);
-    if (!found) return found.error();
-    light = std::move(*found);
-    report.stages.push_back({"light", light.record});
+    light = lightStage(run, poses.value, whole, shown);
+    if (!light) return light.error();
+    report.stages.push_back({"light", light->record});
   }
   std::set<std::string> current;
   for (std::size_t i = 0; i < modelled.size(); ++i) {
@@ -245,7 +244,7 @@ Result<void> makeModels(const Run& run, const Staged<Poses>& poses,
     std::vector<Message> warnings = sherd.model.notes.warnings;
     PartProgress progress(run.progress, decided.size() + i, 2 * decided.size());
     if (sherd.hasModel()) {
-      const auto record = textureStage(run.with(progress), sherd, light.value, shown);
+      const auto record = textureStage(run.with(progress), sherd, light->value, shown);
       if (!record) return record.error();
       report.stages.push_back({"texture " + sherd.number, *record});
       report.sherds[i].figures.update(record->notes.figures);

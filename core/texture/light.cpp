@@ -22,7 +22,7 @@ using Eigen::VectorXd;
 
 constexpr double kLeastLight = 0.2;      // of that from above
 constexpr double kLeastPositive = 0.02;  // of the mean, while it is sought
-constexpr double kLeastCosine = 0.3;     // more slant is mostly blur of what lies around
+constexpr double kLeastFacing = 0.3;     // more slant is mostly blur of what lies around
 constexpr double kBlur_mm = 0.5;         // relief below it has normals of its own
 constexpr double kDarkLevel = 8, kClippedLevel = 247;
 constexpr double kUsualOff = 0.1;      // of logarithms
@@ -288,7 +288,7 @@ std::vector<LitPoint> litPoints(const TriangleMesh& mesh, const std::vector<View
                      in_camera = view.camera_from_mesh * point;
       if (!view.isInSight(in_camera)) continue;
       const double cosine = -(view.camera_from_mesh.linear() * normal).dot(in_camera.normalized());
-      if (!(cosine >= kLeastCosine)) continue;
+      if (!(cosine >= kLeastFacing)) continue;
       const Eigen::Vector2d pixel = view.project(point);
       const long x = std::lround(pixel.x()), y = std::lround(pixel.y());
       if (x < 0 || y < 0 || x >= surely.cols || y >= surely.rows) continue;

@@ -4,10 +4,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/history.h"
+#include "catalogue/places.h"
 #include "catalogue/stamped_rows.h"
 #include "files/json_text.h"
 #include "records/numbering.h"
@@ -21,6 +23,8 @@
 
 namespace ostraka::catalogue {
 namespace {
+
+constexpr const char *kTextureKey = "process.texture", *kWithoutLight = "albedo";
 
 bool isProjectCode(const std::string& code) {
   if (code.size() < 2 || code.size() > 8) return false;
@@ -88,6 +92,39 @@ Result<void> Settings::setProject(const records::ProjectRecord& p,
     rememberDifferences(catalogue_, provenance, "project", 1, columns);
     changeRow(catalogue_, provenance, "project", 1, columns);
   });
+}
+
+Result<void> Settings::rename(const std::string& title, const std::string& code,
+                              const records::Provenance& provenance) {
+  return database_->inTransaction([&] {
+    records::ProjectRecord renamed = store::valueOrThrow(project());
+    const std::string old_title = std::exchange(renamed.title, title.empty() ? code : title);
+    const std::string old_code = std::exchange(renamed.code, code);
+    store::valueOrThrow(setProject(renamed, provenance));
+    Places places(catalogue_);
+    const bool same_code = store::codeKey(code) == store::codeKey(old_code);
+    std::vector<records::SiteRecord> sites = store::valueOrThrow(places.sites());
+    for (records::SiteRecord& site : sites) {
+      const std::string key = store::codeKey(site.code);
+      if (!same_code && key == store::codeKey(code))
+        store::refuse(message("The site %1 already exists.", site.code), code);
+      if (key != store::codeKey(old_code)) continue;
+      site.code = code;
+      if (site.name == old_title) site.name = renamed.title;
+      store::valueOrThrow(places.save(site, provenance));
+    }
+  });
+}
+
+Result<bool> Settings::texturesWithoutLight() const {
+  const Result<std::string> kept = value(kTextureKey);
+  if (!kept) return kept.error();
+  return *kept == kWithoutLight;
+}
+
+Result<void> Settings::setTexturesWithoutLight(bool without,
+                                               const records::Provenance& provenance) {
+  return setValue(kTextureKey, without ? kWithoutLight : "", provenance);
 }
 
 Result<std::string> Settings::value(const std::string& key) const {

@@ -24,6 +24,15 @@ class Settings : public Subject {
 
   Result<records::ProjectRecord> project() const;
   Result<void> setProject(const records::ProjectRecord&, const records::Provenance&);
+  /// Another title and code; an empty title is the code. The site that has the project's code gets
+  /// the new one too, and the title where its name was the old one. Numbers that sherds have stay;
+  /// {site} in those still to be given follows. Errors: a code that is none, or is another site's.
+  Result<void> rename(const std::string& title, const std::string& code,
+                      const records::Provenance&);
+  /// Textures of batches that are computed from now on show the sherds without the light of the
+  /// photographs.
+  Result<bool> texturesWithoutLight() const;
+  Result<void> setTexturesWithoutLight(bool without, const records::Provenance&);
   Result<std::string> value(const std::string& key) const;  ///< empty when never set
   /// What a person set: it goes into the history.
   Result<void> setValue(const std::string& key, const std::string& value,

@@ -33,7 +33,7 @@ rig=()
 {
   trap : TERM
   ostraka_here process "batches/$batch" --output "results/$batch" --quiet \
-    --threads "${SLURM_CPUS_PER_TASK:-0}" ${rig[@]+"${rig[@]}"}
+    --threads "${SLURM_CPUS_PER_TASK:-0}" --texture $texture ${rig[@]+"${rig[@]}"}
 } &
 child=$!
 wait "$child"
@@ -99,8 +99,8 @@ std::string jobScript(const std::string& job, const std::vector<std::string>& ba
       "# Made by 'ostraka cluster submit'. One batch a task; the same task run again goes on from "
       "the\n# last whole stage.\n"
       "job=" +
-      job + "\nbatches=(" + joined(batches, " ") + ")\nostraka_here() { " + ask.program +
-      " \"$@\"; }\n";
+      job + "\ntexture=" + (ask.albedo ? "albedo" : "photo") + "\nbatches=(" +
+      joined(batches, " ") + ")\nostraka_here() { " + ask.program + " \"$@\"; }\n";
   return script + kWork;
 }
 

@@ -15,6 +15,7 @@ struct Ask {
   /// The command that starts Ostraka on a node, as a shell reads it:
   /// "module load ostraka; ostraka", "apptainer run ostraka.sif".
   std::string program = "ostraka";
+  bool albedo = false;  ///< textures without the light of the photographs
   Result<void> check() const;
 };
 

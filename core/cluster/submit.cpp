@@ -10,6 +10,7 @@
 #include "batch/peoples_files.h"
 #include "batch/photographs.h"
 #include "catalogue/batches.h"
+#include "catalogue/settings.h"
 #include "cluster/place.h"
 #include "cluster/tasks.h"
 #include "decisions/scan_folder.h"
@@ -223,6 +224,8 @@ Result<Submitted> submit(upkeep::Project& project, const SubmitOptions& options,
   if (!place) return place.error();
   const Result<std::vector<TaskStatus>> known = statusOf(project.folder(), *place, *tasks, stop);
   if (!known) return known.error();
+  const Result<bool> albedo = catalogue::Settings(project.catalogue()).texturesWithoutLight();
+  if (!albedo) return albedo.error();
   Submitted submitted;
   const Result<std::vector<Wanted>> wanted = wantedOf(project, *known, options, submitted, stop);
   if (!wanted) return wanted.error();
@@ -240,6 +243,7 @@ Result<Submitted> submit(upkeep::Project& project, const SubmitOptions& options,
     const std::span<const Wanted> part(wanted->data() + done, count);
     Ask needed = options.ask;
     needed.memory_mb = needed.minutes = 0;
+    needed.albedo = *albedo;
     for (const Wanted& one : part) raiseTo(needed, one.needs, one.before);
     if (options.ask.memory_mb > 0) needed.memory_mb = options.ask.memory_mb;
     if (options.ask.minutes > 0) needed.minutes = options.ask.minutes;

@@ -12,6 +12,7 @@
 #include "capture/manifest.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
+#include "catalogue/settings.h"
 #include "decisions/scan_folder.h"
 #include "files/json.h"
 #include "intake/computed_again.h"
@@ -56,7 +57,7 @@ double sizeOf(const fs::path& folder) {
 
 // Photographs, or scans that were split already.
 Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& batch,
-                              const fs::path& output, std::vector<Message> warnings,
+                              const fs::path& output, bool albedo, std::vector<Message> warnings,
                               Progress& progress, const std::stop_token& stop) {
   pipeline::ProcessOptions process;
   process.batch = batch;
@@ -66,6 +67,7 @@ Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& bat
   process.dense = options.dense == "colmap"    ? pipeline::DenseMethod::Colmap
                   : options.dense == "openmvs" ? pipeline::DenseMethod::OpenMvs
                                                : pipeline::DenseMethod::Builtin;
+  if (albedo) process.texture = pipeline::TextureColours::Albedo;
   if (options.draft) process.megapixels = pipeline::kDraftMegapixels;
   if (fs::exists(batch / "rig.json")) process.rig = batch / "rig.json";
   const Result<pipeline::ProcessSummary> done =
@@ -250,8 +252,9 @@ Result<BatchFigures> computeBatch(const ComputeOptions& options, Progress& progr
     std::vector<Message> warnings;
     if (!missing.empty()) warnings.push_back(missingSentence(missing, batch));
     valueOrThrow(beginComputing(rows, options.number));
+    const bool albedo = valueOrThrow(catalogue::Settings(rows).texturesWithoutLight());
     BatchFigures figures =
-        valueOrThrow(computed(options, batch, output, std::move(warnings), progress, stop));
+        valueOrThrow(computed(options, batch, output, albedo, std::move(warnings), progress, stop));
     return enteredFigures(*project, record, std::move(figures), progress, stop);
   });
 }

@@ -7,13 +7,11 @@
 #include <QUndoGroup>
 #include <utility>
 
-#include "catalogue/history.h"
 #include "ui/capture/capture_screen.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/sidebar.h"
-#include "ui/import/import_sides.h"
-#include "ui/jobs/when_done.h"
+#include "ui/main/begun_project.h"
 #include "ui/main/catalogue_repair.h"
 #include "ui/main/help_page.h"
 #include "ui/main/open_project.h"
@@ -56,8 +54,6 @@ MainWindow::MainWindow(JobRunner& runner, QWidget* parent)
   applySettings(settings_);
   settings_page_->setSettings(settings_);
   start_->setRecent(settings_.recent, settings_.titles);
-  connect(capture_screen_, &CaptureScreen::importLeft, this, &MainWindow::leaveBegun,
-          Qt::QueuedConnection);  // it closes the screen that tells
   connect(queue_, &BatchQueue::batchComputed, care_, &ProjectCare::measureRoom);
   connect(care_, &ProjectCare::roomMeasured, work_->header(), &HeaderLine::setRoom);
   connect(care_, &ProjectCare::said, work_->footer(), &FooterLine::say);
@@ -101,11 +97,18 @@ void MainWindow::connectParts() {
   connect(start_, &StartScreen::settingsWanted, this, &MainWindow::showSettings);
   connect(start_, &StartScreen::manualWanted, this, &MainWindow::showManual);
   connect(start_, &StartScreen::virtualRigWanted, this, &MainWindow::tryVirtualRig);
-  connect(start_, &StartScreen::photographsChosen, this, &MainWindow::beginWith);
+  auto* begun = new BegunProject(*this, *start_, *capture_screen_, runner_);
+  connect(start_, &StartScreen::photographsChosen, begun, &BegunProject::beginWith);
+  connect(begun, &BegunProject::removed, this, [this](const QString& folder) {
+    settings_.forget(folder);
+    keepSettings();
+    start_->setRecent(settings_.recent, settings_.titles);
+  });
   auto* repair = new CatalogueRepair(runner_, this);
   connect(start_, &StartScreen::repairWanted, repair, &CatalogueRepair::repair);
   connect(repair, &CatalogueRepair::told, start_, &StartScreen::tell);
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
+  connect(settings_page_, &SettingsPage::projectRenamed, this, &MainWindow::showTitle);
   connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);
   connect(all_, &QStackedWidget::currentChanged, this, [this] {
     if (all_->currentWidget() != work_) work_->rest();
@@ -145,16 +148,12 @@ void MainWindow::takeProject(std::shared_ptr<upkeep::Project> project) {
 void MainWindow::showProject() {
   const std::filesystem::path folder = session()->folder();
   const QString read_only = session()->whyReadOnly();
-  const QString title = project_->title();
-  const QString shown = read_only.isEmpty() ? title : tr("%1 (read-only)").arg(title);
   session()->setInitials(settings_.initials);
   undo_->addStack(&session()->undo());
   undo_->setActiveStack(&session()->undo());
-  work_->openProject(*session(), shown);
+  work_->openProject(*session());
   settings_page_->setSession(session());
-  settings_.remember(QString::fromStdString(folder.string()), title);
-  keepSettings();
-  setWindowTitle(tr("%1 - Ostraka").arg(shown));
+  showTitle();
   all_->setCurrentWidget(work_);
   connect(session(), &ProjectSession::initialsChanged, this, [this](const QString& who) {
     settings_.initials = who;
@@ -170,9 +169,18 @@ void MainWindow::showProject() {
   care_->begin(folder, !read_only.isEmpty());
 }
 
+void MainWindow::showTitle() {
+  const QString title = project_->title();
+  const bool read_only = !session()->whyReadOnly().isEmpty();
+  const QString shown = read_only ? tr("%1 (read-only)").arg(title) : title;
+  work_->setTitle(shown);
+  settings_.remember(QString::fromStdString(session()->folder().string()), title);
+  keepSettings();
+  setWindowTitle(tr("%1 - Ostraka").arg(shown));
+}
+
 void MainWindow::closeProject() {
   if (session() == nullptr) return;
-  begun_ = {};
   // What stands in a field without Return or Tab after it is saved too.
   if (auto* typing = qobject_cast<QLineEdit*>(focusWidget())) emit typing->editingFinished();
   work_->closeProject();
@@ -198,44 +206,6 @@ void MainWindow::tryVirtualRig() {
   auto made = makeVirtualProject(freshFolder(tr("Virtual rig")));
   if (!made) return start_->showError(made.error());
   takeProject(*made);
-}
-
-// What holds no photographs leaves no empty project behind.
-void MainWindow::beginWith(const QStringList& photographs) {
-  if (photographs.isEmpty()) return;
-  if (photographs.size() == 1 && upkeep::Project::isProject(photographs.front().toStdString()))
-    return openProject(photographs.front());
-  JobHandle* job = runner_.start(
-      makeJob([photographs](Progress&, std::stop_token) { return planSides(photographs, {}); }),
-      this);
-  whenDone<std::optional<SidesPlan>>(job, this, [this, photographs](const auto& plan) {
-    if (session() != nullptr) return;  // one was opened meanwhile
-    if (!plan) return start_->showError(plan.error());
-    start_->makeFor(photographs);
-    if (session() == nullptr) return;
-    begun_ = {session()->folder(), catalogue::History(session()->project().catalogue()).length()};
-    capture_screen_->importPhotographs(photographs);
-  });
-}
-
-// Without its photographs the project that was made for them is nothing that a person asked for.
-void MainWindow::leaveBegun() {
-  const auto begun = std::exchange(begun_, {});
-  if (session() == nullptr || session()->folder() != begun.folder ||
-      catalogue::History(session()->project().catalogue()).length() > begun.history)
-    return;
-  const QString folder = QString::fromStdString(begun.folder.string());
-  closeProject();
-  if (const auto removed = upkeep::Project::removeUnused(begun.folder, begun.history);
-      !removed || !*removed)
-    return openProject(folder);
-  settings_.forget(folder);
-  keepSettings();
-  start_->setRecent(settings_.recent, settings_.titles);
-  start_->tell(tr("Import cancelled"),
-               tr("The project that was created for it is removed. Your photographs are as they "
-                  "were."),
-               {});
 }
 
 void MainWindow::showScreen(int index) {

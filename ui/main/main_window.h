@@ -1,8 +1,6 @@
 #pragma once
 #include <QMainWindow>
 #include <QString>
-#include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -70,9 +68,8 @@ class MainWindow final : public QMainWindow {
   void connectParts();
   void takeProject(std::shared_ptr<upkeep::Project> project);
   void showProject();
+  void showTitle();
   void tryVirtualRig();
-  void beginWith(const QStringList& photographs);
-  void leaveBegun();
   void applySettings(const WindowSettings& settings);
   void keepSettings();
   void findProject(const QString& lost, const QString& found);
@@ -83,10 +80,6 @@ class MainWindow final : public QMainWindow {
   BatchQueue* queue_;
   CaptureWizard* wizard_;
   OpenProject* project_;
-  struct {
-    std::filesystem::path folder;  ///< of the project that was made for photographs
-    std::int64_t history = 0;      ///< its length then
-  } begun_;
   QueueScreen* queue_screen_ = nullptr;
   CaptureScreen* capture_screen_ = nullptr;
   Thumbnails* thumbnails_;

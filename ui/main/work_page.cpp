@@ -113,11 +113,15 @@ int WorkPage::screenNamed(const QString& icon_name) const {
   return -1;
 }
 
-void WorkPage::openProject(ProjectSession& session, const QString& title) {
+void WorkPage::openProject(ProjectSession& session) {
   session_ = &session;
-  title_ = title;
   for (Screen* screen : screens_) screen->openProject(session);
   connect(&session, &ProjectSession::batchChanged, this, &WorkPage::followLines);
+}
+
+void WorkPage::setTitle(const QString& title) {
+  title_ = title;
+  followLines();
 }
 
 void WorkPage::closeProject() {

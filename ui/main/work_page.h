@@ -37,7 +37,8 @@ class WorkPage final : public QWidget {
   /// The screens and the pages in them that have keys of their own, by their titles.
   std::vector<std::pair<QString, const QWidget*>> partsWithKeys() const;
 
-  void openProject(ProjectSession& session, const QString& title);
+  void openProject(ProjectSession& session);
+  void setTitle(const QString& title);  ///< of the project
   void closeProject();
   /// What is chosen in the screen in front goes along to this one.
   void bringChosen(int index);

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/settings/numbering_edit.h"
+#include "ui/settings/project_edit.h"
 #include "ui/settings/rights_edit.h"
 #include "ui/settings/vocabulary_edit.h"
 #include "ui/widgets/form_rows.h"
@@ -31,6 +32,7 @@ SettingsPage::SettingsPage(QWidget* parent)
       said_(wrappedLabel(this, QStringLiteral("settingsSaid"))),
       initials_(named<QLineEdit>("settingsInitials", this)),
       threads_(named<QSpinBox>("settingsThreads", this)),
+      project_(new ProjectEdit(this)),
       numbering_(new NumberingEdit(this)),
       vocabulary_(new VocabularyEdit(this)),
       rights_(new RightsEdit(this)) {
@@ -53,6 +55,7 @@ SettingsPage::SettingsPage(QWidget* parent)
   threads_->setRange(0, QThread::idealThreadCount());
   threads_->setSpecialValueText(tr("all"));
   buildLayout();
+  connect(project_, &ProjectEdit::renamed, this, &SettingsPage::projectRenamed);
   for (QComboBox* box : {theme_, language_})
     connect(box, &QComboBox::currentIndexChanged, this, &SettingsPage::gather);
   connect(text_, &QSlider::valueChanged, this, &SettingsPage::gather);
@@ -85,6 +88,8 @@ void SettingsPage::buildLayout() {
   auto* middle = new QWidget(this);
   auto* parts = new QVBoxLayout(middle);
   parts->addLayout(form);
+  parts->addSpacing(Look::kMargin);
+  parts->addWidget(project_);
   parts->addSpacing(Look::kMargin);
   parts->addWidget(numbering_);
   parts->addSpacing(Look::kMargin);
@@ -120,6 +125,7 @@ void SettingsPage::say(const QString& sentence) {
 }
 
 void SettingsPage::setSession(ProjectSession* session) {
+  project_->setSession(session);
   numbering_->setSession(session);
   vocabulary_->setSession(session);
   rights_->setSession(session);

@@ -13,6 +13,7 @@ namespace ostraka::ui {
 
 class NumberingEdit;
 class PageArea;
+class ProjectEdit;
 class RightsEdit;
 class VocabularyEdit;
 class ProjectSession;
@@ -32,6 +33,7 @@ class SettingsPage final : public QWidget {
 
  signals:
   void changed(const ostraka::ui::WindowSettings& settings);
+  void projectRenamed();
   void closed();
 
  private:
@@ -44,6 +46,7 @@ class SettingsPage final : public QWidget {
   QLabel *text_words_, *said_;
   QLineEdit* initials_;
   QSpinBox* threads_;
+  ProjectEdit* project_;
   NumberingEdit* numbering_;
   VocabularyEdit* vocabulary_;
   RightsEdit* rights_;

@@ -27,6 +27,15 @@ TEST(JobScript, AsksForWhatIsNeededOneBatchATask) {
     EXPECT_THAT(text, HasSubstr(line));
 }
 
+TEST(JobScript, TexturesAreAsPhotographedUnlessTheProjectWantsThemWithoutTheLight) {
+  Ask ask;
+  EXPECT_THAT(jobScript("ostraka-0123456789ab", {"B0007"}, ask), HasSubstr("\ntexture=photo\n"));
+  ask.albedo = true;
+  const std::string text = jobScript("ostraka-0123456789ab", {"B0007"}, ask);
+  EXPECT_THAT(text, HasSubstr("\ntexture=albedo\n"));
+  EXPECT_THAT(text, HasSubstr(" --texture $texture "));
+}
+
 TEST(JobScript, RefusesWhatWouldBecomeAnotherLineOfTheScript) {
   EXPECT_TRUE((Ask{4, 1000, 30, "long-2", "a.b", "ostraka"}.check()));
   EXPECT_FALSE((Ask{4, 1000, 30, "long\n#SBATCH --uid=0", "", "ostraka"}.check()));

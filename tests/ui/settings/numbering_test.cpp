@@ -1,4 +1,5 @@
 // The numbering of an open project is changed, its words too, and both are taken back.
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -20,6 +21,7 @@
 #include "ui/jobs/job.h"
 #include "ui/settings/numbering_edit.h"
 #include "ui/settings/numbering_model.h"
+#include "ui/settings/project_edit.h"
 #include "ui/settings/rights_edit.h"
 #include "ui/settings/vocabulary_edit.h"
 #include "upkeep/project.h"
@@ -68,6 +70,51 @@ class NumberingTest : public QObject {
     session_->undo().undo();
     QCOMPARE(catalogue::Settings(rows()).project()->licence, std::string());
     QCOMPARE(licence->text(), QString());
+  }
+
+  void aProjectGetsAnotherNameAndSiteCodeAndBothAreUndone() {
+    catalogue::Settings settings(rows());
+    QVERIFY(settings.rename("Hill", "ARM1", {}).error().what.english().find("already exists") !=
+            std::string::npos);
+    ProjectEdit edit;
+    edit.setSession(session_.get());
+    edit.show();
+    QSignalSpy renamed(&edit, &ProjectEdit::renamed);
+    auto* name = edit.findChild<QLineEdit*>("projectName");
+    auto* code = edit.findChild<QLineEdit*>("projectCode");
+    QCOMPARE(code->text(), QStringLiteral("ARM"));
+    const std::string before = settings.project()->title;
+    name->clear();
+    QTest::keyClicks(name, "Grabung Nord");
+    QTest::keyClick(name, Qt::Key_Return);
+    QCOMPARE(settings.project()->title, std::string("Grabung Nord"));
+    code->clear();
+    QTest::keyClicks(code, "grb");
+    QTest::keyClick(code, Qt::Key_Return);
+    QCOMPARE(settings.project()->code, std::string("GRB"));
+    QCOMPARE(renamed.count(), 2);
+    session_->undo().undo();
+    QCOMPARE(code->text(), QStringLiteral("ARM"));
+    session_->undo().undo();
+    QCOMPARE(settings.project()->title, before);
+    code->setText("A");  // too short
+    QTest::keyClick(code, Qt::Key_Return);
+    QCOMPARE(settings.project()->code, std::string("ARM"));
+    QVERIFY(!edit.findChild<QLabel*>("projectTold")->text().isEmpty());
+  }
+
+  void texturesWithoutTheLightAreRememberedInTheProject() {
+    ProjectEdit edit;
+    edit.setSession(session_.get());
+    edit.show();
+    auto* textures = edit.findChild<QComboBox*>("projectTextures");
+    QCOMPARE(textures->currentIndex(), 0);
+    textures->setCurrentIndex(1);
+    emit textures->activated(1);
+    QVERIFY(*catalogue::Settings(rows()).texturesWithoutLight());
+    session_->undo().undo();
+    QVERIFY(!*catalogue::Settings(rows()).texturesWithoutLight());
+    QCOMPARE(textures->currentIndex(), 0);
   }
 
   void anotherNumberingHoldsForTheNextSherdsOnlyAndIsUndone() {

@@ -4296,6 +4296,54 @@
     </message>
 </context>
 <context>
+    <name>ostraka::ui::ProjectEdit</name>
+    <message>
+      <source>As photographed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Wie fotografiert</translation>
+    </message>
+    <message>
+      <source>Without the light</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ohne das Licht</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Offenes Projekt</translation>
+    </message>
+    <message>
+      <source>Na&amp;me</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Na&amp;me</translation>
+    </message>
+    <message>
+      <source>Site &amp;code</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Fundortkürzel</translation>
+    </message>
+    <message>
+      <source>Textures of new mo&amp;dels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Texturen neuer M&amp;odelle</translation>
+    </message>
+    <message>
+      <source>rename the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projekt umbenennen</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gespeichert.</translation>
+    </message>
+    <message>
+      <source>change the textures</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Texturen ändern</translation>
+    </message>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>

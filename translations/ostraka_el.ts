@@ -4296,6 +4296,54 @@
     </message>
 </context>
 <context>
+    <name>ostraka::ui::ProjectEdit</name>
+    <message>
+      <source>As photographed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Όπως φωτογραφήθηκε</translation>
+    </message>
+    <message>
+      <source>Without the light</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Χωρίς το φως</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ανοιχτό έργο</translation>
+    </message>
+    <message>
+      <source>Na&amp;me</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ό&amp;νομα</translation>
+    </message>
+    <message>
+      <source>Site &amp;code</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Κωδικός θέσης</translation>
+    </message>
+    <message>
+      <source>Textures of new mo&amp;dels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Υ&amp;φές νέων μοντέλων</translation>
+    </message>
+    <message>
+      <source>rename the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>μετονομασία του έργου</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αποθηκεύτηκε.</translation>
+    </message>
+    <message>
+      <source>change the textures</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>αλλαγή των υφών</translation>
+    </message>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>

@@ -4296,6 +4296,54 @@
     </message>
 </context>
 <context>
+    <name>ostraka::ui::ProjectEdit</name>
+    <message>
+      <source>As photographed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Como en las fotografías</translation>
+    </message>
+    <message>
+      <source>Without the light</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sin la luz</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Proyecto abierto</translation>
+    </message>
+    <message>
+      <source>Na&amp;me</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No&amp;mbre</translation>
+    </message>
+    <message>
+      <source>Site &amp;code</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Código del yacimiento</translation>
+    </message>
+    <message>
+      <source>Textures of new mo&amp;dels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>T&amp;exturas de los modelos nuevos</translation>
+    </message>
+    <message>
+      <source>rename the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cambiar el nombre del proyecto</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Guardado.</translation>
+    </message>
+    <message>
+      <source>change the textures</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>cambiar las texturas</translation>
+    </message>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>

@@ -4296,6 +4296,54 @@
     </message>
 </context>
 <context>
+    <name>ostraka::ui::ProjectEdit</name>
+    <message>
+      <source>As photographed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comme photographié</translation>
+    </message>
+    <message>
+      <source>Without the light</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sans la lumière</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Projet ouvert</translation>
+    </message>
+    <message>
+      <source>Na&amp;me</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Nom du pro&amp;jet</translation>
+    </message>
+    <message>
+      <source>Site &amp;code</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Code du site</translation>
+    </message>
+    <message>
+      <source>Textures of new mo&amp;dels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>T&amp;extures des nouveaux modèles</translation>
+    </message>
+    <message>
+      <source>rename the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>renommer le projet</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Enregistré.</translation>
+    </message>
+    <message>
+      <source>change the textures</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>modifier les textures</translation>
+    </message>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>

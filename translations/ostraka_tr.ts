@@ -4254,6 +4254,54 @@
     </message>
 </context>
 <context>
+    <name>ostraka::ui::ProjectEdit</name>
+    <message>
+      <source>As photographed</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Fotoğraflandığı gibi</translation>
+    </message>
+    <message>
+      <source>Without the light</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Işık olmadan</translation>
+    </message>
+    <message>
+      <source>Open project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Açık proje</translation>
+    </message>
+    <message>
+      <source>Na&amp;me</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Proje adı</translation>
+    </message>
+    <message>
+      <source>Site &amp;code</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Alan k&amp;odu</translation>
+    </message>
+    <message>
+      <source>Textures of new mo&amp;dels</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeni &amp;modellerin dokuları</translation>
+    </message>
+    <message>
+      <source>rename the project</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>projeyi yeniden adlandır</translation>
+    </message>
+    <message>
+      <source>Saved.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kaydedildi.</translation>
+    </message>
+    <message>
+      <source>change the textures</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>dokuları değiştir</translation>
+    </message>
+</context>
+<context>
     <name>ostraka::ui::RightsEdit</name>
     <message>
       <source>Rights to the open project</source>

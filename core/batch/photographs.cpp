@@ -12,10 +12,29 @@
 #include "batch/image_header.h"
 #include "batch/photograph.h"
 #include "batch/raw_image.h"
+#include "files/files.h"
 
 namespace ostraka::batch {
 namespace fs = std::filesystem;
 namespace {
+
+constexpr std::pair<const char*, Side> kSideFolders[] = {{"front", Side::Front},
+                                                         {"back", Side::Back},
+                                                         {"top_images", Side::Front},
+                                                         {"bottom_images", Side::Back}};
+
+// Photographs, or imported scans.
+std::vector<fs::path> photographsOrScansIn(const fs::path& folder) {
+  std::vector<fs::path> files = photographsIn(folder);
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
+    const fs::path& file = it->path();
+    if (lowerCase(file.extension().string()) == ".ply" &&
+        !file.filename().string().starts_with('.'))
+      files.push_back(file);
+  }
+  return files;
+}
 
 bool isDigit(char c) {
   return c >= '0' && c <= '9';
@@ -336,6 +355,49 @@ Result<void> readDescriptions(const std::vector<fs::path>& plates, const ReadBat
     batch.known_lengths = std::move(*lengths);
   }
   return {};
+}
+
+std::vector<SideFile> sideFiles(const std::vector<fs::path>& files) {
+  std::vector<SideFile> sized;
+  for (const fs::path& file : files) {
+    std::error_code failed;
+    const std::uintmax_t bytes = fs::file_size(file, failed);
+    if (!failed) sized.push_back({file, bytes});
+  }
+  return sized;
+}
+
+std::vector<SideFile> sideFilesIn(const fs::path& batch_folder) {
+  std::vector<fs::path> files;
+  for (const auto& [folder, side] : kSideFolders)
+    for (const fs::path& file : photographsOrScansIn(batch_folder / folder)) files.push_back(file);
+  return sideFiles(files);
+}
+
+std::optional<Side> sideOf(const std::string& name) {
+  for (const auto& [folder, side] : kSideFolders)
+    if (fs::path(name).parent_path() == folder) return side;
+  return std::nullopt;
+}
+
+Result<PhotographHashes> photographsNow(const fs::path& batch_folder, const std::stop_token& stop) {
+  PhotographHashes hashes;
+  for (const auto& [folder, side] : kSideFolders)
+    for (const fs::path& file : photographsOrScansIn(batch_folder / folder)) {
+      if (stop.stop_requested()) return Error::cancelled();
+      const Result<std::string> bytes = readFile(file);
+      hashes[std::string(folder) + "/" + file.filename().string()] =
+          bytes ? sha256(*bytes) : "unreadable";
+    }
+  return hashes;
+}
+
+Result<std::string> takingNow(const fs::path& batch_folder, const std::stop_token& stop) {
+  const Result<PhotographHashes> hashes = photographsNow(batch_folder, stop);
+  if (!hashes) return hashes.error();
+  std::string all;
+  for (const auto& [name, hash] : *hashes) all += name + ":" + hash + "\n";
+  return sha256(all);
 }
 
 }  // namespace ostraka::batch

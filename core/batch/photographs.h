@@ -1,7 +1,11 @@
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <stop_token>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -81,5 +85,31 @@ class GivenMasks {
 /// from the first file of `plates` that is there; board.json and scale.json from Batch::folder.
 Result<void> readDescriptions(const std::vector<std::filesystem::path>& plates,
                               const ReadBatchOptions& options, Batch& batch);
+
+/// SHA-256 by name, relative to the batch's folder.
+using PhotographHashes = std::map<std::string, std::string>;
+
+/// The side whose folder a file with this name relative to the batch's folder lies in; none for
+/// what lies elsewhere, such as masks, the plate or the board, which may be those of many batches.
+std::optional<Side> sideOf(const std::string& name);
+
+/// The photographs (or imported scans) that lie in the folders of both sides now. Error: Cancelled.
+Result<PhotographHashes> photographsNow(const std::filesystem::path& batch_folder,
+                                        const std::stop_token& stop);
+
+/// What tells one taking of the batch from another: one hash of the names and hashes of all these.
+Result<std::string> takingNow(const std::filesystem::path& batch_folder,
+                              const std::stop_token& stop);
+
+/// A photograph (or imported scan) of a side, to be compared by content.
+struct SideFile {
+  std::filesystem::path file;
+  std::uintmax_t bytes = 0;
+  std::string sha256 = {};  ///< empty: `file` is read where another has its size
+};
+/// Those that lie in the folders of both sides.
+std::vector<SideFile> sideFilesIn(const std::filesystem::path& batch_folder);
+/// These files, as far as they are there.
+std::vector<SideFile> sideFiles(const std::vector<std::filesystem::path>& files);
 
 }  // namespace ostraka::batch

@@ -117,7 +117,7 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const Task& ta
                              "cluster's results are not entered.")));
     return Entry{};
   }
-  const Result<std::string> taking = intake::takingNow(project.batchFolder(batch), stop);
+  const Result<std::string> taking = batch::takingNow(project.batchFolder(batch), stop);
   if (!taking) return taking.error();
   if (*taking != task.photographs)
     return Entry{

@@ -59,7 +59,7 @@ Result<bool> isTakenUp(const upkeep::Project& project, const TaskStatus* before,
       before->state == TaskState::Collected)
     return false;
   const std::string& batch = before->task.batch;
-  const Result<std::string> taking = intake::takingNow(project.batchFolder(batch), stop);
+  const Result<std::string> taking = batch::takingNow(project.batchFolder(batch), stop);
   if (!taking) return taking.error();
   if (*taking == before->task.photographs) return true;
   if (before->state == TaskState::Done) return false;
@@ -112,7 +112,7 @@ Result<std::vector<Wanted>> wantedOf(const upkeep::Project& project,
       submitted.warnings.push_back(read.error().sentence());
       continue;
     }
-    const Result<std::string> photographs = intake::takingNow(folder, stop);
+    const Result<std::string> photographs = batch::takingNow(folder, stop);
     if (!photographs) return photographs.error();
     wanted.push_back({batch.number, *photographs, pipeline::needsOf(*read, run, 0), before});
   }

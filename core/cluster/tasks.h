@@ -13,7 +13,7 @@ struct Task {
   std::string job;    ///< the array's name
   int number = 1;
   int memory_mb = 0, minutes = 0;  ///< requested
-  std::string photographs;         ///< intake::takingNow of those that were submitted
+  std::string photographs;         ///< batch::takingNow of those that were submitted
   bool collected = false;          ///< its results were entered or are no longer wanted
   bool operator==(const Task&) const = default;
 };

@@ -28,10 +28,10 @@ std::size_t indexOf(Side side) {
   return side == Side::Front ? 0 : 1;
 }
 
-SideHashes bySide(const PhotographHashes& photographs) {
+SideHashes bySide(const batch::PhotographHashes& photographs) {
   SideHashes hashes;
   for (const auto& [name, hash] : photographs)
-    if (const std::optional<Side> side = sideOf(name)) hashes[indexOf(*side)].insert(hash);
+    if (const std::optional<Side> side = batch::sideOf(name)) hashes[indexOf(*side)].insert(hash);
   return hashes;
 }
 
@@ -40,7 +40,7 @@ SideHashes readFrom(const fs::path& out) {
   std::error_code failed;
   if (!fs::exists(file, failed)) return {};  // it does not say
   const nlohmann::json all = valueOrThrow(readJson(file));
-  PhotographHashes photographs;
+  batch::PhotographHashes photographs;
   if (all.is_object())
     for (const auto& [name, hash] : all.items())
       if (hash.is_string()) photographs[name] = hash.get<std::string>();
@@ -70,7 +70,7 @@ class Owners {
 
   Comparison with(const records::BatchRecord& batch) const {
     const SideHashes there =
-        bySide(valueOrThrow(photographsNow(project_ / "batches" / batch.number, stop_)));
+        bySide(valueOrThrow(batch::photographsNow(project_ / "batches" / batch.number, stop_)));
     const SideHashes recorded = recordedOf(batch);
     Comparison compared;
     for (std::size_t side = 0; side < 2; ++side) {
@@ -86,7 +86,7 @@ class Owners {
 
  private:
   SideHashes recordedOf(const records::BatchRecord& batch) const {
-    PhotographHashes photographs;
+    batch::PhotographHashes photographs;
     for (const records::FileRecord& file : valueOrThrow(catalogue::Files(catalogue_).of(batch.row)))
       if (file.role == "photo")
         photographs[fs::path(file.path)

@@ -19,26 +19,8 @@ namespace ostraka::intake {
 namespace {
 
 namespace fs = std::filesystem;
+using batch::SideFile;
 using store::valueOrThrow;
-
-constexpr std::pair<const char*, batch::Side> kSideFolders[] = {
-    {"front", batch::Side::Front},
-    {"back", batch::Side::Back},
-    {"top_images", batch::Side::Front},
-    {"bottom_images", batch::Side::Back}};
-
-// Photographs, or imported scans.
-std::vector<fs::path> filesIn(const fs::path& folder) {
-  std::vector<fs::path> files = batch::photographsIn(folder);
-  std::error_code failed;
-  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
-    const fs::path& file = it->path();
-    if (lowerCase(file.extension().string()) == ".ply" &&
-        !file.filename().string().starts_with('.'))
-      files.push_back(file);
-  }
-  return files;
-}
 
 constexpr auto kShared = translatable<4>(
     "%1 of the %2 photographs or scans of %3 belong to %4, too: its sherds would be in the "
@@ -72,7 +54,7 @@ std::vector<SideFile> filesOf(const records::BatchRecord& batch, const Recorded&
   if (const auto own = recorded.find(batch.row); own != recorded.end()) files = own->second;
   std::map<std::string, std::uintmax_t> known;
   for (const SideFile& file : files) known[file.file.generic_string()] = file.bytes;
-  for (const SideFile& file : sideFilesIn(project / "batches" / batch.number)) {
+  for (const SideFile& file : batch::sideFilesIn(project / "batches" / batch.number)) {
     const auto same = known.find(file.file.lexically_relative(project).generic_string());
     if (same == known.end() || same->second != file.bytes) files.push_back(file);
   }
@@ -80,23 +62,6 @@ std::vector<SideFile> filesOf(const records::BatchRecord& batch, const Recorded&
 }
 
 }  // namespace
-
-std::vector<SideFile> sideFiles(const std::vector<fs::path>& files) {
-  std::vector<SideFile> sized;
-  for (const fs::path& file : files) {
-    std::error_code failed;
-    const std::uintmax_t bytes = fs::file_size(file, failed);
-    if (!failed) sized.push_back({file, bytes});
-  }
-  return sized;
-}
-
-std::vector<SideFile> sideFilesIn(const fs::path& batch_folder) {
-  std::vector<fs::path> files;
-  for (const auto& [folder, side] : kSideFolders)
-    for (const fs::path& file : filesIn(batch_folder / folder)) files.push_back(file);
-  return sideFiles(files);
-}
 
 Result<std::optional<SharedPhotographs>> sharedPhotographs(const catalogue::Catalogue& catalogue,
                                                            const fs::path& project,
@@ -141,7 +106,7 @@ Result<void> checkNotShared(const catalogue::Catalogue& catalogue, const fs::pat
     if (!valueOrThrow(batches.scans(batch.row)).empty() ||
         !valueOrThrow(catalogue::Settings(catalogue).value(keptKey(batch.number))).empty())
       return;
-    std::vector<SideFile> files = sideFilesIn(project / "batches" / batch.number);
+    std::vector<SideFile> files = batch::sideFilesIn(project / "batches" / batch.number);
     if (files.empty()) files = recordedPhotographs(catalogue)[batch.row];  // on another disk
     const auto entersItsSherds = [&](const records::BatchRecord& other) {
       return (other.row < batch.row && other.state != records::BatchState::Failed) ||
@@ -162,32 +127,6 @@ bool isAboutShared(const Message& sentence) {
 Result<void> keepBoth(const catalogue::Catalogue& catalogue, const std::string& batch_number,
                       const records::Provenance& provenance) {
   return catalogue::Settings(catalogue).setValue(keptKey(batch_number), "1", provenance);
-}
-
-std::optional<batch::Side> sideOf(const std::string& name) {
-  for (const auto& [folder, side] : kSideFolders)
-    if (fs::path(name).parent_path() == folder) return side;
-  return std::nullopt;
-}
-
-Result<PhotographHashes> photographsNow(const fs::path& batch_folder, const std::stop_token& stop) {
-  PhotographHashes hashes;
-  for (const auto& [folder, side] : kSideFolders)
-    for (const fs::path& file : filesIn(batch_folder / folder)) {
-      if (stop.stop_requested()) return Error::cancelled();
-      const Result<std::string> bytes = readFile(file);
-      hashes[std::string(folder) + "/" + file.filename().string()] =
-          bytes ? sha256(*bytes) : "unreadable";
-    }
-  return hashes;
-}
-
-Result<std::string> takingNow(const fs::path& batch_folder, const std::stop_token& stop) {
-  const Result<PhotographHashes> hashes = photographsNow(batch_folder, stop);
-  if (!hashes) return hashes.error();
-  std::string all;
-  for (const auto& [name, hash] : *hashes) all += name + ":" + hash + "\n";
-  return sha256(all);
 }
 
 }  // namespace ostraka::intake

@@ -1,15 +1,13 @@
 #pragma once
-#include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "base/result.h"
-#include "batch/batch.h"
+#include "batch/photographs.h"
 #include "records/records.h"
 
 namespace ostraka::catalogue {
@@ -17,32 +15,6 @@ class Catalogue;
 }  // namespace ostraka::catalogue
 
 namespace ostraka::intake {
-
-/// SHA-256 by name, relative to the batch's folder.
-using PhotographHashes = std::map<std::string, std::string>;
-
-/// The side whose folder a file with this name relative to the batch's folder lies in; none for
-/// what lies elsewhere, such as masks, the plate or the board, which may be those of many batches.
-std::optional<batch::Side> sideOf(const std::string& name);
-
-/// The photographs (or imported scans) that lie in the folders of both sides now. Error: Cancelled.
-Result<PhotographHashes> photographsNow(const std::filesystem::path& batch_folder,
-                                        const std::stop_token& stop);
-
-/// What tells one taking of the batch from another: one hash of the names and hashes of all these.
-Result<std::string> takingNow(const std::filesystem::path& batch_folder,
-                              const std::stop_token& stop);
-
-/// A photograph (or imported scan) of a side, to be compared by content.
-struct SideFile {
-  std::filesystem::path file;
-  std::uintmax_t bytes = 0;
-  std::string sha256 = {};  ///< empty: `file` is read where another has its size
-};
-/// Those that lie in the folders of both sides.
-std::vector<SideFile> sideFilesIn(const std::filesystem::path& batch_folder);
-/// These files, as far as they are there.
-std::vector<SideFile> sideFiles(const std::vector<std::filesystem::path>& files);
 
 /// A batch that has some of the asked photographs, byte for byte. A photograph shows what lies on
 /// the plate at one moment: one is enough, for either both would enter the same sherds, or it is in
@@ -57,7 +29,7 @@ using CountsBatch = std::function<bool(const records::BatchRecord&)>;
 /// folders and is not recorded yet. Reads only files of a size that both have. Errors: Cancelled.
 Result<std::optional<SharedPhotographs>> sharedPhotographs(const catalogue::Catalogue& catalogue,
                                                            const std::filesystem::path& project,
-                                                           std::vector<SideFile> files,
+                                                           std::vector<batch::SideFile> files,
                                                            const CountsBatch& counts,
                                                            const std::stop_token& stop);
 

@@ -70,8 +70,7 @@ Result<stages::StageNotes> makeTexture(const Run& run, const fs::path& folder,
   GlbExtras extras{
       sherd.id, sherd.number, {}, 100 * sherd.model.notes.figures.value("filled_share", 0.0)};
   if (*textured) {
-    notes.figures["munsell"] =
-        colour::toJson(texture::munsellOf(**textured, run.colours.value));
+    notes.figures["munsell"] = colour::toJson(texture::munsellOf(**textured, run.colours.value));
     extras.munsell = notes.figures["munsell"].dump();
   }
   // Without photographs with the colours of the scan's points.

@@ -83,9 +83,9 @@ void pairUp(ReviewCard& card, const decisions::SherdPair& pair,
   card.decision = pair.decided;
   card.decided_by = pair.decided_by;
   card.decided_at = pair.decided_at;
-  card.state = !pair.decided.empty()     ? CardState::Decided
+  card.state = !pair.decided.empty()       ? CardState::Decided
                : pair.decision.ambiguous() ? CardState::Ask
-                                         : CardState::Sure;
+                                           : CardState::Sure;
   card.doubt = pair.decision.doubt;
   if (card.doubt == Doubt::SelfCheck) {
     card.failed_check = pair.registration.failed_check;

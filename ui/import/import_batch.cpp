@@ -108,13 +108,13 @@ Result<std::vector<Taken>> sidesOf(const ImportSides& sides, Progress& progress)
 Result<Imported> batchWithTheSame(const ImportOptions& options, const std::stop_token& stop) {
   const Result<catalogue::Catalogue> rows = upkeep::Project::connect(options.project);
   if (!rows) return rows.error();
-  std::vector<intake::SideFile> files;
+  std::vector<batch::SideFile> files;
   if (options.sides) {
-    files = intake::sideFiles(options.sides->front);
-    const std::vector<intake::SideFile> backs = intake::sideFiles(options.sides->back);
+    files = batch::sideFiles(options.sides->front);
+    const std::vector<batch::SideFile> backs = batch::sideFiles(options.sides->back);
     files.insert(files.end(), backs.begin(), backs.end());
   } else {
-    files = intake::sideFilesIn(options.from);
+    files = batch::sideFilesIn(options.from);
   }
   const auto shared = intake::sharedPhotographs(
       *rows, options.project, std::move(files), [](const records::BatchRecord&) { return true; },

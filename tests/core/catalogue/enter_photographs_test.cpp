@@ -128,7 +128,7 @@ TEST_F(EnterPhotographs, TwiceChangesNothingAndAChangedPhotographIsInTheHistory)
 TEST_F(EnterPhotographs, EnteringResultsRecordsThoseThatTheyWereMadeFrom) {
   const std::filesystem::path out = project_->resultsFolder("B0001");
   const ResultFolder results(out, 3);
-  ASSERT_TRUE(writeJson(out / "work/batch.json", nlohmann::ordered_json(*intake::photographsNow(
+  ASSERT_TRUE(writeJson(out / "work/batch.json", nlohmann::ordered_json(*batch::photographsNow(
                                                      project_->batchFolder("B0001"), {}))));
   photograph("back", 3, 7);
   const auto entered =

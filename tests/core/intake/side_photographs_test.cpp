@@ -113,8 +113,9 @@ TEST_F(TheSamePhotographs, AreKnownByContentAlsoWhereTheirFolderIsGone) {
     ASSERT_TRUE(writeFileAtomically(
         taken / name, name[0] == 'x' ? "of B0001 front/a.jpg" : "of B0001 front/z.jpg"));
   const auto all = [](const records::BatchRecord&) { return true; };
-  const auto shared = valueIn(sharedPhotographs(
-      catalogue(), project_->folder(), sideFiles({taken / "x.jpg", taken / "y.jpg"}), all, {}));
+  const auto shared =
+      valueIn(sharedPhotographs(catalogue(), project_->folder(),
+                                batch::sideFiles({taken / "x.jpg", taken / "y.jpg"}), all, {}));
   ASSERT_TRUE(shared);
   EXPECT_EQ(shared->batch, "B0001");
   EXPECT_EQ(shared->shared, 1);

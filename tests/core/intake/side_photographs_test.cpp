@@ -120,8 +120,8 @@ TEST_F(TheSamePhotographs, AreKnownByContentAlsoWhereTheirFolderIsGone) {
   EXPECT_EQ(shared->batch, "B0001");
   EXPECT_EQ(shared->shared, 1);
   EXPECT_EQ(shared->of, 2);
-  EXPECT_FALSE(valueIn(
-      sharedPhotographs(catalogue(), project_->folder(), sideFiles({taken / "y.jpg"}), all, {})));
+  EXPECT_FALSE(valueIn(sharedPhotographs(catalogue(), project_->folder(),
+                                         batch::sideFiles({taken / "y.jpg"}), all, {})));
 }
 
 }  // namespace

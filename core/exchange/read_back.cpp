@@ -229,7 +229,7 @@ class ReadingBack {
     Catalogue& catalogue = project_.catalogue();
     shared_.clear();
     for (const store::BatchRow row : fresh_batches_) {
-      std::vector<intake::SideFile> photographs;
+      std::vector<batch::SideFile> photographs;
       for (const records::FileRecord& file : valueOrThrow(Files(catalogue).of(row)))
         if (file.role == "photo")
           photographs.push_back({file.path, static_cast<std::uintmax_t>(file.bytes), file.sha256});

@@ -9,6 +9,7 @@
 #include "merge/told.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
+#include "tables/import_places.h"
 
 namespace ostraka::merge {
 namespace {
@@ -117,7 +118,9 @@ void Merging::mergeBags() {
 
 FileCopy& Merging::addFile(const Table& table, const Values& values, const std::string& from) {
   const std::string to = values[table.column("path")].value_or("");
-  if (!upkeep::isPlaceOfFiles(to)) throw store::Refused(upkeep::notAPlaceOfFiles(to));
+  const Value& batch = values[table.column("batch")];
+  if (!tables::isMergePlace(to, batch ? labelOf(*batch) : std::string()))
+    throw store::Refused(upkeep::notAPlaceOfFiles(to));
   FileCopy& copy = outcome_.copies[to];
   copy = {from, to, values[table.column("sha256")].value_or("")};
   return copy;

@@ -20,7 +20,8 @@ struct ImportPlace {
 const std::vector<ImportPlace>& importPlaces() {
   static const std::vector<ImportPlace> kAll = {
       {"batches",
-       {".jpg", ".jpeg", ".png", ".tif", ".tiff"},
+       {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".heic", ".heif", ".dng", ".cr2", ".cr3", ".nef",
+        ".nrw", ".arw", ".orf", ".rw2", ".raf", ".pef", ".srw"},
        {"plate.json", "board.json", "scale.json", "rig.json"}},
       {"results", {".ply", ".png"}, {"pairs.json", "report.json"}},
       {"models", {".ply", ".glb", ".obj", ".png"}, {}},
@@ -30,6 +31,15 @@ const std::vector<ImportPlace>& importPlaces() {
 
 bool isOfTheProgram(const std::string& part) {
   return part.starts_with('.') || part == "work" || part.ends_with(".partial");
+}
+
+// The scans of a computation and its report in HTML, which no export has.
+bool isComputed(const std::vector<std::string>& parts, const std::string& number) {
+  if (parts[0] != "results" || parts[1] != number) return false;
+  if (parts.size() == 3) return parts[2] == "report.html";
+  return parts.size() == 5 && parts[2] == "work" &&
+         (parts[3] == "scans_front" || parts[3] == "scans_back") && !parts[4].starts_with('.') &&
+         parts[4].ends_with(".ply");
 }
 
 }  // namespace
@@ -56,6 +66,13 @@ Result<ContainedPath> importPlace(const std::string& path, const std::string& ba
     if (own && (place.endings.contains(ending) || place.names.contains(name))) return parsed;
   }
   return refused();
+}
+
+bool isMergePlace(const std::string& path, const std::string& batch) {
+  const Result<ContainedPath> parsed = ContainedPath::parse(path);
+  if (!parsed || parsed->parts().size() < 3) return false;
+  if (parsed->parts()[0] == "imported") return importPlace(path, {}).has_value();
+  return !batch.empty() && (isComputed(parsed->parts(), batch) || importPlace(path, batch));
 }
 
 }  // namespace ostraka::tables

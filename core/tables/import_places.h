@@ -14,4 +14,8 @@ namespace ostraka::tables {
 /// sherd. Error: UnusableInput.
 Result<ContainedPath> importPlace(const std::string& path, const std::string& batch);
 
+/// Where a file that the catalogue of a merged project lists may lie: the same, with the scans and
+/// the report that the program computed for the batch; in imported/ whatever batch it is of.
+bool isMergePlace(const std::string& path, const std::string& batch);
+
 }  // namespace ostraka::tables

@@ -39,13 +39,14 @@ class MergedFiles : public TwoHouses {
                                      project.resultsFolder("B0002"), {}, quiet, {}));
     return Batches(project.catalogue()).get(row)->id;
   }
-  void nameInB(const std::string& path, const std::string& bytes) {
+  void nameInB(const std::string& path, const std::string& bytes, const std::string& batch = {}) {
     records::FileRecord f;
     f.path = path;
     f.sha256 = sha256(bytes);
     f.bytes = static_cast<std::int64_t>(bytes.size());
     f.media_type = "image/jpeg";
     f.role = "photo";
+    if (!batch.empty()) f.batch = valueIn(Batches(b_.catalogue()).byNumber(batch)).row;
     put(b_.folder() / path, bytes);
     EXPECT_TRUE(Files(b_.catalogue()).save(f, anna));
   }
@@ -249,10 +250,34 @@ TEST_F(MergedFiles, NoneComesToAPlaceThatIsNotOfABatch) {
   EXPECT_FALSE(fs::exists(project_->folder() / "backups/catalogue-20260101-000000-000.sqlite"));
 }
 
+class PlantedFiles : public MergedFiles, public testing::WithParamInterface<const char*> {};
+
+// B0005 is a batch of A alone, whatever batch of its own B names with the file.
+TEST_P(PlantedFiles, NoneComesIntoABatchThatIsNotItsOwnOrSteersTheProgram) {
+  records::BatchRecord own;
+  own.number = "B0005";
+  ASSERT_TRUE(Batches(catalogue()).add(own, anna));
+  nameInB(GetParam(), "of B", "B0002");
+  const std::string before = contentIn(*project_);
+  const Result<MergeReport> report = tried(*project_, b_, {});
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(report.error().where, GetParam());
+  EXPECT_EQ(contentIn(*project_), before);
+  EXPECT_FALSE(fs::exists(project_->folder() / GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Merge, PlantedFiles,
+    testing::Values("results/B0005/decisions.json", "results/B0005/mask_strokes.json",
+                    "batches/B0005/rig.json", "batches/B0005/scale.json",
+                    "batches/B0005/front/x.jpg", "results/B0009/work/lock", "models/B0001/.hidden",
+                    "imported/a/b.desktop"));
+
 TEST_F(MergedFiles, NoneReplacesAFileThatACatalogueDoesNotKnow) {
   const std::string path = "batches/B0001/front/more.jpg";
   put(project_->folder() / path, "of A");
-  nameInB(path, "of B");
+  nameInB(path, "of B", "B0001");
   const std::string before = contentIn(*project_);
   const Result<MergeReport> report = tried(*project_, b_, {});
   ASSERT_FALSE(report);

@@ -155,7 +155,7 @@ Result<std::vector<FileCopy>> filesToCopy(const fs::path& a, const fs::path& b,
     if (!entries) return entries.error();
     for (const OpenFolder::Entry& entry : *entries) {
       const std::string name = fs::path(entry.path).filename().string();
-      if (name == kLockFile || name.ends_with(".partial")) continue;
+      if (name == kLockFile || name.starts_with('.') || name.ends_with(".partial")) continue;
       if (!entry.is_regular)
         return Error::unusable(
             message(

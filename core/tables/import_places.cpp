@@ -37,9 +37,8 @@ bool isOfTheProgram(const std::string& part) {
 bool isComputed(const std::vector<std::string>& parts, const std::string& number) {
   if (parts[0] != "results" || parts[1] != number) return false;
   if (parts.size() == 3) return parts[2] == "report.html";
-  return parts.size() == 5 && parts[2] == "work" &&
-         (parts[3] == "scans_front" || parts[3] == "scans_back") && !parts[4].starts_with('.') &&
-         parts[4].ends_with(".ply");
+  return parts.size() > 4 && parts[2] == "work" && parts.back().ends_with(".ply") &&
+         std::none_of(parts.begin() + 3, parts.end(), isOfTheProgram);
 }
 
 }  // namespace

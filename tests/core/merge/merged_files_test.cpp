@@ -39,14 +39,14 @@ class MergedFiles : public TwoHouses {
                                      project.resultsFolder("B0002"), {}, quiet, {}));
     return Batches(project.catalogue()).get(row)->id;
   }
-  void nameInB(const std::string& path, const std::string& bytes, const std::string& batch = {}) {
+  void nameInB(const std::string& path, const std::string& bytes, const std::string& of = {}) {
     records::FileRecord f;
     f.path = path;
     f.sha256 = sha256(bytes);
     f.bytes = static_cast<std::int64_t>(bytes.size());
     f.media_type = "image/jpeg";
     f.role = "photo";
-    if (!batch.empty()) f.batch = valueIn(Batches(b_.catalogue()).byNumber(batch)).row;
+    if (!of.empty()) f.batch = valueIn(Batches(b_.catalogue()).byNumber(of)).row;
     put(b_.folder() / path, bytes);
     EXPECT_TRUE(Files(b_.catalogue()).save(f, anna));
   }

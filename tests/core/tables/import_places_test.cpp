@@ -56,15 +56,15 @@ TEST(MergePlaces, AreThoseOfTheFilesOwnBatch) {
   for (const char* path :
        {"batches/B0001/front/cam0_pos00.jpg", "batches/B0001/front/cam0_pos00.NEF",
         "batches/B0001/plate.json", "results/B0001/report.html", "results/B0001/report.json",
-        "results/B0001/work/scans_front/f001.ply", "models/B0001/0123456789abcdef/model.glb",
-        "imported/out/models/A-1.ply"})
+        "results/B0001/work/scans_front/f001.ply", "results/B0001/work/pieces_back/b001.ply",
+        "models/B0001/0123456789abcdef/model.glb", "imported/out/models/A-1.ply"})
     EXPECT_TRUE(isMergePlace(path, "B0001")) << path;
   for (const char* path :
        {"results/B0005/decisions.json", "results/B0005/mask_strokes.json", "batches/B0005/rig.json",
         "batches/B0005/scale.json", "batches/B0005/front/x.jpg", "results/B0005/report.html",
         "results/B0005/work/scans_front/f001.ply", "results/B0001/decisions.json",
-        "results/B0001/mask_strokes.json", "results/B0001/work/lock", "results/B0001/work/stage.json",
-        "results/B0001/work/scans_front/.f.ply", "models/B0001/.hidden", "imported/a/b.desktop",
+        "results/B0001/mask_strokes.json", "results/B0001/work/lock",
+        "results/B0001/work/stage.json", "results/B0001/work/scans_front/.f.ply", "models/B0001/.hidden", "imported/a/b.desktop",
         "catalogue.sqlite", "backups/a/b.png"})
     EXPECT_FALSE(isMergePlace(path, "B0001")) << path;
   EXPECT_FALSE(isMergePlace("batches/B0001/front/x.jpg", {}));

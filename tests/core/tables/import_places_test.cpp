@@ -64,7 +64,8 @@ TEST(MergePlaces, AreThoseOfTheFilesOwnBatch) {
         "batches/B0005/scale.json", "batches/B0005/front/x.jpg", "results/B0005/report.html",
         "results/B0005/work/scans_front/f001.ply", "results/B0001/decisions.json",
         "results/B0001/mask_strokes.json", "results/B0001/work/lock",
-        "results/B0001/work/stage.json", "results/B0001/work/scans_front/.f.ply", "models/B0001/.hidden", "imported/a/b.desktop",
+        "results/B0001/work/stage.json", "results/B0001/work/scans_front/.f.ply",
+        "models/B0001/.hidden", "imported/a/b.desktop",
         "catalogue.sqlite", "backups/a/b.png"})
     EXPECT_FALSE(isMergePlace(path, "B0001")) << path;
   EXPECT_FALSE(isMergePlace("batches/B0001/front/x.jpg", {}));

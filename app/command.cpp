@@ -49,7 +49,8 @@ void checkBoundary(registration::Method registration, registration::Boundary bou
 }
 
 void printNames(const char* title, std::span<const std::string> names) {
-  if (!names.empty()) show(stdout, "%s: %s\n", title, joined(names, " ").c_str());
+  if (!names.empty())
+    show(stdout, "%s: %s\n", title, shownName(joined(names, " ")).c_str());
 }
 
 void printJson(const nlohmann::ordered_json& value) {

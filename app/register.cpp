@@ -34,8 +34,9 @@ void printTable(const RegisterSummary& summary) {
   show(stdout, "%-6s %-8s %-8s %7s %7s %15s %8s %12s\n", "sherd", "front", "back", "score",
        "margin", "fracture RMS mm", "overlap", "within mm");
   for (const RegisterSummary::Pair& p : summary.pairs)
-    show(stdout, "%-6s %-8s %-8s %7s %7s %15s %8s %12.2f  %s%s\n", p.number.c_str(),
-         p.front.c_str(), p.back.c_str(), p.score ? fixed(*p.score, 4).c_str() : "-",
+    show(stdout, "%-6s %-8s %-8s %7s %7s %15s %8s %12.2f  %s%s\n",
+         shownName(p.number).c_str(), shownName(p.front).c_str(), shownName(p.back).c_str(),
+         p.score ? fixed(*p.score, 4).c_str() : "-",
          p.margin ? fixed(*p.margin, 4).c_str() : "-",
          p.fracturesCompared() ? fixed(p.fracture_rms_mm, 3).c_str() : "-",
          p.fracturesCompared() ? fixed(p.fracture_overlap, 2).c_str() : "-",

@@ -21,19 +21,27 @@ std::size_t controlAt(std::string_view text) {
   return 0;
 }
 
+std::string spelt(char c) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  const auto byte = static_cast<unsigned char>(c);
+  return {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
+}
+
 }  // namespace
 
 std::string shown(std::string_view text) {
-  constexpr const char* kDigits = "0123456789abcdef";
   std::string safe;
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t control = controlAt(text.substr(i));
     if (control == 0) safe += text[i++];
-    for (const std::size_t end = i + control; control > 0 && i < end; ++i) {
-      const auto byte = static_cast<unsigned char>(text[i]);
-      safe += {'\\', 'x', kDigits[byte >> 4], kDigits[byte & 15]};
-    }
+    for (const std::size_t end = i + control; control > 0 && i < end; ++i) safe += spelt(text[i]);
   }
+  return safe;
+}
+
+std::string shownName(std::string_view name) {
+  std::string safe;
+  for (const char c : shown(name)) safe += c == '\n' || c == '\t' ? spelt(c) : std::string(1, c);
   return safe;
 }
 

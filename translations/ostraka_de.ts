@@ -10190,6 +10190,11 @@
       <translation>Neue Nummern unterscheiden sich von vorhandenen nur in führenden Nullen, Groß- und Kleinschreibung oder Satzzeichen: %1; auf Tippfehler prüfen.</translation>
     </message>
     <message>
+      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Tabellenkalkulation hat diese Nummern möglicherweise verkürzt: %1; mit den Etiketten vergleichen und berichtigen.</translation>
+    </message>
+    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: nicht wiederhergestellt; gehört zu %2</translation>

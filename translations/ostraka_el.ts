@@ -10190,6 +10190,11 @@
       <translation>Νέοι αριθμοί διαφέρουν από υπάρχοντες μόνο στα αρχικά μηδενικά, στα πεζά ή κεφαλαία ή στα σημεία στίξης: %1· ελέγξτε για τυπογραφικά λάθη.</translation>
     </message>
     <message>
+      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα λογιστικό φύλλο ίσως συντόμευσε αυτούς τους αριθμούς: %1· συγκρίνετέ τους με τις ετικέτες και διορθώστε τους.</translation>
+    </message>
+    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: δεν αποκαταστάθηκε· ανήκει στο %2</translation>

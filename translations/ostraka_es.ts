@@ -10190,6 +10190,11 @@
       <translation>Hay números nuevos que se distinguen de los existentes solo en los ceros a la izquierda, las mayúsculas o la puntuación: %1; compruebe si hay erratas.</translation>
     </message>
     <message>
+      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es posible que una hoja de cálculo haya abreviado estos números: %1; compárelos con las etiquetas y corríjalos.</translation>
+    </message>
+    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: no restaurado; pertenece a %2</translation>

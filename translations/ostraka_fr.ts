@@ -10190,6 +10190,11 @@
       <translation>De nouveaux numéros ne diffèrent de numéros existants que par des zéros initiaux, la casse ou la ponctuation : %1 ; vérifiez les fautes de frappe.</translation>
     </message>
     <message>
+      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tableur a peut-être abrégé ces numéros : %1 ; comparez-les avec les étiquettes et corrigez-les.</translation>
+    </message>
+    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 : non restauré ; appartient à %2</translation>

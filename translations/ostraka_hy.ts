@@ -10190,6 +10190,11 @@
       <translation>Նոր համարներն առկա համարներից տարբերվում են միայն սկզբնական զրոներով, տառերի մեծությամբ կամ կետադրությամբ՝ %1. ստուգեք վրիպակները։</translation>
     </message>
     <message>
+      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակային ծրագիրը հնարավոր է կրճատել է այս համարները՝ %1. համեմատեք դրանք պիտակների հետ և ուղղեք։</translation>
+    </message>
+    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1. չվերականգնվեց, պատկանում է՝ %2</translation>

@@ -10144,6 +10144,11 @@
       <translation>Yeni numaralar var olanlardan yalnızca baştaki sıfırlarda, büyük-küçük harfte ya da noktalamada ayrılıyor: %1; yazım hatası olup olmadığını denetleyin.</translation>
     </message>
     <message>
+      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir hesap tablosu bu numaraları kısaltmış olabilir: %1; etiketlerle karşılaştırın ve düzeltin.</translation>
+    </message>
+    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: geri getirilemedi; ait olduğu kayıt: %2</translation>

@@ -11,6 +11,7 @@
 
 #include "base/message.h"
 #include "base/text.h"
+#include "batch/photographs.h"
 #include "files/files.h"
 #include "files/output_place.h"
 #include "files/unfinished_file.h"
@@ -62,6 +63,20 @@ std::string asideName(const std::string& file, int take) {
   const fs::path path(name);
   return "set_aside/" + path.stem().string() + "_take" + std::to_string(take) +
          path.extension().string();
+}
+
+// In the folder of its side, whether it is there or set aside.
+std::string nameInSide(const ManifestEntry& entry) {
+  return shotName(entry.camera, entry.stop) + fs::path(entry.file).extension().string();
+}
+
+Result<void> holdsOnly(const fs::path& folder, const std::set<std::string>& names) {
+  for (const fs::path& photograph : batch::photographsIn(folder))
+    if (!names.contains(photograph.filename().string()))
+      return Error::unusable(message("This photograph does not belong to this batch; choose "
+                                     "another folder for the batch."),
+                             photograph.string());
+  return {};
 }
 
 // Of plate.json, where it is there.
@@ -137,11 +152,17 @@ Result<BatchStore> BatchStore::open(const fs::path& batch, batch::Side side, int
   BatchStore store(std::move(*held));
   store.batch_ = batch;
   store.side_ = side;
-  for (const fs::path& folder : {batch / batch::name(side), batch / "set_aside"})
-    if (const Result<void> made = makeFolder(folder); !made) return made.error();
   Result<Manifest> manifest = readManifest(batch);
   if (!manifest) return manifest.error();
   store.manifest_ = std::move(*manifest);
+  // Before anything is made in a folder that may be another's.
+  std::set<std::string> listed;
+  for (const ManifestEntry& entry : store.manifest_.entries)
+    if (entry.side == side) listed.insert(nameInSide(entry));
+  if (const Result<void> own = holdsOnly(batch / batch::name(side), listed); !own)
+    return own.error();
+  for (const fs::path& folder : {batch / batch::name(side), batch / "set_aside"})
+    if (const Result<void> made = makeFolder(folder); !made) return made.error();
   Manifest& m = store.manifest_;
   if (m.entries.empty()) {
     m.stops = stops;
@@ -159,9 +180,7 @@ Result<BatchStore> BatchStore::open(const fs::path& batch, batch::Side side, int
 
 // Set aside in the manifest, but not in the folder yet, when the program ended.
 Result<void> BatchStore::finishAside(const ManifestEntry& entry) const {
-  const fs::path file =
-      batch_ / batch::name(entry.side) /
-      (shotName(entry.camera, entry.stop) + fs::path(entry.file).extension().string());
+  const fs::path file = batch_ / batch::name(entry.side) / nameInSide(entry);
   std::error_code absent;
   if (fs::exists(fileOf(entry), absent) || !fs::exists(file, absent)) return {};
   const Result<std::string> bytes = readFile(file);
@@ -204,18 +223,11 @@ Result<void> BatchStore::tidyUp(batch::Side side) {
   std::set<std::string> ours;
   for (const ManifestEntry& entry : manifest_.entries)
     if (entry.used) ours.insert(fs::path(entry.file).filename().string());
+  if (const Result<void> own = holdsOnly(batch_ / batch::name(side), ours); !own) return own;
   std::error_code unread;
   std::vector<fs::path> left_over;
-  for (const fs::directory_entry& e : fs::directory_iterator(batch_ / batch::name(side), unread)) {
-    const std::string name = e.path().filename().string();
-    if (name.ends_with(kArriving)) {
-      left_over.push_back(e.path());
-    } else if (name.starts_with("cam") && !ours.contains(name)) {
-      return Error::unusable(message("This photograph does not belong to this batch; choose "
-                                     "another folder for the batch."),
-                             e.path().string());
-    }
-  }
+  for (const fs::directory_entry& e : fs::directory_iterator(batch_ / batch::name(side), unread))
+    if (e.path().filename().string().ends_with(kArriving)) left_over.push_back(e.path());
   const std::string raw_of_side = std::string(".") + batch::name(side) + "_";
   for (const fs::directory_entry& e : fs::directory_iterator(batch_ / "raw", unread))
     if (const std::string name = e.path().filename().string();

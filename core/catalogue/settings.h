@@ -9,6 +9,9 @@
 
 namespace ostraka::catalogue {
 
+/// Before the number of a batch: its photographs are another's, too, and a person keeps both.
+inline constexpr const char* kKeptTwice = "photographs.kept_twice.";
+
 /// How the history tells what a term is called, under the field "part/rim".
 std::string toldTerm(const std::string& labels_json, const std::string& uri);
 struct ToldTerm {

@@ -102,7 +102,7 @@ Result<std::vector<Wanted>> wantedOf(const upkeep::Project& project,
     }
     if (const auto own = intake::checkNotShared(project.catalogue(), project.folder(), batch, stop);
         !own) {
-      if (own.error().code != ErrorCode::UnusableInput) return own.error();
+      if (!intake::isAboutShared(own.error().what)) return own.error();
       submitted.warnings.push_back(own.error().sentence());
       continue;
     }

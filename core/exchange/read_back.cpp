@@ -235,7 +235,10 @@ class ReadingBack {
           photographs.push_back({file.path, static_cast<std::uintmax_t>(file.bytes), file.sha256});
       const auto shared = valueOrThrow(intake::sharedPhotographs(
           catalogue, project_.folder(), std::move(photographs),
-          [&](const records::BatchRecord& other) { return !fresh_batches_.contains(other.row); },
+          [&](const records::BatchRecord& other) {
+            return !fresh_batches_.contains(other.row) &&
+                   intake::entersItsSherds(catalogue, other, row);
+          },
           stop));
       if (!shared) continue;
       const std::string number = valueOrThrow(Batches(catalogue).get(row)).number;

@@ -28,7 +28,7 @@ constexpr auto kShared = translatable<4>(
     "the queue, 'ostraka catalogue enter --keep-both' on the command line.");
 
 std::string keptKey(const std::string& batch_number) {
-  return "photographs.kept_twice." + batch_number;
+  return catalogue::kKeptTwice + batch_number;
 }
 
 std::string hashOf(const SideFile& file) {
@@ -63,6 +63,12 @@ std::vector<SideFile> filesOf(const records::BatchRecord& batch, const Recorded&
 
 }  // namespace
 
+bool entersItsSherds(const catalogue::Catalogue& catalogue, const records::BatchRecord& other,
+                     store::BatchRow before) {
+  return (other.row < before && other.state != records::BatchState::Failed) ||
+         !valueOrThrow(catalogue::Batches(catalogue).scans(other.row)).empty();
+}
+
 Result<std::optional<SharedPhotographs>> sharedPhotographs(const catalogue::Catalogue& catalogue,
                                                            const fs::path& project,
                                                            std::vector<SideFile> files,
@@ -71,7 +77,8 @@ Result<std::optional<SharedPhotographs>> sharedPhotographs(const catalogue::Cata
   return catalogue.database().asResult([&]() -> std::optional<SharedPhotographs> {
     const Recorded recorded = recordedPhotographs(catalogue);
     std::set<std::uintmax_t> sizes;
-    for (const SideFile& file : files) sizes.insert(file.bytes);
+    for (const SideFile& file : files)
+      if (file.bytes > 0) sizes.insert(file.bytes);  // of none a copy failed
     std::optional<SharedPhotographs> most;
     std::vector<records::BatchRecord> batches = valueOrThrow(catalogue::Batches(catalogue).all());
     std::reverse(batches.begin(), batches.end());  // of equals the oldest
@@ -108,12 +115,11 @@ Result<void> checkNotShared(const catalogue::Catalogue& catalogue, const fs::pat
       return;
     std::vector<SideFile> files = batch::sideFilesIn(project / "batches" / batch.number);
     if (files.empty()) files = recordedPhotographs(catalogue)[batch.row];  // on another disk
-    const auto entersItsSherds = [&](const records::BatchRecord& other) {
-      return (other.row < batch.row && other.state != records::BatchState::Failed) ||
-             !valueOrThrow(batches.scans(other.row)).empty();  // batch itself has none
+    const auto counts = [&](const records::BatchRecord& other) {
+      return entersItsSherds(catalogue, other, batch.row);  // batch itself has none
     };
-    const auto shared = valueOrThrow(
-        sharedPhotographs(catalogue, project, std::move(files), entersItsSherds, stop));
+    const auto shared =
+        valueOrThrow(sharedPhotographs(catalogue, project, std::move(files), counts, stop));
     if (shared)
       store::refuse(message(kShared, shared->shared, shared->of, batch.number, shared->batch),
                     (project / "batches" / batch.number).string());

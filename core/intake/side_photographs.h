@@ -23,6 +23,10 @@ struct SharedPhotographs {
   std::string batch;  ///< B0031: the one that has most of them
   int shared = 0, of = 0;
 };
+/// Whether the sherds of the other batch are in the catalogue or will come there before those of a
+/// batch: it came earlier and has neither failed nor was set aside.
+bool entersItsSherds(const catalogue::Catalogue& catalogue, const records::BatchRecord& other,
+                     store::BatchRow before);
 using CountsBatch = std::function<bool(const records::BatchRecord&)>;
 
 /// Among the batches that count, by what the catalogue recorded of them and by what lies in their

@@ -222,19 +222,21 @@ void Merging::mergeProject() {
   store::valueOrThrow(catalogue::Settings(projects_.a).setProject(merged, provenance_));
 }
 
-// Settings are those of a house and its computer, but for the numbers that were typed on plates.
+// Settings are those of a house and its computer, but for what people said of a batch: the numbers
+// that they typed on its plate, and that they keep it beside one of the same photographs.
 void Merging::mergeSettings() {
-  const std::string typed = sherds::kTypedNumbers;
   for (const auto& [key, value] : b_.settings) {
     if (key.starts_with(kSameRow) && rows_.contains(canonicalId(value)) &&
         key != kSameRow + canonicalId(value))
       database_.run("INSERT OR IGNORE INTO setting VALUES (?, ?)", key, canonicalId(value));
-    if (!key.starts_with(typed)) continue;
-    const auto batch = folder_of_.find(key.substr(typed.size()));
-    if (batch == folder_of_.end()) continue;
-    const std::string own = typed + batch->second;
-    if (!database_.sql("SELECT 1 FROM setting WHERE key = ?", own).next())
-      store::valueOrThrow(catalogue::Settings(projects_.a).setValue(own, value, provenance_));
+    for (const std::string of_batch : {sherds::kTypedNumbers, catalogue::kKeptTwice}) {
+      if (!key.starts_with(of_batch)) continue;
+      const auto batch = folder_of_.find(key.substr(of_batch.size()));
+      if (batch == folder_of_.end()) continue;
+      const std::string own = of_batch + batch->second;
+      if (!database_.sql("SELECT 1 FROM setting WHERE key = ?", own).next())
+        store::valueOrThrow(catalogue::Settings(projects_.a).setValue(own, value, provenance_));
+    }
   }
 }
 

@@ -2,9 +2,21 @@
 
 #include <openssl/evp.h>
 
+#include <algorithm>
+
 #include "base/text.h"
 
 namespace ostraka {
+namespace {
+
+// Of the character of UTF-8 at `at`; 0 where there is none.
+std::size_t characterBytes(std::string_view text, std::size_t at) {
+  const auto first = static_cast<unsigned char>(text[at]);
+  const std::size_t bytes = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  return bytes == 1 || isUtf8(text.substr(at, bytes)) ? bytes : 0;
+}
+
+}  // namespace
 
 std::string markupText(std::string_view text) {
   std::string out;
@@ -12,6 +24,12 @@ std::string markupText(std::string_view text) {
     if (const std::size_t bytes = forbiddenInXml(text, i); bytes > 0) {
       out += ' ';
       i += bytes - 1;
+      continue;
+    }
+    const std::size_t bytes = characterBytes(text, i);
+    if (bytes != 1) {
+      out += bytes == 0 ? "\uFFFD" : text.substr(i, bytes);
+      i += std::max<std::size_t>(bytes, 1) - 1;
       continue;
     }
     switch (text[i]) {

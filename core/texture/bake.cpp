@@ -299,7 +299,7 @@ class Baking {
       const Vector3f even = inEvenLight(level, *views_[v].view, place.normal);
       for (int k = 0; k < 3; ++k)
         fine[k] += samples[v].weight * gains_(static_cast<Eigen::Index>(v), k) * difference[k] *
-                   (even[k] / std::max(level[k], 1.f));
+                   (light_ ? even[k] / std::max(level[k], 1.f) : 1.f);
       sum += samples[v].weight;
     }
     if (sum > 0) out = coarse + fine / sum;

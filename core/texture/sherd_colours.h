@@ -15,8 +15,8 @@ struct SherdColours {
   bool front_is_outer = true;
 };
 
-/// Parts as the texture's charts divide a sherd (partsOf). The outer face is the one that bulges,
-/// as in drawings; on a flat sherd either may be.
+/// Parts as the texture's charts divide a sherd (partsOf). The outer face is the one that bulges;
+/// on a flat sherd either may be.
 SherdColours coloursOf(const TexturedMesh& model);
 /// What these colours propose: measured where a chart corrected the photographs, else rough.
 colour::MunsellProposals munsellOf(const TexturedMesh& model,

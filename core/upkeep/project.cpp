@@ -194,28 +194,33 @@ Result<bool> Project::removeUnused(const fs::path& folder, std::int64_t history)
     if (!project) return project.error();
     if (catalogue::History(project->catalogue()).length() > history) return false;
   }
-  std::vector<fs::path> files, folders;
+  const std::array<std::string, 3> database = {std::string(kFile) + "-wal",
+                                                std::string(kFile) + "-shm", kFile};
+  std::vector<fs::path> folders;
   std::error_code code;
   for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
     const std::string name = at->path().filename().string();
     if (std::find(kFolders.begin(), kFolders.end(), name) != kFolders.end())
       folders.push_back(at->path());
-    else if (name.starts_with(kFile))
-      files.push_back(at->path());
-    else
+    else if (std::find(database.begin(), database.end(), name) == database.end())
       return false;
   }
-  for (const fs::path& own : folders)
+  if (code) return cannotWrite(folder, code.value());
+  std::vector<fs::path> all;  // in the order in which they go
+  for (const fs::path& own : folders) {
     for (fs::directory_iterator at(own, code), end; !code && at != end; at.increment(code)) {
       if (own.filename() != "backups" || !at->path().filename().string().starts_with("catalogue-"))
         return false;
-      files.push_back(at->path());
+      all.push_back(at->path());
     }
-  for (const std::vector<fs::path>* list : {&files, &folders})
-    for (const fs::path& one : *list)
-      if (!code) fs::remove(one, code);
-  if (!code) fs::remove(folder, code);
-  if (code) return cannotWrite(folder, code.value());
+    if (code) return cannotWrite(own, code.value());
+  }
+  // The catalogue last: a folder that somebody filled meanwhile is not empty and leaves it whole.
+  all.insert(all.end(), folders.begin(), folders.end());
+  for (const std::string& name : database) all.push_back(folder / name);
+  all.push_back(folder);
+  for (const fs::path& one : all)
+    if (fs::remove(one, code); code) return cannotWrite(one, code.value());
   return true;
 }
 

@@ -25,5 +25,10 @@ TEST(Shown, SpellsWhatATerminalWouldActOn) {
   EXPECT_EQ(shown("\xe2\x81\xa6"), "\\xe2\\x81\\xa6");
 }
 
+TEST(Shown, KeepsANameInItsLine) {
+  EXPECT_EQ(shownName("a\nb\tc\x1b"), "a\\x0ab\\x09c\\x1b");
+  EXPECT_EQ(shownName("Höyük 1"), "Höyük 1");
+}
+
 }  // namespace
 }  // namespace ostraka::app

@@ -77,6 +77,21 @@ TEST_F(Store, NamesNothingOutsideOfItsFolder) {
   EXPECT_FALSE(open(plate_).has_value());
 }
 
+TEST_F(Store, MakesNothingInAFolderWithPhotographsOfOthers) {
+  for (const char* name : {"front/DSC_0001.JPG", "front/cam0_pos00.png"}) {
+    ASSERT_TRUE(makeFolder(folder_ / "front"));
+    ASSERT_TRUE(writeFileAtomically(folder_ / name, "a person's"));
+    const Result<BatchStore> store = open(plate_);
+    ASSERT_FALSE(store.has_value()) << name;
+    EXPECT_EQ(store.error().code, ErrorCode::UnusableInput);
+    EXPECT_THAT(store.error().where, HasSubstr(name));
+    EXPECT_FALSE(fs::exists(folder_ / "set_aside"));
+    EXPECT_FALSE(fs::exists(folder_ / "plate.json"));
+    EXPECT_EQ(textOf(name), "a person's");
+    fs::remove_all(folder_);
+  }
+}
+
 TEST_F(Store, IsHeldByOneProgramAtATime) {
   {
     const Result<BatchStore> first = open(plate_);

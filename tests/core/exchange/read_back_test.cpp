@@ -404,6 +404,20 @@ TEST_F(ReadingBack, ABatchWithPhotographsOfAnotherEntersOnlyWhereBothAreKept) {
   EXPECT_EQ(kept->fresh, 3);
 }
 
+// No sherds will come of it that the export could enter twice.
+TEST_F(ReadingBack, ABatchWithPhotographsOfOneThatWasSetAsideEnters) {
+  ASSERT_TRUE(exportTo("out", all));
+  upkeep::Project other = empty("other");
+  const store::BatchRow aside = *Batches(other.catalogue()).add({}, {});
+  put(other.folder() / "batches/B0001/front/another_name.jpg", "JPEG");
+  ASSERT_TRUE(Batches(other.catalogue()).setState(aside, records::BatchState::Failed, {}));
+  const auto entered = readBack(other, folder_.path() / "out", tables::ImportMode::Enter, {}, quiet,
+                                {}, SamePhotographs::Refuse);
+  ASSERT_TRUE(entered) << entered.error().sentence();
+  EXPECT_EQ(entered->fresh, 3);
+  EXPECT_TRUE(entered->warnings.empty());
+}
+
 class Looking : public Progress {
  public:
   explicit Looking(std::function<void()> looked) : looked_(std::move(looked)) {}

@@ -65,6 +65,14 @@ TEST_F(TheSamePhotographs, OfAnotherBatchAreNeitherProcessedNorEntered) {
   EXPECT_TRUE(isAboutShared(computed.error().what)) << computed.error().sentence();
 }
 
+TEST_F(TheSamePhotographs, AreNotTwoFilesOfWhichACopyFailed) {
+  enter();
+  const store::BatchRow row = second();
+  put("B0001", "front/a.jpg", "");
+  put("B0002", "back/c.jpg", "");
+  EXPECT_TRUE(check(row));
+}
+
 TEST_F(TheSamePhotographs, AreEnteredTwiceByAPersonWhoKeepsBoth) {
   enter();
   const store::BatchRow row = second();

@@ -66,8 +66,13 @@ class MergedFiles : public TwoHouses {
 };
 
 TEST_F(MergedFiles, ABatchWhoseNumberIsTakenGetsTheNextOneWithItsFiles) {
+  ASSERT_TRUE(catalogue::Settings(b_.catalogue())
+                  .setValue(std::string(catalogue::kKeptTwice) + "B0002", "1", anna));
   const std::string bytes_of_b = bytesOf(b_.folder() / "catalogue.sqlite");
   const MergeReport report = merged(*project_, b_);
+  const catalogue::Settings settings(catalogue());
+  EXPECT_EQ(valueIn(settings.value("photographs.kept_twice.B0003")), "1") << "B keeps both";
+  EXPECT_EQ(valueIn(settings.value("photographs.kept_twice.B0002")), "") << "that is A's own";
   EXPECT_THAT(report.renumbered, testing::ElementsAre(testing::Pair("B0002", "B0003")));
   EXPECT_EQ(bytesOf(b_.folder() / "catalogue.sqlite"), bytes_of_b) << "B is only read";
   const records::BatchRecord batch3 = valueIn(Batches(catalogue()).byNumber("B0003"));

@@ -16,6 +16,15 @@ TEST(Markup, WritesNothingThatXmlForbids) {
             "a b c &lt; &gt;é\uFFFD");
 }
 
+// As file names may be: a lone byte, '/' in two bytes, two of the three bytes of a euro sign.
+TEST(Markup, WritesAReplacementForEachByteOfNoCharacter) {
+  EXPECT_EQ(markupText("a\xff<"), "a\uFFFD&lt;");
+  EXPECT_EQ(markupText("\xc0\xaf"), "\uFFFD\uFFFD");
+  EXPECT_EQ(markupText("\xe2\x82<"), "\uFFFD\uFFFD&lt;");
+  EXPECT_EQ(markupText("\xe2\x82"), "\uFFFD\uFFFD");
+  EXPECT_EQ(markupText("é€\U0001F3FA"), "é€\U0001F3FA");
+}
+
 // The vectors of RFC 4648, section 10.
 TEST(Markup, WritesBase64AsTheStandardDoes) {
   const char* vectors[][2] = {{"", ""},

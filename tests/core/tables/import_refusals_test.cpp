@@ -82,6 +82,18 @@ TEST_F(Import, NumbersThatReadAsOthersAreToldOnce) {
   EXPECT_TRUE(import(table).warnings.empty()) << "they are there now";
 }
 
+TEST_F(Import, NumbersThatASpreadsheetShortenedAreToldOnce) {
+  const std::string table =
+      "number,site,trench,context,bag,note\n"
+      "1.23E+05,ARM1,T3,0012,2E+11,4E+05\n"
+      "2-E+05,ARM1,T3,0012,2E+11,\n"
+      "12E05,ARM1,T3,0012,,\n";
+  const ImportReport report = import(table, ImportMode::Enter, UnknownPlaces::Make);
+  EXPECT_EQ(report.fresh, 3);
+  EXPECT_THAT(report.warnings, testing::ElementsAre(testing::HasSubstr(": 2E+11, 1.23E+05;")));
+  EXPECT_TRUE(import(table, ImportMode::Enter, UnknownPlaces::Make).warnings.empty()) << "they are there now";
+}
+
 TEST_F(Import, AllDoubtsAboutARowAreAskedAtOnce) {
   const ImportReport report =
       import("number,site,trench,context,length_mm,weight_g\nX-1,ARM1,T3,0012,900,9000\n");

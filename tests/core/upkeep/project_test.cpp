@@ -54,8 +54,26 @@ TEST_F(ProjectFolder, IsRemovedAsUnusedOnlyWhereNobodyWorkedInIt) {
   }
   EXPECT_FALSE(*Project::removeUnused(folder, history));
   EXPECT_TRUE(Project::isProject(folder));
+  std::ofstream(folder / "catalogue.sqlite.old") << "a person's copy";
+  EXPECT_FALSE(*Project::removeUnused(folder, history + 1));
+  EXPECT_TRUE(fs::remove(folder / "catalogue.sqlite.old"));
   EXPECT_TRUE(*Project::removeUnused(folder, history + 1));
   EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST_F(ProjectFolder, StaysWholeWhereOneOfItsFoldersCannotBeRead) {
+  const fs::path folder = project_->folder();
+  const std::int64_t history = catalogue::History(catalogue()).length();
+  project_.reset();
+  for (const char* name : {"batches", "results"}) {
+    ASSERT_TRUE(fs::remove(folder / name));
+    std::ofstream(folder / name) << "no folder";
+    EXPECT_FALSE(Project::removeUnused(folder, history)) << name;
+    EXPECT_TRUE(fs::exists(folder / name));
+    EXPECT_TRUE(Project::isProject(folder));
+    ASSERT_TRUE(fs::remove(folder / name));
+    fs::create_directory(folder / name);
+  }
 }
 
 TEST_F(ProjectFolder, TheCataloguesHeaderTellsItFromOtherDatabases) {

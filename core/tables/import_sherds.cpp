@@ -132,8 +132,8 @@ class Importing {
                   joined(similar_, ", ")));
     if (!shortened_.empty())
       report_.warnings.push_back(
-          message("A spreadsheet may have shortened these numbers: %1; compare them with the labels "
-                  "and correct them.",
+          message("A spreadsheet may have shortened these numbers: %1; compare them with the "
+                  "labels and correct them.",
                   joined(shortened_, ", ")));
     const Result<std::vector<std::string>> lost = joins_.lost(catalogue_);
     if (!lost) return lost.error();

@@ -1729,12 +1729,12 @@
     <message>
       <source>%1 has these files already; nothing was imported. Imported anyway, its sherds are in the catalogue twice.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 hat diese Dateien schon; nichts wurde importiert. Trotzdem importiert, stehen seine Scherben zweimal im Katalog.</translation>
+      <translation>%1 hat diese Dateien schon; nichts wurde importiert. Werden sie trotzdem importiert, stehen seine Scherben zweimal im Katalog.</translation>
     </message>
     <message>
       <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde importiert. Trotzdem importiert, stehen die Scherben beider im Katalog; %1 in der Warteschlange beiseitelegen, wenn das nicht gewollt ist.</translation>
+      <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde importiert. Werden sie trotzdem importiert, stehen die Scherben beider im Katalog; %1 in der Warteschlange beiseitelegen, wenn das nicht gewollt ist.</translation>
     </message>
 </context>
 <context>

@@ -11060,7 +11060,7 @@
     <message>
       <source>Take over</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Reprendre</translation>
+      <translation>Adopter</translation>
     </message>
     <message>
       <source>Proposed: %1 (Delta E 2000: %2), then %3 (%4). %5</source>
@@ -11070,7 +11070,7 @@
     <message>
       <source>Take over %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Reprendre %1</translation>
+      <translation>Adopter %1</translation>
     </message>
     <message>
       <source>Of the side that was photographed first.</source>

@@ -11010,7 +11010,7 @@
     <message>
       <source>Take over</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Devral</translation>
+      <translation>Kullan</translation>
     </message>
     <message>
       <source>Proposed: %1 (Delta E 2000: %2), then %3 (%4). %5</source>
@@ -11020,7 +11020,7 @@
     <message>
       <source>Take over %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 devral</translation>
+      <translation>%1 kullan</translation>
     </message>
     <message>
       <source>Of the side that was photographed first.</source>

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -21,65 +20,11 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "rig/camera.h"
-#include "virtualrig/simulate.h"
+#include "small_batch.h"
 #include "watched_progress.h"
 
 namespace ostraka::pipeline {
 namespace {
-
-namespace fs = std::filesystem;
-
-class ProcessBatch : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    std::string pattern = (fs::temp_directory_path() / "ostraka_process_XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-    virtualrig::SimulateOptions options;
-    options.seed = 7;
-    options.sherds = 2;
-    options.width = 800;
-    options.output = folder_ / "batch";
-    options.threads = 0;
-    QuietProgress quiet;
-    const Result<void> made = virtualrig::simulateBatch(options, quiet, {});
-    ASSERT_TRUE(made.has_value()) << made.error().sentence();
-  }
-  static void TearDownTestSuite() { fs::remove_all(folder_); }
-
-  static Result<ProcessSummary> process(const fs::path& output, int threads, Progress& progress,
-                                        std::stop_token stop = {}) {
-    ProcessOptions options;
-    options.batch = folder_ / "batch";
-    options.output = output;
-    options.threads = threads;
-    return processBatch(options, progress, stop);
-  }
-
-  // What a person keeps, by name: sherds and pairs.json. The reports hold seconds.
-  static std::map<std::string, std::string> results(const fs::path& output) {
-    std::map<std::string, std::string> hashes;
-    hashes["pairs.json"] = sha256(*readFile(output / "pairs.json"));
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(output / "sherds"))
-      if (entry.is_regular_file())
-        hashes[fs::relative(entry.path(), output).generic_string()] =
-            sha256(*readFile(entry.path()));
-    return hashes;
-  }
-
-  // A result of its own to change, without computing it anew.
-  static void copyOfWhole(const char* name) {
-    QuietProgress quiet;
-    if (!fs::exists(folder_ / "out" / "report.json")) {
-      ASSERT_TRUE(process(folder_ / "out", 0, quiet).has_value());
-    }
-    fs::copy(folder_ / "out", folder_ / name, fs::copy_options::recursive);
-  }
-
-  static fs::path folder_;
-};
-
-fs::path ProcessBatch::folder_;
 
 TEST_F(ProcessBatch, TurnsPhotographsIntoWholeSherdsWithTheirReports) {
   NeverBack progress;
@@ -137,41 +82,6 @@ TEST_F(ProcessBatch, StoppedAndStartedAgainWithOtherThreadsLeavesTheSameBytes) {
   }
   ASSERT_TRUE(process(folder_ / "again", 1, quiet).has_value());
   EXPECT_EQ(results(folder_ / "again"), results(folder_ / "out"));
-}
-
-TEST_F(ProcessBatch, MakesOnlyTexturesAnewWithoutTheirLight) {
-  QuietProgress quiet;
-  copyOfWhole("albedo");
-  const fs::path out = folder_ / "albedo";
-  const auto before = results(out);
-  ProcessOptions options;
-  options.batch = folder_ / "batch";
-  options.output = out;
-  options.texture = TextureColours::Albedo;
-  const Result<ProcessSummary> summary = processBatch(options, quiet, {});
-  ASSERT_TRUE(summary.has_value()) << summary.error().sentence();
-  EXPECT_TRUE(summary->whole());
-  const std::string log = *readFile(out / "log.txt");
-  const std::string last = log.substr(log.rfind("rig: reused from an earlier run"));
-  for (const char* kept :
-       {"masks_front", "dense_back", "scans_back", "pairs", "model_01", "model_02"})
-    EXPECT_NE(last.find(std::string(kept) + ": reused from an earlier run"), std::string::npos)
-        << kept;
-  // Of two sherds the light may be too little known; then they stay as photographed.
-  const nlohmann::json light = *readJson(out / "work" / "light" / "stage.json");
-  const bool is_known = light.at("figures").contains("light_uncertainty");
-  EXPECT_EQ(light.at("warnings").empty(), is_known);
-  auto after = results(out);
-  for (const char* number : {"01", "02"}) {
-    const std::string stage = std::string("texture_") + number,
-                      folder = std::string("sherds/") + number + "/";
-    EXPECT_EQ(last.find(stage + ": reused from an earlier run") == std::string::npos, is_known);
-    for (const char* name : {"front.ply", "back.ply", "model.ply"})
-      EXPECT_EQ(after.at(folder + name), before.at(folder + name)) << name;
-    EXPECT_EQ(after.at(folder + "model.glb") != before.at(folder + "model.glb"), is_known);
-  }
-  ASSERT_TRUE(process(out, 1, quiet).has_value());
-  EXPECT_EQ(results(out), before) << "as photographed again";
 }
 
 // Photographs with twice the pixels each way but nothing more to see: averaged down, they give what

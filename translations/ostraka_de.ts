@@ -11082,5 +11082,15 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Von der danach fotografierten Seite.</translation>
     </message>
+    <message>
+      <source>Rough.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Grob.</translation>
+    </message>
+    <message>
+      <source>Measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Gemessen.</translation>
+    </message>
 </context>
 </TS>

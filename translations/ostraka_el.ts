@@ -11082,5 +11082,15 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Της όψης που φωτογραφήθηκε δεύτερη.</translation>
     </message>
+    <message>
+      <source>Rough.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Κατά προσέγγιση.</translation>
+    </message>
+    <message>
+      <source>Measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μετρημένο.</translation>
+    </message>
 </context>
 </TS>

@@ -11082,5 +11082,15 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Del lado fotografiado después.</translation>
     </message>
+    <message>
+      <source>Rough.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aproximado.</translation>
+    </message>
+    <message>
+      <source>Measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Medido.</translation>
+    </message>
 </context>
 </TS>

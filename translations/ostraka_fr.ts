@@ -11082,5 +11082,15 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>De la face photographiée en second.</translation>
     </message>
+    <message>
+      <source>Rough.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Approximatif.</translation>
+    </message>
+    <message>
+      <source>Measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Mesuré.</translation>
+    </message>
 </context>
 </TS>

@@ -11082,5 +11082,15 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երկրորդը լուսանկարված կողմի։</translation>
     </message>
+    <message>
+      <source>Rough.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոտավոր։</translation>
+    </message>
+    <message>
+      <source>Measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Չափված։</translation>
+    </message>
 </context>
 </TS>

@@ -11032,5 +11032,15 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İkinci fotoğraflanan yüzün.</translation>
     </message>
+    <message>
+      <source>Rough.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kabaca.</translation>
+    </message>
+    <message>
+      <source>Measured.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ölçüldü.</translation>
+    </message>
 </context>
 </TS>

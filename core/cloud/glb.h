@@ -45,7 +45,7 @@ struct TexturedModel {
 Result<std::optional<TexturedModel>> parseTexturedGlb(std::string_view bytes,
                                                       const std::string& where);
 /// GlbExtras::munsell of a file that formatGlb made, of which only the head is read; empty where it
-/// has none or is no such file.
+/// has none or is no such file, or no regular one.
 std::string munsellInGlb(const std::filesystem::path& path);
 /// What formatGlb made, into this file; its error names the file.
 Result<void> writeGlb(const std::filesystem::path& path, const Result<std::string>& bytes);

@@ -208,6 +208,8 @@ class GlbReader {
 }  // namespace
 
 std::string munsellInGlb(const std::filesystem::path& path) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) return {};  // a pipe would never end
   std::ifstream file(path, std::ios::binary);
   std::string head(kHeader + kChunkHeader, '\0');
   if (!file.read(head.data(), static_cast<std::streamsize>(head.size())) ||

@@ -405,7 +405,8 @@ void CatalogueScreen::showSelection() {
     model_pane_->clear();
   } else if (sherds.size() == 1) {
     edit_->setCurrentWidget(one_);
-    details_->showSherd(session_->project().catalogue(), session_->folder(), sherds.front());
+    details_->showSherd(session_->project().catalogue(), session_->folder(), sherds.front(),
+                        session_->jobs());
     showModelOf(sherds.front());
   } else {
     bulk_->setSherds(session_, sherds);

@@ -1,9 +1,9 @@
 #include "ui/sherds/munsell_line.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 #include "ui/look/look.h"
 #include "ui/widgets/parts.h"
@@ -30,7 +30,8 @@ MunsellLine::MunsellLine(const std::string& field, QWidget* parent)
   text_ = wrappedLabel(this, "proposed_" + name);
   take_over_ = named<QPushButton>("takeOver_" + name, tr("Take over"), this);
   take_over_->setMinimumHeight(targetSize(*this));
-  filled(bareLayout<QHBoxLayout>(this), {{text_, 1}, take_over_});
+  auto* column = filled(bareLayout<QVBoxLayout>(this), {text_, take_over_});
+  column->setAlignment(take_over_, Qt::AlignLeading);
   connect(take_over_, &QPushButton::clicked, this, [this] { emit takenOver(notation_); });
 }
 
@@ -38,20 +39,32 @@ bool MunsellLine::offer(const colour::MunsellProposals& proposals, const std::st
   const std::optional<colour::MunsellProposal>& own = field_ == "munsell_out"  ? proposals.out
                                                       : field_ == "munsell_in" ? proposals.in
                                                                                : proposals.core;
-  notation_.clear();
-  text_->clear();
-  if (!own || own->match.notation == entered) return false;
+  clear();
+  if (!own) return false;
   notation_ = QString::fromStdString(own->match.notation);
   text_->setText(tr("Proposed: %1 (Delta E 2000: %2), then %3 (%4). %5")
                      .arg(notation_, differenceText(own->match.difference),
                           QString::fromStdString(own->match.second),
-                          differenceText(own->match.second_difference), trustText(proposals)));
+                          differenceText(own->match.second_difference),
+                          proposals.chart ? tr("Measured.") : tr("Rough.")));
   take_over_->setAccessibleName(tr("Take over %1").arg(notation_));
+  take_over_->setEnabled(own->match.notation != entered);
+  QString trust = trustText(proposals);
   if (field_ != "munsell_core")
-    text_->setToolTip((field_ == "munsell_out") == proposals.front_is_out
-                          ? tr("Of the side that was photographed first.")
-                          : tr("Of the side that was photographed second."));
+    trust += QLatin1Char(' ') + ((field_ == "munsell_out") == proposals.front_is_out
+                                     ? tr("Of the side that was photographed first.")
+                                     : tr("Of the side that was photographed second."));
+  text_->setToolTip(trust);
+  text_->setAccessibleDescription(trust);
   return true;
+}
+
+void MunsellLine::clear() {
+  notation_.clear();
+  text_->clear();
+  text_->setToolTip({});
+  text_->setAccessibleDescription({});
+  take_over_->setEnabled(false);
 }
 
 }  // namespace ostraka::ui

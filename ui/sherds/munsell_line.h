@@ -18,8 +18,10 @@ class MunsellLine final : public QWidget {
   /// field: munsell_out, munsell_in or munsell_core.
   MunsellLine(const std::string& field, QWidget* parent);
 
-  /// False, and empty: nothing is proposed, or it is `entered` already.
+  /// False, and empty: nothing is proposed. What is `entered` already cannot be taken over again.
   bool offer(const colour::MunsellProposals& proposals, const std::string& entered);
+  /// Keeps its place while it is not known yet what is proposed for another sherd.
+  void clear();
 
  signals:
   void takenOver(const QString& notation);

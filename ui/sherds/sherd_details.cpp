@@ -10,14 +10,18 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QStringListModel>
+#include <QScrollBar>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <set>
+#include <utility>
 
 #include "catalogue/places.h"
 #include "cloud/glb.h"
 #include "sherds/numbers.h"
 #include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
+#include "ui/jobs/job.h"
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"
 #include "ui/sherds/munsell_line.h"
@@ -120,15 +124,21 @@ void SherdDetails::buildRefusal() {
   refusal_ = named<QWidget>("refusal", this);
   refusal_->setAutoFillBackground(true);
   auto* column = new QVBoxLayout(refusal_);
-  auto* row = new QHBoxLayout;
-  refusal_picture_ = new QLabel(refusal_);
+  told_ = new QScrollArea(refusal_);
+  told_->setFrameShape(QFrame::NoFrame);
+  told_->setWidgetResizable(true);
+  told_->setFocusPolicy(Qt::NoFocus);
+  auto* told = new QWidget(told_);
+  auto* row = bareLayout<QHBoxLayout>(told);
+  refusal_picture_ = new QLabel(told);
   refusal_picture_->setAccessibleName(tr("Picture of the sherd in the way"));
-  refusal_text_ = wrappedLabel(refusal_, "refusalText");
+  refusal_text_ = wrappedLabel(told, "refusalText");
   filled(row, {refusal_picture_, {refusal_text_, 1}});
   confirm_ = named<ElidedButton>("confirmChange", icon("check"), tr("Confirm"), refusal_);
   confirm_->setFocusPolicy(Qt::TabFocus);  // a press that took the focus would move it away
   confirm_->setMinimumHeight(targetSize(*this));
-  filled(column, {row, confirm_});
+  told_->setWidget(told);
+  filled(column, {told_, confirm_});
   connect(confirm_, &QPushButton::clicked, this, [this] {
     editors_.value(asked_field_)->setFocus();
     if (sherd_) emit confirmed(asked_field_, unsaved_.of(sherd_).value(asked_field_));
@@ -156,16 +166,30 @@ void SherdDetails::addProposal(const std::string& field) {
   proposals_.insert(name, line);
 }
 
-void SherdDetails::showProposals(const std::filesystem::path& project,
-                                 const records::SherdRecord& sherd) {
-  colour::MunsellProposals proposals;
-  if (!sherd.model_path.empty())
-    proposals = colour::parseMunsellProposals(
-                    munsellInGlb((project / sherd.model_path).replace_extension(".glb")))
-                    .value_or(proposals);
+void SherdDetails::offerProposals(const colour::MunsellProposals& proposals,
+                                  const records::SherdRecord& sherd) {
   for (auto at = proposals_.begin(); at != proposals_.end(); ++at)
     form_->setRowVisible(*at,
                          (*at)->offer(proposals, sherds::textOf(sherd, at.key().toStdString())));
+}
+
+// A slow disk must not keep the window waiting for them.
+void SherdDetails::readProposals(const std::filesystem::path& project,
+                                 const records::SherdRecord& sherd, JobRunner& jobs) {
+  if (reading_) reading_->drop();
+  reading_ = nullptr;
+  if (sherd.model_path.empty()) return offerProposals({}, sherd);
+  const auto file = (project / sherd.model_path).replace_extension(".glb");
+  reading_ = jobs.start(makeJob([file](Progress&, std::stop_token) {
+                          return Result<colour::MunsellProposals>(
+                              colour::parseMunsellProposals(munsellInGlb(file))
+                                  .value_or(colour::MunsellProposals()));
+                        }),
+                        this);
+  connect(reading_, &JobHandle::finished, this, [this, sherd](const JobOutcome& outcome) {
+    if (const auto read = outcomeAs<colour::MunsellProposals>(outcome))
+      offerProposals(*read, sherd);
+  });
 }
 
 // Custom fields stand above what voids a sherd, for Tab too.
@@ -341,13 +365,17 @@ void SherdDetails::showUnsaved() {
 }
 
 void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
-                             const std::filesystem::path& project, store::SherdRow row) {
+                             const std::filesystem::path& project, store::SherdRow row,
+                             JobRunner& jobs) {
   const Result<records::SherdRecord> sherd = sherds::Sherds(catalogue).get(row);
   if (!sherd) {
     clear();
     return;
   }
-  if (row != sherd_) keepTyped();
+  if (row != sherd_) {
+    keepTyped();
+    for (MunsellLine* line : std::as_const(proposals_)) line->clear();
+  }
   sherd_ = row;
   widget()->setEnabled(true);
   hideRefusal();
@@ -370,7 +398,7 @@ void SherdDetails::showSherd(const catalogue::Catalogue& catalogue,
     }
   if (!sherd->context) place_->setCurrentIndex(-1);
   shown_.insert("place", place_->currentData().toString());
-  showProposals(project, *sherd);
+  readProposals(project, *sherd, jobs);
   showUnsaved();
   showTables(catalogue, project, *sherd);
 }
@@ -385,7 +413,9 @@ void SherdDetails::clear() {
   for (const records::SherdField& field : sherds::sherdFields())
     if (field.editable) setText(field.name, {});
   for (const std::string& field : custom_fields_) setText(field, {});
-  showProposals({}, {});
+  if (reading_) reading_->drop();
+  reading_ = nullptr;
+  offerProposals({}, {});
   clearTables();
   widget()->setEnabled(false);
 }
@@ -423,17 +453,30 @@ void SherdDetails::placeRefusal(const std::string& field, const QString& sentenc
     refused_ = line->addAction(icon("error"), QLineEdit::TrailingPosition);
   refusal_->show();
   fitRefusal();
-  if (editor != nullptr) ensureWidgetVisible(editor);  // not behind what is said of it
+  if (editor == nullptr) return;
+  ensureWidgetVisible(editor);  // not behind what is said of it
+  QWidget::setTabOrder(editor, confirm_);
 }
 
 // Below what scrolls, so that no field moves under the pointer.
 void SherdDetails::fitRefusal() {
   if (refusal_->isHidden()) return setViewportMargins({});
-  const QRect room = contentsRect();
-  QLayout& inside = *refusal_->layout();
+  QRect room = contentsRect();
+  if (verticalScrollBar()->isVisible()) room.setWidth(room.width() - verticalScrollBar()->width());
+  const QLayout& outside = *refusal_->layout();
+  const QMargins margins = outside.contentsMargins();
+  const int rest =
+      margins.top() + margins.bottom() +
+      (confirm_->isHidden() ? 0 : std::max(outside.spacing(), 0) + std::max(confirm_->sizeHint().height(), confirm_->minimumHeight()));
+  QLayout& inside = *told_->widget()->layout();
   inside.activate();  // what was shown or said since counts
-  const int high = inside.hasHeightForWidth() ? inside.totalHeightForWidth(room.width())
+  const int wide = room.width() - margins.left() - margins.right();
+  const int said = inside.hasHeightForWidth() ? inside.totalHeightForWidth(wide)
                                               : inside.totalSizeHint().height();
+  // Half the room stays the fields'; a long sentence is scrolled.
+  told_->setFixedHeight(
+      std::min(said, std::max(room.height() / 2 - rest, fontMetrics().height())));
+  const int high = told_->height() + rest;
   refusal_->setGeometry(room.left(), room.bottom() + 1 - high, room.width(), high);
   setViewportMargins(0, 0, 0, high);
 }

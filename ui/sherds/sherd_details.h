@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "catalogue/catalogue.h"
+#include "colour/munsell_proposals.h"
 #include "records/sherd.h"
 #include "ui/frame/term_words.h"
 #include "ui/sherds/unsaved_values.h"
@@ -20,6 +21,8 @@ class QVBoxLayout;
 
 namespace ostraka::ui {
 
+class JobHandle;
+class JobRunner;
 class MunsellLine;
 
 /// One sherd: number, fields with their vocabularies, custom fields, measures with where
@@ -33,7 +36,7 @@ class SherdDetails final : public QScrollArea {
   /// Which terms a field offers, and custom fields. Call after either changed.
   void setVocabularies(const catalogue::Catalogue& catalogue);
   void showSherd(const catalogue::Catalogue& catalogue, const std::filesystem::path& project,
-                 store::SherdRow sherd);
+                 store::SherdRow sherd, JobRunner& jobs);
   void clear();
   store::SherdRow sherd() const { return sherd_; }
   /// The cursor into the first field that is empty, or into this one.
@@ -46,8 +49,8 @@ class SherdDetails final : public QScrollArea {
   const UnsavedValues& unsaved() const { return unsaved_; }
   /// Saves nothing before a person says so: confirmed().
   void ask(const QString& field, const QString& value, const QString& question, const QString& act);
-  /// At the foot, which moves no field, with a mark in the field: what was wrong; with the picture
-  /// of the sherd in the way.
+  /// At the foot, which moves no field, with a mark in a field that is typed: what was wrong; with
+  /// the picture of the sherd in the way.
   void showRefusal(const std::string& field, const QString& sentence, const QString& other,
                    const QString& picture);
 
@@ -68,7 +71,10 @@ class SherdDetails final : public QScrollArea {
   void buildRefusal();
   void addPlace();
   void addProposal(const std::string& field);
-  void showProposals(const std::filesystem::path& project, const records::SherdRecord& sherd);
+  void offerProposals(const colour::MunsellProposals& proposals,
+                      const records::SherdRecord& sherd);
+  void readProposals(const std::filesystem::path& project, const records::SherdRecord& sherd,
+                     JobRunner& jobs);
   void setCustomFields(const std::vector<std::string>& fields);
   QWidget* editorFor(const std::string& field, records::FieldKind kind);
   void setText(const std::string& field, const QString& text);
@@ -98,6 +104,7 @@ class SherdDetails final : public QScrollArea {
   QComboBox* place_ = nullptr;
   QHash<QString, QWidget*> editors_;
   QHash<QString, MunsellLine*> proposals_;  ///< below their fields
+  QPointer<JobHandle> reading_;             ///< what is proposed for the sherd
   std::vector<std::string> custom_fields_;  ///< that have a row
   TermWords words_;
   QHash<QString, QString> shown_;  ///< what the catalogue says
@@ -105,6 +112,7 @@ class SherdDetails final : public QScrollArea {
   UnsavedValues unsaved_;
   QWidget* refusal_ = nullptr;
   QPointer<QAction> refused_;  ///< the mark in the field that it is about
+  QScrollArea* told_ = nullptr;  ///< as much of it as half the room holds
   QLabel* refusal_text_ = nullptr;
   QLabel* refusal_picture_ = nullptr;
   QPushButton* confirm_ = nullptr;

@@ -1,6 +1,7 @@
 #include "cloud/glb.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cmath>
 #include <cstring>
@@ -213,6 +214,9 @@ TEST(Glb, ProposedMunsellColoursAreReadFromTheHeadAlone) {
   EXPECT_EQ(read(""), "");
   std::filesystem::remove(file);
   EXPECT_EQ(munsellInGlb(file), "");
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  EXPECT_EQ(munsellInGlb(file), "") << "nobody writes into the pipe";
+  std::filesystem::remove(file);
 }
 
 TEST(Glb, WrongMeshesAreRefused) {

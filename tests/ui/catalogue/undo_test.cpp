@@ -3,11 +3,14 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTableView>
 #include <QTest>
 
 #include "catalogue/history.h"
+#include "catalogue/places.h"
 #include "catalogue_window.h"
+#include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/sherd_changes.h"
 #include "ui/catalogue/catalogue_screen.h"
@@ -64,6 +67,60 @@ class UndoTest : public CatalogueWindow {
     QCOMPARE(ware->text(), QString("painted"));
     QCOMPARE(table()->model()->index(0, 4).data().toString(), QString("painted"));
     QVERIFY(child<QLabel>("problem")->isVisible());
+  }
+
+  void whoMovesASherdIsToldWhatItLeavesBehind() {
+    putIntoBag4({0});
+    choose(0);
+    auto* place = child<QComboBox>("field_place");
+    place->setFocus();
+    QTest::keyClick(place, Qt::Key_Down);
+    QCOMPARE(sample_->value(0, "context"), QString("0013"));
+    QCOMPARE(sample_->value(0, "bag"), QString());
+    const QString told = child<QLabel>("problem")->text();
+    QVERIFY2(child<QLabel>("problem")->isVisible() && told.contains("old context: 4.") &&
+                 told.contains("a number of the old context: ARM1-T3-0012-0001."),
+             qPrintable(told));
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(0, "context"), QString("0012"));
+    QCOMPARE(sample_->value(0, "bag"), QString("4"));
+  }
+
+  void manyAreMovedByTheSameRule() {
+    putIntoBag4({0, 2});
+    filter("bag:4");
+    QCOMPARE(table()->model()->rowCount(), 2);
+    table()->setFocus();
+    QTest::keyClick(table(), Qt::Key_A, Qt::ControlModifier);
+    auto* field = child<QComboBox>("bulkField");
+    field->setCurrentIndex(field->findData("context"));
+    QTest::keyClicks(child<QLineEdit>("bulkValue"), "0013");
+    auto* summary = child<QLabel>("bulkSummary");
+    QTRY_VERIFY(summary->text().startsWith("To change: 2. Unchanged: 0. Rejected: 0."));
+    QVERIFY2(summary->text().contains("old context: 4."), qPrintable(summary->text()));
+    QTest::mouseClick(child<QPushButton>("bulkApply"), Qt::LeftButton);
+    for (const int sherd : {0, 2}) {
+      QCOMPARE(sample_->value(sherd, "context"), QString("0013"));
+      QCOMPARE(sample_->value(sherd, "bag"), QString());
+    }
+    QVERIFY(child<QLabel>("problem")->text().contains("ARM1-T3-0012-0001, ARM1-T3-0012-0002"));
+    QCOMPARE(sample_->session().undo().count(), 1);
+    sample_->session().undo().undo();
+    QCOMPARE(sample_->value(2, "bag"), QString("4"));
+  }
+
+ private:
+  void putIntoBag4(const std::vector<int>& sherds) {
+    records::BagRecord bag;
+    bag.context = SampleProject::must(
+        catalogue::Places(sample_->catalogue()).contextByPlace("ARM1", "T3", "0012"));
+    bag.number = "4";
+    SampleProject::must(catalogue::Places(sample_->catalogue()).save(bag, {}));
+    for (const int sherd : sherds) {
+      const records::FieldChange into{sample_->row(sherd), "bag", "4"};
+      SampleProject::must(
+          sherds::SherdChanges(sample_->catalogue()).apply(std::span(&into, 1), {}));
+    }
   }
 };
 

@@ -63,10 +63,10 @@ class SampleProject {
   const std::vector<store::SherdRow>& sherds() const { return sherds_; }
   QString folder() const { return folder_.path(); }
   QString value(int sherd, const std::string& field) {
-    return QString::fromStdString(sherds::textOf(
-        must(sherds::Sherds(catalogue()).get(sherds_[static_cast<std::size_t>(sherd)])), field));
+    return QString::fromStdString(sherds::textOf(stored(sherd), field));
   }
   store::SherdRow row(int sherd) const { return sherds_[static_cast<std::size_t>(sherd)]; }
+  records::SherdRecord stored(int i) { return must(sherds::Sherds(catalogue()).get(row(i))); }
   store::SherdRow addDraft(bool with_context = true) {
     records::SherdRecord s;
     if (with_context) s.context = contexts_[0];
@@ -78,9 +78,7 @@ class SampleProject {
   void giveModel(int sherd, const TriangleMesh& mesh = exchange::closedShell()) {
     const std::string path = "results/B0001/sherds/" + std::to_string(sherd) + "/model.ply";
     must(writeFileAtomically(project_->folder() / path, formatPly(mesh, "plate_front")));
-    const auto row = sherds_[static_cast<std::size_t>(sherd)];
-    must(sherds::Sherds(catalogue())
-             .setModel(row, path, must(sherds::Sherds(catalogue()).get(row)).preview_path));
+    must(sherds::Sherds(catalogue()).setModel(row(sherd), path, stored(sherd).preview_path));
   }
 
   /// What its photographs propose, in a GLB beside a model of its own.
@@ -88,8 +86,7 @@ class SampleProject {
     giveModel(sherd);
     GlbExtras extras;
     extras.munsell = colour::toJson(proposals).dump();
-    const std::string path = must(sherds::Sherds(catalogue()).get(row(sherd))).model_path;
-    must(writeGlb((project_->folder() / path).replace_extension(".glb"),
+    must(writeGlb((project_->folder() / stored(sherd).model_path).replace_extension(".glb"),
                   formatGlb(exchange::closedShell(), extras)));
   }
 
@@ -119,14 +116,11 @@ class SampleProject {
     must(sherds::Numbers(catalogue()).assign(std::span(&row, 1), provenance_));
     if (i < 30) {
       const std::string path = "results/B0001/sherds/" + std::to_string(i) + "/preview.png";
-      picture(i).save(prepared(path));
+      const std::filesystem::path file = project_->folder() / path;
+      std::filesystem::create_directories(file.parent_path());
+      picture(i).save(QString::fromStdString(file.string()));
       must(sherds::Sherds(catalogue()).setModel(row, "", path));
     }
-  }
-  QString prepared(const std::string& path) {
-    const QString file = QString::fromStdString((project_->folder() / path).string());
-    QDir().mkpath(file.section('/', 0, -2));
-    return file;
   }
   static QImage picture(int i) {
     QImage image(240, 240, QImage::Format_RGB32);

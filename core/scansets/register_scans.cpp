@@ -4,7 +4,6 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <system_error>
 
 #include "base/message.h"
 #include "base/parallel.h"
@@ -18,6 +17,7 @@
 #include "pairing/common_scale.h"
 #include "scansets/register_report.h"
 #include "stages/output_folder.h"
+#include "stages/publish.h"
 #include "stages/run_log.h"
 
 namespace ostraka::scansets {
@@ -182,8 +182,7 @@ Result<RegisterSummary> registerScans(const RegisterOptions& options, Progress& 
   const Result<FolderLock> held = stages::claimOutput(options.output, inputs_hash);
   if (!held) return held.error();
   stages::withdrawResults(options.output);
-  std::error_code ignored;
-  fs::remove_all(options.output / "sherds", ignored);
+  stages::removeStaleSherds(options.output, {});
 
   stages::WarningsKept kept(progress);
   const Result<Paired> found = paired(options, fronts->scans, backs->scans, kept, stop);

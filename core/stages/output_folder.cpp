@@ -1,7 +1,7 @@
 #include "stages/output_folder.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <system_error>
 
 #include "base/message.h"
@@ -25,18 +25,26 @@ std::string nameOf(const fs::path& file, const batch::Batch& batch) {
   return file.lexically_proximate(batch.folder).generic_string();
 }
 
-// What is left when results were deleted to be computed anew, and what people decided was kept; or
-// when all was deleted while a run was writing.
-bool holdsOnlyOurs(const fs::path& output) {
+enum class PeoplesFiles { None, Kept };
+
+// New, empty, or as a run leaves it that was killed before it could name what its results are of:
+// with the lock and files that have no last name yet, if it came that far. Of a batch whose results
+// were deleted to be computed anew, what people decided is kept. Other names prove no owner.
+bool isUntouched(const fs::path& output, PeoplesFiles peoples) {
   std::error_code failed;
-  const bool worked = fs::is_directory(output / "work", failed) &&
-                      !fs::exists(output / "work" / kScansFile, failed);
-  std::set<std::string> ours(std::begin(batch::kPeoplesFiles), std::end(batch::kPeoplesFiles));
-  if (worked)
-    ours.insert({"work", "sherds", "unpaired", "log.txt", "pairs.json", "report.html",
-                 "report.json", "plate.json"});
-  for (fs::directory_iterator at(output, failed), end; !failed && at != end; at.increment(failed))
-    if (ours.count(at->path().filename().string()) == 0) return false;
+  if (!fs::exists(output, failed)) return true;
+  for (const fs::directory_entry& entry : fs::directory_iterator(output, failed)) {
+    const std::string name = entry.path().filename().string();
+    const bool kept = peoples == PeoplesFiles::Kept &&
+                      std::find(std::begin(batch::kPeoplesFiles), std::end(batch::kPeoplesFiles),
+                                name) != std::end(batch::kPeoplesFiles);
+    if (!kept && (name != "work" || !entry.is_directory(failed))) return false;
+  }
+  if (failed || !fs::exists(output / "work", failed)) return !failed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(output / "work", failed)) {
+    const std::string name = entry.path().filename().string();
+    if (name != kLockFile && !name.starts_with('.')) return false;
+  }
   return !failed;
 }
 
@@ -46,11 +54,7 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
                           const ordered_json& hashes) {
   std::error_code failed;
   if (!fs::exists(file, failed)) {
-    // A run that ended before it could name its batch leaves the lock alone.
-    const bool own = fs::exists(file.parent_path() / kLockFile, failed) &&
-                     !fs::exists(file.parent_path() / kScansFile, failed);
-    if (!own && !holdsOnlyOurs(output) && fs::exists(output, failed) &&
-        !fs::is_empty(output, failed))
+    if (!isUntouched(output, PeoplesFiles::Kept))
       return Error::unusable(
           message("The output folder contains files that Ostraka did not write; choose another or "
                   "an empty one."),
@@ -70,21 +74,6 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
   return {};
 }
 
-// New, empty, or as a run leaves it that was killed before it could name its scans: with the lock
-// and files that have no last name yet, if it came that far.
-bool isUntouched(const fs::path& output) {
-  std::error_code failed;
-  if (!fs::exists(output, failed)) return true;
-  for (const fs::directory_entry& entry : fs::directory_iterator(output, failed))
-    if (entry.path().filename() != "work" || !entry.is_directory(failed)) return false;
-  if (failed || !fs::exists(output / "work", failed)) return !failed;
-  for (const fs::directory_entry& entry : fs::directory_iterator(output / "work", failed)) {
-    const std::string name = entry.path().filename().string();
-    if (name != kLockFile && !name.starts_with('.')) return false;
-  }
-  return !failed;
-}
-
 bool names(const fs::path& file, const std::string& scans_hash) {
   const Result<nlohmann::json> earlier = readJson(file);
   return earlier && earlier->is_object() && earlier->contains("inputs_hash") &&
@@ -94,8 +83,6 @@ bool names(const fs::path& file, const std::string& scans_hash) {
 // file: names what the results are of.
 Result<FolderLock> claimed(const fs::path& output, const fs::path& file,
                            const ordered_json& content) {
-  if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
-    return own.error();
   Result<FolderLock> held = FolderLock::take(output / "work");
   if (!held && held.error().where == (output / "work").string())  // a person named OUT
     return Error{held.error().code, held.error().what, output.string()};
@@ -119,14 +106,18 @@ std::string photographsHash(const batch::Batch& batch, const ordered_json& hashe
 
 Result<FolderLock> claimOutput(const fs::path& output, const batch::Batch& batch,
                                const ordered_json& hashes) {
+  if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
+    return own.error();
   const fs::path file = output / "work" / kBatchFile;
   if (const Result<void> may = mayUseOutput(output, file, batch, hashes); !may) return may.error();
   return claimed(output, file, hashes);
 }
 
 Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_hash) {
+  if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
+    return own.error();
   const fs::path file = output / "work" / kScansFile;
-  if (!isUntouched(output) && !names(file, scans_hash) &&
+  if (!isUntouched(output, PeoplesFiles::None) && !names(file, scans_hash) &&
       !names(output / "report.json", scans_hash))
     return Error::unusable(
         message("The output folder contains other files; choose a new or empty folder."),

@@ -1,11 +1,44 @@
 #include "stages/publish.h"
 
+#include <string_view>
+#include <vector>
+
 #include "files/files.h"
 #include "stages/output_folder.h"
 
 namespace ostraka::stages {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kSherdFiles[] = {"front.ply", "back.ply",    "model.ply",
+                                            "model.glb", "preview.png", "merged.ply"};
+
+// Also one that a killed run left before it had its last name.
+bool isOfASherd(const std::string& name) {
+  for (const std::string_view file : kSherdFiles)
+    if (name == file ||
+        (name.starts_with("." + std::string(file) + ".") && name.ends_with(".partial")))
+      return true;
+  return false;
+}
+
+// People may have put files of their own beside the program's: those stay, and so does the folder.
+void removeSherd(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> ours;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (isOfASherd(entry.path().filename().string())) ours.push_back(entry.path());
+  for (const fs::path& file : ours) fs::remove(file, ignored);
+  fs::remove(folder, ignored);  // only if it is empty
+}
+
+bool isSherdNumber(const std::string& name) {
+  return name.size() >= 2 && name.find_first_not_of("0123456789") == std::string::npos;
+}
+
+}  // namespace
 
 Result<void> publish(const FolderLock& held, const std::string& number, bool has_model) {
   const fs::path output = held.folder().parent_path(), to = output / "sherds" / number;
@@ -29,15 +62,18 @@ Result<void> publish(const FolderLock& held, const std::string& number, bool has
       return written;
   }
   if (held.stands()) return {};
-  std::error_code ignored;
-  fs::remove_all(to, ignored);
+  removeSherd(to);
   return outputGone(output);
 }
 
 void removeStaleSherds(const fs::path& output, const std::set<std::string>& numbers) {
   std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(output / "sherds", ignored))
-    if (!numbers.contains(entry.path().filename().string())) fs::remove_all(entry.path(), ignored);
+  std::vector<fs::path> stale;
+  for (const fs::directory_entry& entry : fs::directory_iterator(output / "sherds", ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (isSherdNumber(name) && !numbers.contains(name)) stale.push_back(entry.path());
+  }
+  for (const fs::path& folder : stale) removeSherd(folder);
 }
 
 }  // namespace ostraka::stages

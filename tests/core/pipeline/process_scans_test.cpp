@@ -190,14 +190,6 @@ TEST_F(ProcessScans, AnOutputFolderThatWasMovedGoesOnWhereItIsNow) {
   EXPECT_NE(log.find("pairs: reused from an earlier run"), std::string::npos);
 }
 
-// A person's deleting and the program's writing may cross: what is left holds no batch.json.
-TEST_F(ProcessScans, KnowsALeftoverWithoutItsBatchAsItsOwn) {
-  ASSERT_TRUE(
-      writeFileAtomically(folder / "out" / "work" / "pairs" / "half.json", "{").has_value());
-  ASSERT_TRUE(writeFileAtomically(folder / "out/log.txt", "x").has_value());
-  EXPECT_TRUE(process("out").has_value());
-}
-
 // A hand scanner knows no plate: each scan lies anyhow in its own frame.
 TEST_F(ProcessScans, ScansThatStandOnNoPlateAreTurnedFaceUp) {
   int turn = 0;

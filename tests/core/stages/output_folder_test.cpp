@@ -68,6 +68,35 @@ TEST_F(OutputFolder, OfSomethingElseIsRefusedByARegistration) {
   }
 }
 
+// Names alone prove no owner: a person's folders may have the same.
+TEST_F(OutputFolder, WithNamesOfAResultButNoMarkIsRefusedByABatch) {
+  const std::vector<std::vector<std::string>> others = {
+      {"work/", "sherds/", "sherds/mine.txt"},
+      {"work/", "report.html"},
+      {"work/", "work/lock", "unpaired/mine.ply"},
+      {"work/", "work/lock", "work/masks_front/"}};
+  for (const std::vector<std::string>& names : others) {
+    const fs::path out = outputWith(names);
+    const auto held = claimOutput(out, batch::Batch{}, nlohmann::ordered_json::object());
+    ASSERT_FALSE(held.has_value()) << names.back();
+    EXPECT_EQ(held.error().code, ErrorCode::UnusableInput);
+    EXPECT_TRUE(fs::exists(out / names.back()));
+    EXPECT_FALSE(fs::exists(out / "work/batch.json"));
+  }
+}
+
+TEST_F(OutputFolder, OfABatchKilledBeforeItsMarkOrEmptiedButForDecisionsIsTaken) {
+  const std::vector<std::vector<std::string>> left = {
+      {"work/", "work/lock", "work/.batch.json.0123456789ab.partial"}, {"decisions.json"}};
+  for (const std::vector<std::string>& names : left) {
+    const fs::path out = outputWith(names);
+    const auto held = claimOutput(out, batch::Batch{}, nlohmann::ordered_json::object());
+    ASSERT_TRUE(held.has_value()) << names.back() << ": " << held.error().sentence();
+    EXPECT_TRUE(fs::exists(out / "work/batch.json"));
+    EXPECT_TRUE(fs::exists(out / names.back()));
+  }
+}
+
 // What lies behind the link would be removed as scans and sherds of an earlier run.
 TEST_F(OutputFolder, WithALinkInPlaceOfAFolderIsRefused) {
   for (const char* name : {"work", "sherds", "sherds/01", "work/masks_front"}) {

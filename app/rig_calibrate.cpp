@@ -68,6 +68,8 @@ int runCalibrate(const std::filesystem::path& folder, const std::filesystem::pat
                  const CalibrationOptions& options, Session& session) {
   if (const Result<void> good = checkOutputFile(output, {".json"}, descriptionsIn(folder)); !good)
     return fail(session, good.error());
+  if (const Result<void> good = rig::checkRigOutput(output); !good)
+    return fail(session, good.error());
   session.progress.begin("calibration", 1.0);
   const Result<CalibrationReport> report =
       calibration::calibrateFolder(folder, options, session.progress, session.stop);

@@ -126,6 +126,17 @@ Result<Rig> readRig(const std::filesystem::path& file) {
   return rig;
 }
 
+Result<void> checkRigOutput(const std::filesystem::path& file) {
+  std::error_code failed;
+  if (!std::filesystem::exists(file, failed)) return {};
+  const Result<nlohmann::json> json = readJson(file);
+  if (json && json->is_object() &&
+      ((json->contains("cameras") && json->contains("stops")) || json->contains("devices")))
+    return {};
+  return Error::unusable(
+      message("This file already exists and is not a rig; choose another name."), file);
+}
+
 Result<void> writeRig(const std::filesystem::path& file, const Rig& rig) {
   nlohmann::ordered_json cameras = nlohmann::ordered_json::array();
   for (const RigCamera& camera : rig.cameras) cameras.push_back(toJson(camera));
@@ -137,15 +148,10 @@ Result<void> writeRig(const std::filesystem::path& file, const Rig& rig) {
                                   {"reprojection_rms_px", rig.reprojection_rms_px},
                                   {"cameras", cameras},
                                   {"stops", stops}};
-  std::error_code absent;
-  if (std::filesystem::exists(file, absent)) {
-    const Result<nlohmann::json> there = readJson(file);
-    if (!there || !there->is_object())
-      return Error::unusable(
-          message("This file already exists and is not a rig; choose another name."), file);
+  if (const Result<void> good = checkRigOutput(file); !good) return good;
+  if (const Result<nlohmann::json> there = readJson(file))
     for (const auto& [key, value] : there->items())
       if (!whole.contains(key)) whole[key] = value;
-  }
   return writeJson(file, whole);
 }
 

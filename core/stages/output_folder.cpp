@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <vector>
 
 #include "base/message.h"
 #include "batch/peoples_files.h"
@@ -70,6 +71,8 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
       return Error::unusable(
           message("The output folder contains another batch; choose another folder."),
           output.string());
+  } else {
+    return text.error();
   }
   return {};
 }
@@ -145,7 +148,14 @@ void withdrawResults(const fs::path& output) {
   std::error_code ignored;
   for (const char* name : {"report.json", "report.html", "pairs.json"})
     fs::remove(output / name, ignored);
-  fs::remove_all(output / "unpaired", ignored);
+  std::vector<fs::path> scans;  // people may have put other files beside them
+  for (const fs::directory_entry& entry : fs::directory_iterator(output / "unpaired", ignored)) {
+    const fs::path name = entry.path().filename();
+    const bool partial = name.string().starts_with('.') && name.extension() == ".partial";
+    if (name.extension() == ".ply" || partial) scans.push_back(entry.path());
+  }
+  for (const fs::path& scan : scans) fs::remove(scan, ignored);
+  fs::remove(output / "unpaired", ignored);  // only if it is empty
 }
 
 }  // namespace ostraka::stages

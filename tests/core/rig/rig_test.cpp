@@ -62,6 +62,21 @@ TEST_F(RigFile, DoesNotOverwriteWhatIsNoRigAtAll) {
   EXPECT_EQ(written.error().code, ErrorCode::UnusableInput);
 }
 
+TEST_F(RigFile, TakesThePlaceOfARigOfAnyVersionAlone) {
+  EXPECT_TRUE(checkRigOutput(file)) << "not there yet";
+  for (const char* rig : {R"({"format": 99, "cameras": [], "stops": []})", R"({"devices": []})"}) {
+    std::ofstream(file) << rig;
+    EXPECT_TRUE(checkRigOutput(file)) << rig;
+  }
+  for (const char* other : {R"({"rows": 3, "markers": []})", "not JSON", "[]", ""}) {
+    std::ofstream(file) << other;
+    const Result<void> checked = checkRigOutput(file);
+    ASSERT_FALSE(checked) << other;
+    EXPECT_EQ(checked.error().code, ErrorCode::UnusableInput);
+    EXPECT_EQ(checked.error().where, file.string());
+  }
+}
+
 TEST_F(RigFile, RefusesNumbersThatNoRigHas) {
   ASSERT_TRUE(writeRig(file, sample()).has_value());
   const nlohmann::json good = *readJson(file);

@@ -35,7 +35,7 @@ struct Rig {
 /// Errors: UnusableInput (not a rig, another version, a camera or a stop twice, numbers that are no
 /// camera).
 Result<Rig> readRig(const std::filesystem::path& file);
-/// Whether writeRig may replace this file: it is not there, or it holds the JSON object of a rig, of
+/// Whether writeRig may replace this file: it is not there, or holds the JSON object of a rig, of
 /// any version, or only the "devices" of one. Error: UnusableInput.
 Result<void> checkRigOutput(const std::filesystem::path& file);
 /// What an existing file says besides (its "devices") stays as it is.

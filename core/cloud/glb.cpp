@@ -8,6 +8,7 @@
 
 #include "base/message.h"
 #include "files/files.h"
+#include "files/json.h"
 
 namespace ostraka {
 namespace {
@@ -139,7 +140,7 @@ ordered_json describe(const GlbExtras& extras) {
   if (!extras.number.empty()) about["number"] = extras.number;
   about["unit"] = "m";
   if (extras.filled_percent >= 0) about["filled_pct"] = extras.filled_percent;
-  if (!extras.munsell.empty()) about["munsell"] = ordered_json::parse(extras.munsell);
+  if (const auto munsell = parseJson(extras.munsell, {})) about["munsell"] = *munsell;
   return about;
 }
 

@@ -74,6 +74,7 @@ void removeStaleSherds(const fs::path& output, const std::set<std::string>& numb
     if (isSherdNumber(name) && !numbers.contains(name)) stale.push_back(entry.path());
   }
   for (const fs::path& folder : stale) removeSherd(folder);
+  fs::remove(output / "sherds", ignored);  // only if it is empty
 }
 
 }  // namespace ostraka::stages

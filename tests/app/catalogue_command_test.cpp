@@ -68,6 +68,7 @@ class CatalogueCommand : public testing::Test {
     return text;
   }
   void put(const std::string& name, const std::string& text) {
+    fs::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
   std::string bytesOf(const std::string& name) { return *ostraka::readFile(folder_ / name); }

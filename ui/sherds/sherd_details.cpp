@@ -8,9 +8,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QStringListModel>
-#include <QScrollBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <set>
@@ -180,12 +180,12 @@ void SherdDetails::readProposals(const std::filesystem::path& project,
   reading_ = nullptr;
   if (sherd.model_path.empty()) return offerProposals({}, sherd);
   const auto file = (project / sherd.model_path).replace_extension(".glb");
-  reading_ = jobs.start(makeJob([file](Progress&, std::stop_token) {
-                          return Result<colour::MunsellProposals>(
-                              colour::parseMunsellProposals(munsellInGlb(file))
-                                  .value_or(colour::MunsellProposals()));
-                        }),
-                        this);
+  reading_ = jobs.start(
+      makeJob([file](Progress&, std::stop_token) {
+        return Result<colour::MunsellProposals>(
+            colour::parseMunsellProposals(munsellInGlb(file)).value_or(colour::MunsellProposals()));
+      }),
+      this);
   connect(reading_, &JobHandle::finished, this, [this, sherd](const JobOutcome& outcome) {
     if (const auto read = outcomeAs<colour::MunsellProposals>(outcome))
       offerProposals(*read, sherd);
@@ -449,8 +449,11 @@ void SherdDetails::placeRefusal(const std::string& field, const QString& sentenc
   if (!other.isEmpty()) setPicture(refusal_picture_, picture, kSmallPicture);
   QWidget* editor = name == QLatin1String("place") ? place_ : editors_.value(name);
   delete refused_.data();
-  if (auto* line = qobject_cast<QLineEdit*>(editor))
+  // A window that closes takes the focus from the field, and no button any more.
+  if (auto* line = qobject_cast<QLineEdit*>(editor); line != nullptr && !window()->isHidden()) {
+    line->setMinimumWidth(line->minimumSizeHint().width());  // else its row wraps for the mark
     refused_ = line->addAction(icon("error"), QLineEdit::TrailingPosition);
+  }
   refusal_->show();
   fitRefusal();
   if (editor == nullptr) return;
@@ -465,17 +468,18 @@ void SherdDetails::fitRefusal() {
   if (verticalScrollBar()->isVisible()) room.setWidth(room.width() - verticalScrollBar()->width());
   const QLayout& outside = *refusal_->layout();
   const QMargins margins = outside.contentsMargins();
-  const int rest =
-      margins.top() + margins.bottom() +
-      (confirm_->isHidden() ? 0 : std::max(outside.spacing(), 0) + std::max(confirm_->sizeHint().height(), confirm_->minimumHeight()));
+  const int rest = margins.top() + margins.bottom() +
+                   (confirm_->isHidden()
+                        ? 0
+                        : std::max(outside.spacing(), 0) +
+                              std::max(confirm_->sizeHint().height(), confirm_->minimumHeight()));
   QLayout& inside = *told_->widget()->layout();
   inside.activate();  // what was shown or said since counts
   const int wide = room.width() - margins.left() - margins.right();
   const int said = inside.hasHeightForWidth() ? inside.totalHeightForWidth(wide)
                                               : inside.totalSizeHint().height();
   // Half the room stays the fields'; a long sentence is scrolled.
-  told_->setFixedHeight(
-      std::min(said, std::max(room.height() / 2 - rest, fontMetrics().height())));
+  told_->setFixedHeight(std::min(said, std::max(room.height() / 2 - rest, fontMetrics().height())));
   const int high = told_->height() + rest;
   refusal_->setGeometry(room.left(), room.bottom() + 1 - high, room.width(), high);
   setViewportMargins(0, 0, 0, high);

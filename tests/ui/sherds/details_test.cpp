@@ -106,6 +106,7 @@ class DetailsTest : public CatalogueWindow {
     };
     choose(0);
     auto* bag = child<QLineEdit>("field_bag");
+    QTRY_VERIFY(bag->height() >= bag->minimumSizeHint().height());  // till the rows stand
     bag->setFocus();
     details->verticalScrollBar()->setValue(bag->mapTo(details->widget(), QPoint()).y());
     const QList<int> before = places();
@@ -193,14 +194,16 @@ class DetailsTest : public CatalogueWindow {
     QCOMPARE(sample_->value(0, "munsell_core"), QString());
     auto* take_over = child<QPushButton>("takeOver_munsell_core");
     QVERIFY(take_over->y() > child<QLabel>("proposed_munsell_core")->y());
-    const int below = child<QLineEdit>("field_note")->y();
+    const auto* note = child<QLineEdit>("field_note");
+    QTRY_VERIFY(note->height() >= note->minimumSizeHint().height());  // till the rows stand
+    const int below = note->y();
     take_over->click();
     QCOMPARE(sample_->value(0, "munsell_core"), QString("10YR 3/2"));
     QCOMPARE(child<QLineEdit>("field_munsell_core")->text(), QString("10YR 3/2"));
     QTRY_VERIFY(!take_over->isEnabled());
     QTest::qWait(0);
     QVERIFY2(child<QLabel>("proposed_munsell_core")->isVisible(), "no field moves");
-    QCOMPARE(child<QLineEdit>("field_note")->y(), below);
+    QCOMPARE(note->y(), below);
     QCOMPARE(sample_->session().undo().undoText(), QString("change Munsell core"));
     const auto history = catalogue::History(sample_->catalogue()).of(sample_->row(0));
     QCOMPARE(history->front().new_value, std::string("10YR 3/2"));

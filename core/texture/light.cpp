@@ -28,7 +28,7 @@ constexpr double kBlur_mm = 0.5;         // relief below it has normals of its o
 constexpr double kDarkLevel = 8, kClippedLevel = 247;
 constexpr double kUsualOff = 0.1;      // of logarithms
 constexpr double kOwnExposure = 1e-3;  // pull of each photograph towards its own exposure
-constexpr double kEvenLight = 1e-5;    // pull towards light from everywhere
+constexpr double kEvenLight = 1e-7;    // pull towards light from everywhere
 // Rounding to a level, and what nine terms leave of a light.
 constexpr double kLeastNoise = 0.01;
 // Less than a step of L* on a mid grey, which nobody sees.

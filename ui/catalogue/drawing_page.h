@@ -81,7 +81,7 @@ class DrawingPage final : public QWidget {
 
   ProjectSession* session_ = nullptr;
   std::vector<store::SherdRow> sherds_;
-  /// What a person said of single sherds, whatever is shown meanwhile; the project keeps it.
+  /// What a person said of individual sherds, whatever is shown; kept with the project.
   std::map<store::SherdRow, drawing::RimChoice> rims_;
   std::shared_ptr<const Drawn> drawn_;
   QPointer<JobHandle> drawing_, painting_, writing_;

@@ -28,8 +28,11 @@ function(ostraka_ui_test name)
     get_filename_component(stem ${source} NAME_WE)
     set(target ui_${name}_${stem})
     add_executable(${target} ${source})
-    set_target_properties(${target} PROPERTIES AUTOMOC ON)
+    set_target_properties(${target} PROPERTIES AUTOMOC ON OSTRAKA_OF_TESTS ON)
     target_link_libraries(${target} PRIVATE ${A_LINKS} ostraka_qt Qt6::Test)
+    target_precompile_headers(${target} REUSE_FROM ostraka_qt_tests)
+    set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp
+      PROPERTIES SKIP_PRECOMPILE_HEADERS ON)  # it is empty, and reading them takes two seconds
     target_compile_definitions(${target} PRIVATE OSTRAKA_SHARED_DIR="${OSTRAKA_SHARED_DIR}"
       OSTRAKA_TEST_DATA_DIR="${CMAKE_SOURCE_DIR}/tests/data")
     if(A_WINDOW)

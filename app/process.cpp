@@ -146,10 +146,16 @@ void addProcess(CLI::App& root, Command& chosen) {
   command
       ->add_option(
           "--megapixels", options->megapixels,
-          "Larger photographs are averaged down to this many megapixels for masks and stereo: "
-          "more takes more memory and time; default 5, or fewer if a side has more than 24 "
-          "photographs, so that 4 GB of memory are enough")
+          "Larger photographs are averaged down to this many megapixels for stereo: more gives "
+          "finer models and takes more time")
+      ->capture_default_str()
       ->check(CLI::Range(0.3, 1000.0));
+  command
+      ->add_option("--memory", options->memory_gb,
+                   "Memory for masks and stereo, GB: with less, stereo works part by part, and "
+                   "masks are made on fewer pixels")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 4000.0));
   command->add_flag_callback(
       "--draft", [options] { options->megapixels = pipeline::kDraftMegapixels; },
       "A quick look, coarser; the same command without it computes the final models");

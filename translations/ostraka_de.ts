@@ -8160,6 +8160,11 @@
       <translation>Der Ausgabeordner liegt im Ordner des Durchgangs, in den Ostraka nie schreibt; einen daneben wählen.</translation>
     </message>
     <message>
+      <source>Processing needs at least %1 GB of memory.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Verarbeitung braucht mindestens %1 GB Arbeitsspeicher.</translation>
+    </message>
+    <message>
       <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotos lassen sich nicht auf weniger als 0,3 Megapixel verkleinern.</translation>

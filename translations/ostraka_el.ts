@@ -8160,6 +8160,11 @@
       <translation>Ο φάκελος εξόδου είναι μέσα στον φάκελο της παρτίδας, όπου δεν γράφεται ποτέ τίποτα· επιλέξτε έναν δίπλα του.</translation>
     </message>
     <message>
+      <source>Processing needs at least %1 GB of memory.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η επεξεργασία χρειάζεται τουλάχιστον %1 GB μνήμης.</translation>
+    </message>
+    <message>
       <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι φωτογραφίες δεν μειώνονται κάτω από 0,3 μεγαπίξελ.</translation>

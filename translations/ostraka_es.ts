@@ -8160,6 +8160,11 @@
       <translation>La carpeta de salida está dentro de la carpeta de la tanda, donde Ostraka nunca escribe; elija una al lado.</translation>
     </message>
     <message>
+      <source>Processing needs at least %1 GB of memory.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El procesamiento necesita al menos %1 GB de memoria.</translation>
+    </message>
+    <message>
       <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las fotos no se pueden reducir a menos de 0,3 megapíxeles.</translation>

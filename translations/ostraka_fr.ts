@@ -8160,6 +8160,11 @@
       <translation>Le dossier de sortie est dans le dossier du lot, où Ostraka n’écrit jamais ; choisissez-en un à côté.</translation>
     </message>
     <message>
+      <source>Processing needs at least %1 GB of memory.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le traitement demande au moins %1 Go de mémoire.</translation>
+    </message>
+    <message>
       <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les photos ne peuvent pas être réduites à moins de 0,3 mégapixel.</translation>

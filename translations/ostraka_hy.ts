@@ -8160,6 +8160,11 @@
       <translation>Արդյունքների պանակը խմբաքանակի պանակում է, ուր երբեք ոչինչ չի գրվում. ընտրեք մեկը դրա կողքին։</translation>
     </message>
     <message>
+      <source>Processing needs at least %1 GB of memory.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մշակման համար անհրաժեշտ է առնվազն %1 ԳԲ հիշողություն։</translation>
+    </message>
+    <message>
       <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարները հնարավոր չէ փոքրացնել 0,3 մեգապիքսելից պակաս։</translation>

@@ -8114,6 +8114,11 @@
       <translation>Çıktı klasörü, içine hiçbir şey yazılmayan parti klasörünün içinde; onun yanında birini seçin.</translation>
     </message>
     <message>
+      <source>Processing needs at least %1 GB of memory.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>İşleme için en az %1 GB bellek gerekir.</translation>
+    </message>
+    <message>
       <source>Photographs cannot be reduced to less than 0.3 megapixels.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğraflar 0,3 megapikselden aza küçültülemez.</translation>

@@ -218,7 +218,7 @@ Result<void> leaveOutSpoilt(const Run& run, calibration::BatchPoses& poses,
                             stages::StageNotes& notes) {
   checks::PhotoCheckOptions options;
   options.one_camera = run.batch.way == batch::Way::FreeCamera;
-  options.megapixels = workingMegapixels(run.options, run.batch);
+  options.megapixels = run.options.megapixels;
   options.threads = run.threadsForOriginals();
   const Result<checks::PhotoFindings> found =
       checks::checkPhotographs(poses.images, *run.batch.plate, options, run.stop);
@@ -257,10 +257,10 @@ void leaveOutOutliers(const Run& run, calibration::BatchPoses& poses, stages::St
 
 constexpr const char* kBends = "sheet.json";
 
-// What masks, stereo and all that follows work on: images of no more pixels than asked for.
+// What stereo and all that follows work on: images of no more pixels than asked for.
 Staged<Poses> atWorkingSize(const Run& run, Poses poses, stages::StageRecord record) {
   bool any = false;
-  const double megapixels = workingMegapixels(run.options, run.batch);
+  const double megapixels = run.options.megapixels;
   for (rig::PosedImage& image : poses.images) {
     const int width = image.intrinsics.width;
     image.intrinsics = rig::reducedTo(image.intrinsics, megapixels);

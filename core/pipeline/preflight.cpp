@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "batch/mask_source.h"
 #include "colmap/colmap_program.h"
+#include "stereo/stereo.h"
 
 namespace ostraka::pipeline {
 namespace {
@@ -18,7 +19,9 @@ namespace {
 constexpr double kBase_mb = 80, kEachMegapixel_mb = 790.0 / 24;
 // 943 s for 40 photographs of 5 megapixels, on one thread.
 constexpr double kEachMegapixel_s = 943.0 / (40 * 5);
-constexpr double kPixelsPerMegapixel = 1e6;
+constexpr double kPixelsPerMegapixel = 1e6, kMegabytesAGigabyte = 1024;
+// Less makes parts that are hardly larger than what lies around them.
+constexpr double kLeastOfStereo_mb = 500;
 
 int countOf(const batch::Batch& batch, batch::Side side) {
   return static_cast<int>(
@@ -34,6 +37,15 @@ double largestMegapixels(const batch::Batch& batch) {
   return batch::largestPixels(batch) / kPixelsPerMegapixel;
 }
 
+double workedOn(const ProcessOptions& options, const batch::Batch& batch) {
+  return std::min(largestMegapixels(batch), options.megapixels);
+}
+
+// A byte for each pixel of both sides' photographs.
+double heldMasks_mb(const ProcessOptions& options, const batch::Batch& batch) {
+  return workedOn(options, batch) * static_cast<double>(batch.shots.size());
+}
+
 // The program that a later stage would miss; empty: none.
 std::string missingProgram(const batch::Batch& batch, const ProcessOptions& options) {
   std::vector<std::string> wanted;
@@ -47,24 +59,31 @@ std::string missingProgram(const batch::Batch& batch, const ProcessOptions& opti
 
 }  // namespace
 
-double usualMegapixels(int photographs_of_a_side) {
-  constexpr double kMost = 5, kLeast = 1, kMost_mb = 4096;
-  const double held =
-      (kMost_mb - kBase_mb) / (kEachMegapixel_mb * std::max(1, photographs_of_a_side));
-  return std::clamp(held, kLeast, kMost);
+double maskMegapixels(const ProcessOptions& options, const batch::Batch& batch) {
+  constexpr double kMost = 5, kLeast = 1;
+  const double held = (kMegabytesAGigabyte * options.memory_gb - kBase_mb) /
+                      (kEachMegapixel_mb * std::max(1, photographsOfASide(batch)));
+  return std::min(options.megapixels, std::clamp(held, kLeast, kMost));
 }
 
-double workingMegapixels(const ProcessOptions& options, const batch::Batch& batch) {
-  return options.megapixels.value_or(usualMegapixels(photographsOfASide(batch)));
+double stereoMemory_mb(const ProcessOptions& options, const batch::Batch& batch, int originals) {
+  const double left = kMegabytesAGigabyte * options.memory_gb - kBase_mb -
+                      heldMasks_mb(options, batch) - originals * batch::originalMb(batch);
+  return std::max(left, kLeastOfStereo_mb);
 }
 
 Needs needsOf(const batch::Batch& batch, const ProcessOptions& options, double free_memory_mb) {
   Needs needs;
-  needs.megapixels = std::min(largestMegapixels(batch), workingMegapixels(options, batch));
-  const double originals_mb =
-      batch::threadsForOriginals(batch, options.threads, free_memory_mb) * batch::originalMb(batch);
-  const double reduced_mb = kEachMegapixel_mb * needs.megapixels * photographsOfASide(batch);
-  needs.memory_mb = kBase_mb + std::max(originals_mb, reduced_mb);
+  needs.megapixels = workedOn(options, batch);
+  const int originals = batch::threadsForOriginals(batch, options.threads, free_memory_mb);
+  const double originals_mb = originals * batch::originalMb(batch);
+  const int of_a_side = photographsOfASide(batch);
+  const double masks_mb =
+      kEachMegapixel_mb * std::min(needs.megapixels, maskMegapixels(options, batch)) * of_a_side;
+  const double stereo_mb =
+      heldMasks_mb(options, batch) + std::min(stereo::kBytesAPixel * needs.megapixels * of_a_side,
+                                              stereoMemory_mb(options, batch, originals));
+  needs.memory_mb = kBase_mb + std::max({originals_mb, masks_mb, stereo_mb});
   needs.core_s = kEachMegapixel_s * needs.megapixels * static_cast<double>(batch.shots.size());
   return needs;
 }

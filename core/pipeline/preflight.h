@@ -10,7 +10,7 @@ namespace ostraka::pipeline {
 
 /// What a run will take, about.
 struct Needs {
-  double megapixels = 0;  ///< of a photograph as masks and stereo will see it
+  double megapixels = 0;  ///< of a photograph as stereo will see it
   double memory_mb = 0;   ///< at the run's peak (docs/experiments.md)
   double core_s = 0;      ///< seconds of one core (tests/bench/RESULTS.md), without COLMAP's
 };
@@ -21,11 +21,11 @@ struct Preflight : Needs {
   std::vector<Message> warnings;  ///< what is short, what follows and what to do
 };
 
-/// What photographs are averaged down to when nothing else is asked for, millions of pixels: 5, or
-/// what 4 GB of memory hold where a side has more than 24, but not less than 1.
-double usualMegapixels(int photographs_of_a_side);
-/// What masks and stereo work on, at most.
-double workingMegapixels(const ProcessOptions& options, const batch::Batch& batch);
+/// What photographs are averaged down to for masks, millions of pixels: as many as stereo sees, but
+/// no more than 5, and no more than the memory holds of all photographs of a side, but 1 at least.
+double maskMegapixels(const ProcessOptions& options, const batch::Batch& batch);
+/// What is left for stereo beside all masks and as many originals.
+double stereoMemory_mb(const ProcessOptions& options, const batch::Batch& batch, int originals);
 
 /// The originals come first, as many at one time as threads may have (threadsForOriginals), then
 /// what they are averaged down to. free_memory_mb: 0 when the system does not say.

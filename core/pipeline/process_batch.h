@@ -21,6 +21,7 @@ enum class TextureColours { Photo, Albedo };
 /// For a quick look at both sides while they still lie on the plate: coarser, in a fraction of the
 /// time.
 constexpr double kDraftMegapixels = 0.8;
+constexpr double kUsualMegapixels = 5;
 
 struct ProcessOptions {
   /// A batch folder, or one with the photographs of the front; nothing in it is ever written.
@@ -33,10 +34,12 @@ struct ProcessOptions {
   std::optional<std::filesystem::path> rig;  ///< RIG.json of an earlier calibration
   DenseMethod dense = DenseMethod::Builtin;
   std::string masks = "auto";  ///< "auto", "given", or the path of an ONNX network
-  /// Photographs of more are averaged down to this for masks and stereo, whose memory and time grow
-  /// with the pixels; the cameras are found in the originals. Millions of pixels; absent:
-  /// usualMegapixels.
-  std::optional<double> megapixels;
+  /// Photographs of more are averaged down to this for stereo, whose time grows with the pixels; the
+  /// cameras are found in the originals. Millions of pixels.
+  double megapixels = kUsualMegapixels;
+  /// What masks and stereo may take: masks are made on fewer pixels, and stereo part by part, where
+  /// whole photographs would take more. The result depends on it a little.
+  double memory_gb = 4;
   TextureColours texture = TextureColours::Photo;
   pairing::Method pairing = pairing::Method::Default;
   registration::Method registration = registration::Method::Default;

@@ -8,6 +8,10 @@ namespace ostraka::pipeline {
 
 namespace fs = std::filesystem;
 
+namespace {
+constexpr double kLeastMemory_gb = 1;
+}
+
 Result<void> ProcessOptions::check() const {
   if (batch.empty()) return Error::unusable(message("No batch folder was given."));
   if (output.empty())
@@ -23,8 +27,11 @@ Result<void> ProcessOptions::check() const {
                                      "Ostraka never writes; choose one next to it."),
                              output.string());
   }
-  if (megapixels && !(*megapixels >= 0.3))
+  if (!(megapixels >= 0.3))
     return Error::unusable(message("Photographs cannot be reduced to less than 0.3 megapixels."));
+  if (!(memory_gb >= kLeastMemory_gb))
+    return Error::unusable(
+        message("Processing needs at least %1 GB of memory.", decimal(kLeastMemory_gb, 0)));
   if (masks != "auto" && masks != "given" && !fs::is_regular_file(masks, failed))
     return Error::unusable(
         message("There is no such segmentation network; masks are 'auto', 'given' or an ONNX "

@@ -15,6 +15,7 @@
 #include "mask/given_mask.h"
 #include "mask/plate_mask.h"
 #include "pipeline/chain.h"
+#include "pipeline/preflight.h"
 #include "pipeline/view_masks.h"
 #include "rig/turntable.h"
 #include "segmentation/network_mask.h"
@@ -180,6 +181,10 @@ double coverage(const std::vector<cv::Mat1b>& masks) {
 
 Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<Poses>& poses) {
   const std::vector<rig::PosedImage> images = poses.value.of(side);
+  const double megapixels = maskMegapixels(run.options, run.batch);
+  std::vector<rig::PosedImage> masked = images;
+  for (rig::PosedImage& image : masked)
+    image.intrinsics = rig::reducedTo(image.intrinsics, megapixels);
   const std::string name = std::string("masks_") + batch::name(side);
   std::string how = run.options.masks;
   if (how != "auto" && how != "given") {
@@ -188,7 +193,7 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
     how = sha256(*model);
   }
   const auto work = [&](const fs::path& folder) -> Result<stages::StageNotes> {
-    const Result<mask::MaskResult> made = makeMasks(run, images, poses.value.bends[sideIndex(side)],
+    const Result<mask::MaskResult> made = makeMasks(run, masked, poses.value.bends[sideIndex(side)],
                                                     poses.value.grounds[sideIndex(side)]);
     if (!made) return made.error();
     for (std::size_t i = 0; i < images.size(); ++i)
@@ -198,9 +203,12 @@ Result<Staged<Masks>> maskStage(const Run& run, batch::Side side, const Staged<P
         return written.error();
     return stages::StageNotes{{{"covered_share", coverage(made->masks)}}, made->warnings};
   };
-  const Result<stages::StageRecord> record = runStage(
-      run, name, {{"batch", run.batch_hash}, {"poses", poses.record.outputs_hash}, {"masks", how}},
-      work);
+  const Result<stages::StageRecord> record = runStage(run, name,
+                                                      {{"batch", run.batch_hash},
+                                                       {"poses", poses.record.outputs_hash},
+                                                       {"masks", how},
+                                                       {"megapixels", megapixels}},
+                                                      work);
   if (!record) return record.error();
   Masks masks;
   for (const rig::PosedImage& image : images) {
@@ -223,11 +231,17 @@ bool names(const Message& message, const std::string& file) {
 
 // Another program works in a folder beside the stage's, which stays for its log when it fails.
 Result<PointCloud> denseCloud(const Run& run, batch::Side side, const std::string& name,
-                              const std::vector<stereo::View>& views,
+                              std::vector<stereo::View> views,
                               const stereo::DenseOptions& options, stages::StageNotes& notes) {
+  const auto read = [&](std::size_t i) -> Result<cv::Mat> {
+    const rig::Intrinsics& camera = views[i].camera.intrinsics;
+    Result<cv::Mat> photograph = batch::readPhotograph(views[i].camera.file);
+    if (photograph) *photograph = batch::reducedTo(*photograph, camera.width, camera.height);
+    return photograph;
+  };
   if (run.options.dense == DenseMethod::Builtin) {
     Result<stereo::Reconstruction> found =
-        stereo::reconstruct(views, options, run.progress, run.stop);
+        stereo::reconstruct(views, read, options, run.progress, run.stop);
     if (!found) return found.error();
     notes.figures["confirmed_share"] = found->agreement.confirmedShare();
     notes.figures["covered_share"] = found->agreement.coveredShare();
@@ -236,6 +250,11 @@ Result<PointCloud> denseCloud(const Run& run, batch::Side side, const std::strin
       notes.warnings.push_back(*doubt);
     }
     return std::move(found->cloud);
+  }
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    Result<cv::Mat> photograph = read(i);
+    if (!photograph) return photograph.error();
+    views[i].photograph = std::move(*photograph);
   }
   const bool colmap = run.options.dense == DenseMethod::Colmap;
   const fs::path workspace = run.work / (name + (colmap ? "_colmap" : "_openmvs"));
@@ -294,15 +313,15 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
                                                      used.size()),
                 message("Check the masks, and whether sherds were on the plate.")),
           (run.work / (std::string("masks_") + batch::name(side))).string()};
-    const Result<std::vector<cv::Mat>> photographs = photographsOf(used, run.threadsForOriginals());
-    if (!photographs) return photographs.error();
     std::vector<stereo::View> views;
-    for (std::size_t i = 0; i < used.size(); ++i)
-      views.push_back({used[i], (*photographs)[i], used_masks[i]});
+    for (std::size_t i = 0; i < used.size(); ++i) views.push_back({used[i], {}, used_masks[i]});
     stereo::DenseOptions options;
     options.threads = run.options.threads;
+    options.readers = run.threadsForOriginals();
+    options.memory_mb = stereoMemory_mb(run.options, run.batch, options.readers);
     if (run.batch.plate) options.floor_z_mm = -poses.value.bends[sideIndex(side)].most();
-    const Result<PointCloud> cloud = denseCloud(run, side, name, views, options, notes);
+    const Result<PointCloud> cloud =
+        denseCloud(run, side, name, std::move(views), options, notes);
     if (!cloud) return cloud.error();
     const Result<void> written =
         writePly(folder / "cloud.ply", *cloud, std::string("plate_") + batch::name(side));
@@ -315,7 +334,8 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
                {{"batch", run.batch_hash},
                 {"poses", poses.record.outputs_hash},
                 {"masks", masks.record.outputs_hash},
-                {"dense", static_cast<int>(run.options.dense)}},
+                {"dense", static_cast<int>(run.options.dense)},
+                {"memory_gb", run.options.memory_gb}},
                work);
   if (!record) return record.error();
   Result<PointCloud> cloud = readPlyCloud(run.work / name / "cloud.ply");

@@ -63,31 +63,64 @@ void blank(Frame& frame, const cv::Mat1f& covered) {
     }
 }
 
-struct Undistorted {
-  cv::Mat1f grey, coverage;
+/// Where the pixels of a part of the picture without distortion lie in the picture as it was shot.
+struct Lens {
+  cv::Rect part;
+  cv::Mat map_x, map_y;  ///< empty: in the same place
+
+  Lens(const rig::Intrinsics& lens, const cv::Rect& wanted) : part(wanted) {
+    if (!lens.hasDistortion()) return;
+    const cv::Matx33d k(lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1);
+    const cv::Matx33d moved(lens.fx, 0, lens.cx - part.x, 0, lens.fy, lens.cy - part.y, 0, 0, 1);
+    cv::initUndistortRectifyMap(k, lens.distortion, cv::noArray(), moved, part.size(), CV_32F,
+                                map_x, map_y);
+  }
+  cv::Mat1f seen(const cv::Mat& picture, int interpolation, int border) const {
+    if (map_x.empty()) return picture(part).clone();
+    cv::Mat1f result;
+    cv::remap(picture, result, map_x, map_y, interpolation, border, 0);
+    return result;
+  }
 };
 
-Undistorted undistort(const View& view) {
-  cv::Mat grey8, grey;
-  cv::cvtColor(view.photograph, grey8, cv::COLOR_BGR2GRAY);
-  grey8.convertTo(grey, CV_32F);
+cv::Mat1f coverageOf(const View& view, const Lens& lens) {
   cv::Mat coverage;
   if (view.mask.empty())
-    coverage = cv::Mat1f(grey.size(), 1.0F);
+    coverage = cv::Mat1f(view.camera.intrinsics.height, view.camera.intrinsics.width, 1.0F);
   else
     view.mask.convertTo(coverage, CV_32F, 1.0 / 255.0);
-  const rig::Intrinsics& lens = view.camera.intrinsics;
-  if (!lens.hasDistortion()) return {grey, coverage};
-  const cv::Matx33d k(lens.fx, 0, lens.cx, 0, lens.fy, lens.cy, 0, 0, 1);
-  cv::Mat map_x, map_y;
-  cv::initUndistortRectifyMap(k, lens.distortion, cv::noArray(), k, grey.size(), CV_32F, map_x,
-                              map_y);
-  Undistorted result;
-  cv::remap(grey, result.grey, map_x, map_y, cv::INTER_LANCZOS4, cv::BORDER_REPLICATE);
-  cv::remap(coverage, result.coverage, map_x, map_y, cv::INTER_LINEAR, cv::BORDER_CONSTANT, 0);
-  return result;
+  return lens.seen(coverage, cv::INTER_LINEAR, cv::BORDER_CONSTANT);
 }
 
+cv::Mat1f greyOf(const cv::Mat& photograph, const Lens& lens) {
+  cv::Mat grey8, grey;
+  cv::cvtColor(photograph, grey8, cv::COLOR_BGR2GRAY);
+  grey8.convertTo(grey, CV_32F);
+  return lens.seen(grey, cv::INTER_LANCZOS4, cv::BORDER_REPLICATE);
+}
+
+/// The view's camera for a part of its pixels.
+Frame frameOf(const View& view, const cv::Rect& part) {
+  Frame frame;
+  const rig::Intrinsics& lens = view.camera.intrinsics;
+  frame.light = view.camera.stop;
+  frame.width = part.width;
+  frame.height = part.height;
+  frame.fx = static_cast<float>(lens.fx);
+  frame.fy = static_cast<float>(lens.fy);
+  frame.cx = static_cast<float>(lens.cx - part.x);
+  frame.cy = static_cast<float>(lens.cy - part.y);
+  frame.rotation = view.camera.camera_from_plate.linear().cast<float>();
+  frame.translation = view.camera.camera_from_plate.translation().cast<float>();
+  frame.centre = view.camera.centre().cast<float>();
+  return frame;
+}
+
+cv::Rect wholeOf(const View& view) {
+  return {0, 0, view.camera.intrinsics.width, view.camera.intrinsics.height};
+}
+
+/// Without grey values where there are none.
 Frame halved(const Frame& fine, const cv::Mat1f& blurred) {
   Frame coarse;
   coarse.light = fine.light;
@@ -101,7 +134,8 @@ Frame halved(const Frame& fine, const cv::Mat1f& blurred) {
   coarse.translation = fine.translation;
   coarse.centre = fine.centre;
   const cv::Rect even(0, 0, coarse.width * 2, coarse.height * 2);
-  cv::resize(blurred(even), coarse.grey, {coarse.width, coarse.height}, 0, 0, cv::INTER_AREA);
+  if (!blurred.empty())
+    cv::resize(blurred(even), coarse.grey, {coarse.width, coarse.height}, 0, 0, cv::INTER_AREA);
   cv::resize(fine.coverage(even), coarse.coverage, {coarse.width, coarse.height}, 0, 0,
              cv::INTER_AREA);
   return coarse;
@@ -109,23 +143,14 @@ Frame halved(const Frame& fine, const cv::Mat1f& blurred) {
 
 }  // namespace
 
-std::vector<Frame> buildPyramid(const View& view, int levels) {
+std::vector<Frame> buildPyramid(const View& view, const cv::Mat& photograph, const cv::Rect& part,
+                                int levels) {
   std::vector<Frame> pyramid;
-  Undistorted image = undistort(view);
-  Frame frame;
-  const rig::Intrinsics& lens = view.camera.intrinsics;
-  frame.light = view.camera.stop;
-  frame.width = image.grey.cols;
-  frame.height = image.grey.rows;
-  frame.fx = static_cast<float>(lens.fx);
-  frame.fy = static_cast<float>(lens.fy);
-  frame.cx = static_cast<float>(lens.cx);
-  frame.cy = static_cast<float>(lens.cy);
-  frame.rotation = view.camera.camera_from_plate.linear().cast<float>();
-  frame.translation = view.camera.camera_from_plate.translation().cast<float>();
-  frame.centre = view.camera.centre().cast<float>();
-  frame.coverage = image.coverage;
-  frame.grey = blurInside(image.grey, mostlyCovered(image.coverage), kPresmoothing_px);
+  const Lens lens(view.camera.intrinsics, part);
+  Frame frame = frameOf(view, part);
+  frame.coverage = coverageOf(view, lens);
+  frame.grey =
+      blurInside(greyOf(photograph, lens), mostlyCovered(frame.coverage), kPresmoothing_px);
   for (int level = 0; level < levels; ++level) {
     const cv::Mat1f covered = mostlyCovered(frame.coverage);
     Frame next;
@@ -137,6 +162,19 @@ std::vector<Frame> buildPyramid(const View& view, int levels) {
     frame = std::move(next);
   }
   return pyramid;
+}
+
+std::vector<Frame> buildPyramid(const View& view, int levels) {
+  return buildPyramid(view, view.photograph, wholeOf(view), levels);
+}
+
+Outline outlineOf(const View& view, int levels) {
+  const cv::Rect whole = wholeOf(view);
+  Outline outline{frameOf(view, whole), 0};
+  outline.frame.coverage = coverageOf(view, Lens(view.camera.intrinsics, whole));
+  outline.shown = cv::countNonZero(outline.frame.coverage >= kMinCoverage);
+  for (int level = 1; level < levels; ++level) outline.frame = halved(outline.frame, {});
+  return outline;
 }
 
 }  // namespace ostraka::stereo

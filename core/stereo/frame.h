@@ -40,7 +40,18 @@ struct Frame {
   }
 };
 
-/// The frames of one view from the full size (first) to the coarsest; pixels and index are empty.
+/// The frames of one part of a view from the full size (first) to the coarsest; pixels and index are
+/// empty. The photograph is the whole one, the part a rectangle of its pixels without distortion.
+std::vector<Frame> buildPyramid(const View& view, const cv::Mat& photograph, const cv::Rect& part,
+                                int levels);
+/// The same of the whole view, with the photograph that it holds.
 std::vector<Frame> buildPyramid(const View& view, int levels);
+
+/// What the mask alone tells.
+struct Outline {
+  Frame frame;             ///< the coarsest of the view's frames, without grey values
+  std::int64_t shown = 0;  ///< pixels of the full size inside the mask
+};
+Outline outlineOf(const View& view, int levels);
 
 }  // namespace ostraka::stereo

@@ -65,14 +65,14 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
               Agreement& agreement) {
   const Frame& frame = *frames[view];
   const PlaneMap& map = maps[view];
-  agreement.shown = cv::countNonZero(frame.coverage >= 0.5F);
-  agreement.matched = static_cast<std::int64_t>(frame.pixels.size());
   for (std::size_t k = 0; k < frame.pixels.size(); ++k) {
-    if (map.depth[k] <= 0 || map.cost[k] > kMostCost) continue;
     const Eigen::Vector3f in_camera =
         map.depth[k] *
         frame.ray(static_cast<float>(frame.pixels[k].x), static_cast<float>(frame.pixels[k].y));
     const Eigen::Vector3f p = frame.rotation.transpose() * (in_camera - frame.translation);
+    const bool counted = options.tile == nullptr || options.tile->owns(p);
+    agreement.matched += counted ? 1 : 0;
+    if (map.depth[k] <= 0 || map.cost[k] > kMostCost) continue;
     const Eigen::Vector3f n = frame.rotation.transpose() * map.normal[k];
     const float footprint = map.depth[k] / frame.fx;
     const float tolerance = kSurfacesAgree_px * footprint;
@@ -102,7 +102,7 @@ void fuseView(std::span<const Frame* const> frames, std::span<const PlaneMap> ma
       normals += o.weight * o.normal;
     }
     if (agreeing < options.min_agreeing_views || against >= agreeing) continue;
-    ++agreement.confirmed;
+    agreement.confirmed += counted ? 1 : 0;
     if (!best) continue;
     SurfacePoint point;
     point.slant = {tangents / weights, products - offsets * tangents / weights,
@@ -138,7 +138,6 @@ std::vector<SurfacePoint> fusePlanes(std::span<const Frame* const> frames,
   });
   agreement = {};
   for (const Agreement& count : counts) {
-    agreement.shown += count.shown;
     agreement.matched += count.matched;
     agreement.confirmed += count.confirmed;
   }

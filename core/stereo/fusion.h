@@ -3,12 +3,14 @@
 #include <vector>
 
 #include "stereo/patch_match.h"
+#include "stereo/tiles.h"
 
 namespace ostraka::stereo {
 
 struct FusionOptions {
   int min_agreeing_views = 2;
   int threads = 1;
+  const Tile* tile = nullptr;  ///< only what it owns is counted; absent: all
 };
 
 /// How the views of one point differ in slant, the tangent of the angle between the surface's
@@ -36,7 +38,7 @@ float neighbourhood_mm(const std::vector<SurfacePoint>& points, float wanted_mm)
 
 /// Points where at least so many views agree, each from the view that sees it most squarely, moved
 /// along the normal to the weighted mean of all that agree. In order of views and their pixels.
-/// agreement: how many pixels there were, and for how many so many views agree.
+/// agreement: how many pixels were matched, and for how many so many views agree.
 std::vector<SurfacePoint> fusePlanes(std::span<const Frame* const> frames,
                                      std::span<const PlaneMap> maps, const FusionOptions& options,
                                      Agreement& agreement);

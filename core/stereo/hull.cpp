@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -190,7 +191,8 @@ Result<Hull> carveHull(std::span<const Frame* const> frames, const DenseOptions&
       {}};
 }
 
-std::vector<DepthRange> depthRanges(const Hull& hull, const Frame& frame) {
+std::vector<DepthRange> depthRanges(const Hull& hull, const Frame& frame,
+                                    const Eigen::AlignedBox3f& reach) {
   std::vector<DepthRange> ranges(static_cast<std::size_t>(frame.width) *
                                  static_cast<std::size_t>(frame.height));
   const Eigen::Vector3f half = Eigen::Vector3f::Constant(hull.edge_mm / 2);
@@ -211,15 +213,25 @@ std::vector<DepthRange> depthRanges(const Hull& hull, const Frame& frame) {
                  static_cast<std::size_t>(x)];
       const float step = step_mm / direction.norm();
       float s = enter;
+      bool within = false;
       while (s <= leave) {
-        if (hull.at(frame.centre + s * direction)) {
+        const Eigen::Vector3f p = frame.centre + s * direction;
+        if (hull.at(p)) {
           if (range.far == 0) range.near = s - step;
           range.far = s + step;
+          within = within || reach.contains(p);
         }
         s += step;
       }
+      if (!within) range = {};
     }
   return ranges;
+}
+
+std::vector<DepthRange> depthRanges(const Hull& hull, const Frame& frame) {
+  const Eigen::Vector3f far =
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
+  return depthRanges(hull, frame, {-far, far});
 }
 
 }  // namespace ostraka::stereo

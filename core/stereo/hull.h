@@ -37,7 +37,11 @@ struct DepthRange {
 Result<Hull> carveHull(std::span<const Frame* const> frames, const DenseOptions& options,
                        int threads);
 
-/// For each pixel of the frame, row by row; pixels outside the mask get an empty range.
+/// For each pixel of the frame, row by row; pixels outside the mask get an empty range, and so do
+/// those whose ray meets the hull nowhere within reach (plate frame, mm).
+std::vector<DepthRange> depthRanges(const Hull& hull, const Frame& frame,
+                                    const Eigen::AlignedBox3f& reach);
+/// Wherever the ray meets the hull.
 std::vector<DepthRange> depthRanges(const Hull& hull, const Frame& frame);
 
 }  // namespace ostraka::stereo

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "base/limits.h"
 #include "base/message.h"
 #include "base/parallel.h"
+#include "base/part_progress.h"
 #include "stereo/frame.h"
 #include "stereo/fusion.h"
 #include "stereo/hull.h"
@@ -17,6 +19,7 @@
 #include "stereo/same_light.h"
 #include "stereo/slant.h"
 #include "stereo/surface.h"
+#include "stereo/tiles.h"
 
 namespace ostraka::stereo {
 namespace {
@@ -27,11 +30,68 @@ namespace {
 constexpr double kLeastCoveredShare = 0.3;
 constexpr int kLevels = 3;  // down to about 1 mm per pixel, where a wall is still a few pixels
 
+Result<void> checkViews(std::span<const View> views) {
+  if (views.size() < 3)
+    return Error{ErrorCode::NotEnough,
+                 message("Stereo needs at least 3 photographs with known cameras."),
+                 {}};
+  for (const View& v : views) {
+    const rig::Intrinsics& camera = v.camera.intrinsics;
+    if (std::min(camera.width, camera.height) < limits::kLeastPhotographSide)
+      return Error{ErrorCode::UnusableInput,
+                   message("The photograph is less than %1 pixels wide or high; use the original "
+                           "photograph.",
+                           limits::kLeastPhotographSide),
+                   v.camera.file};
+    if (!v.mask.empty() && v.mask.size() != cv::Size(camera.width, camera.height))
+      return Error{ErrorCode::UnusableInput, message("The mask and its photograph differ in size."),
+                   v.camera.file};
+  }
+  return {};
+}
+
+Result<cv::Mat> photographOf(std::span<const View> views, const ReadPhotograph& read,
+                             std::size_t view) {
+  Result<cv::Mat> photograph = read(view);
+  if (!photograph) return photograph;
+  const rig::Intrinsics& camera = views[view].camera.intrinsics;
+  if (photograph->type() != CV_8UC3 || photograph->size() != cv::Size(camera.width, camera.height))
+    return Error{
+        ErrorCode::UnusableInput,
+        message("The photograph differs in size from the images that its camera was calibrated "
+                "with; use the original photograph."),
+        views[view].camera.file};
+  return photograph;
+}
+
+/// work(view, its photograph), for each of these views.
+template <typename Work>
+Result<void> withPhotographs(std::span<const View> views, const ReadPhotograph& read,
+                             const std::vector<std::size_t>& of, const DenseOptions& options,
+                             const Work& work) {
+  std::vector<std::optional<Error>> errors(of.size());
+  parallelFor(of.size(), options.readers > 0 ? options.readers : options.threads,
+              [&](std::size_t i) {
+                const Result<cv::Mat> photograph = photographOf(views, read, of[i]);
+                if (photograph)
+                  work(i, *photograph);
+                else
+                  errors[i] = photograph.error();
+              });
+  for (const std::optional<Error>& error : errors)
+    if (error) return *error;
+  return {};
+}
+
+/// One tile, matched in the views that show it.
 struct Matching {
   std::span<const View> views;
+  const Hull& hull;
+  const Tile& tile;
   const DenseOptions& options;
   Progress& progress;
   std::stop_token stop;
+  std::vector<std::size_t> of = {};  // places among the views; all below are in this order
   std::vector<std::vector<Frame>> pyramids = {};
   std::vector<std::vector<DepthRange>> ranges = {};  // per view, at the coarsest level, row by row
   std::vector<std::vector<Link>> links = {};
@@ -42,64 +102,29 @@ struct Matching {
     for (const auto& p : pyramids) frames.push_back(&p[static_cast<std::size_t>(level)]);
     return frames;
   }
-  Result<void> check() const;
-  Result<void> prepare();
+  Result<void> prepare(const ReadPhotograph& read);
   std::vector<DepthRange> listPixels(std::size_t view, int level);
   void matchView(std::size_t view, int level);
   Result<void> match(int level);
-  PointCloud coloured(const std::vector<SurfacePoint>& points) const;
+  std::vector<SurfacePoint> surface(Agreement& agreement) const;
 };
 
-Result<void> Matching::check() const {
-  if (views.size() < 3)
-    return Error{ErrorCode::NotEnough,
-                 message("Stereo needs at least 3 photographs with known cameras."),
-                 {}};
-  for (const View& v : views) {
-    if (v.photograph.empty() || v.photograph.type() != CV_8UC3 ||
-        v.photograph.cols != v.camera.intrinsics.width ||
-        v.photograph.rows != v.camera.intrinsics.height)
-      return Error{
-          ErrorCode::UnusableInput,
-          message("The photograph differs in size from the images that its camera was calibrated "
-                  "with; use the original photograph."),
-          v.camera.file};
-    if (std::min(v.photograph.cols, v.photograph.rows) < limits::kLeastPhotographSide)
-      return Error{ErrorCode::UnusableInput,
-                   message("The photograph is less than %1 pixels wide or high; use the original "
-                           "photograph.",
-                           limits::kLeastPhotographSide),
-                   v.camera.file};
-    if (!v.mask.empty() && v.mask.size() != v.photograph.size())
-      return Error{ErrorCode::UnusableInput, message("The mask and its photograph differ in size."),
-                   v.camera.file};
-  }
-  return {};
-}
-
-Result<void> Matching::prepare() {
-  pyramids.resize(views.size());
-  parallelFor(views.size(), options.threads,
-              [&](std::size_t i) { pyramids[i] = buildPyramid(views[i], kLevels); });
+Result<void> Matching::prepare(const ReadPhotograph& read) {
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (!tile.parts[i].empty()) of.push_back(i);
+  pyramids.resize(of.size());
+  const Result<void> built =
+      withPhotographs(views, read, of, options, [&](std::size_t i, const cv::Mat& photograph) {
+        pyramids[i] = buildPyramid(views[of[i]], photograph, tile.parts[of[i]], kLevels);
+      });
+  if (!built) return built;
   if (stop.stop_requested()) return Error::cancelled();
   const std::vector<const Frame*> coarse = framesAt(kLevels - 1);
-  Result<Hull> hull = carveHull(coarse, options, options.threads);
-  if (!hull) return hull.error();
-  ranges.resize(views.size());
-  parallelFor(views.size(), options.threads,
-              [&](std::size_t i) { ranges[i] = depthRanges(*hull, *coarse[i]); });
-  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  float count = 0;
-  for (std::size_t i = 0, c = 0; c < hull->inside.size(); ++c, ++i)
-    if (hull->inside[c] != 0) {
-      const auto x = static_cast<std::size_t>(hull->size.x()),
-                 y = static_cast<std::size_t>(hull->size.y());
-      sum += Eigen::Vector3f(static_cast<float>(c % x), static_cast<float>(c / x % y),
-                             static_cast<float>(c / (x * y)));
-      count += 1;
-    }
-  links = chooseSources(coarse, hull->origin + hull->edge_mm / count * sum, options);
-  planes.resize(views.size());
+  ranges.resize(of.size());
+  parallelFor(of.size(), options.threads,
+              [&](std::size_t i) { ranges[i] = depthRanges(hull, *coarse[i], tile.reach); });
+  links = chooseSources(coarse, tile.middle, options);
+  planes.resize(of.size());
   return {};
 }
 
@@ -128,7 +153,7 @@ std::vector<DepthRange> Matching::listPixels(std::size_t view, int level) {
 void Matching::matchView(std::size_t i, int level) {
   const std::vector<DepthRange> list = listPixels(i, level);
   PropagationOptions sweep;
-  sweep.seed = options.seed + 1000 * static_cast<std::uint64_t>(level) + i;
+  sweep.seed = options.seed + 1000 * static_cast<std::uint64_t>(level) + of[i];
   const auto place = static_cast<std::size_t>(level);
   const Frame& frame = pyramids[i][place];
   if (level == kLevels - 1) {
@@ -154,33 +179,70 @@ Result<void> Matching::match(int level) {
     total += effort[static_cast<std::size_t>(l)];
     if (l > level) before += effort[static_cast<std::size_t>(l)];
   }
-  const auto count = static_cast<std::int64_t>(views.size());
+  const auto count = static_cast<std::int64_t>(of.size());
   const std::size_t batch = 2 * static_cast<std::size_t>(std::max(
                                     1, options.threads > 0 ? options.threads : availableThreads()));
-  for (std::size_t first = 0; first < views.size(); first += batch) {
-    parallelFor(std::min(batch, views.size() - first), options.threads, [&](std::size_t i) {
+  for (std::size_t first = 0; first < of.size(); first += batch) {
+    parallelFor(std::min(batch, of.size() - first), options.threads, [&](std::size_t i) {
       if (!stop.stop_requested()) matchView(first + i, level);
     });
     if (stop.stop_requested()) return Error::cancelled();
-    const auto done = static_cast<std::int64_t>(std::min(first + batch, views.size()));
+    const auto done = static_cast<std::int64_t>(std::min(first + batch, of.size()));
     progress.report(before * count + effort[static_cast<std::size_t>(level)] * done, total * count);
   }
   return {};
 }
 
-PointCloud Matching::coloured(const std::vector<SurfacePoint>& points) const {
+/// The points that the tile owns; `view` is the place among all views.
+std::vector<SurfacePoint> Matching::surface(Agreement& agreement) const {
+  const std::vector<const Frame*> frames = framesAt(0);
+  FusionOptions fusion;
+  fusion.threads = options.threads;
+  fusion.min_agreeing_views = options.min_agreeing_views;
+  fusion.tile = &tile;
+  std::vector<SurfacePoint> points = fusePlanes(frames, planes, fusion, agreement);
+  SlantOptions slant;
+  slant.threads = options.threads;
+  points = withoutSlant(std::move(points), slant);
+  SurfaceOptions smoothing;
+  smoothing.threads = options.threads;
+  points = insideMasks(frames, points, smoothing);
+  points = smoothed(points, smoothing);
+  SameLightOptions same_light;
+  same_light.threads = options.threads;
+  points = settledInSameLight(frames, planes, std::move(points), same_light);
+  std::erase_if(points, [&](const SurfacePoint& point) { return !tile.owns(point.position); });
+  for (SurfacePoint& point : points)
+    point.view = static_cast<int>(of[static_cast<std::size_t>(point.view)]);
+  return points;
+}
+
+Result<PointCloud> coloured(std::span<const View> views, const ReadPhotograph& read,
+                            const std::vector<SurfacePoint>& points, const DenseOptions& options) {
   PointCloud cloud;
-  for (const SurfacePoint& point : points) {
-    const View& view = views[static_cast<std::size_t>(point.view)];
-    const Eigen::Vector2d pixel = view.camera.project(point.position.cast<double>());
-    const int x = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, view.photograph.cols - 1);
-    const int y = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, view.photograph.rows - 1);
-    const auto bgr = view.photograph.at<cv::Vec3b>(y, x);
-    cloud.points.push_back(point.position);
-    cloud.normals.push_back(point.normal);
-    cloud.colors.push_back({bgr[2], bgr[1], bgr[0]});
-    cloud.quality.push_back(point.confidence);
+  std::vector<std::vector<std::size_t>> seen(views.size());  // the points of each view
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    cloud.points.push_back(points[i].position);
+    cloud.normals.push_back(points[i].normal);
+    cloud.quality.push_back(points[i].confidence);
+    seen[static_cast<std::size_t>(points[i].view)].push_back(i);
   }
+  cloud.colors.resize(points.size());
+  std::vector<std::size_t> of;
+  for (std::size_t view = 0; view < views.size(); ++view)
+    if (!seen[view].empty()) of.push_back(view);
+  const Result<void> done =
+      withPhotographs(views, read, of, options, [&](std::size_t k, const cv::Mat& photograph) {
+        for (const std::size_t i : seen[of[k]]) {
+          const Eigen::Vector2d pixel =
+              views[of[k]].camera.project(points[i].position.cast<double>());
+          const int x = std::clamp(static_cast<int>(std::lround(pixel.x())), 0, photograph.cols - 1);
+          const int y = std::clamp(static_cast<int>(std::lround(pixel.y())), 0, photograph.rows - 1);
+          const auto bgr = photograph.at<cv::Vec3b>(y, x);
+          cloud.colors[i] = {bgr[2], bgr[1], bgr[0]};
+        }
+      });
+  if (!done) return done.error();
   return cloud;
 }
 
@@ -212,11 +274,11 @@ Result<void> DenseOptions::check() const {
   return {};
 }
 
-Result<Reconstruction> reconstruct(std::span<const View> views, const DenseOptions& options,
-                                   Progress& progress, std::stop_token stop) {
+Result<Reconstruction> reconstruct(std::span<const View> views, const ReadPhotograph& read,
+                                   const DenseOptions& options, Progress& progress,
+                                   std::stop_token stop) {
   if (Result<void> fine = options.check(); !fine) return fine.error();
-  Matching work{views, options, progress, stop};
-  if (Result<void> fine = work.check(); !fine) return fine.error();
+  if (Result<void> fine = checkViews(views); !fine) return fine.error();
   const auto start = std::chrono::steady_clock::now();
   const auto tell = [&](const std::string& what) {
     const std::chrono::duration<double> s = std::chrono::steady_clock::now() - start;
@@ -224,34 +286,51 @@ Result<Reconstruction> reconstruct(std::span<const View> views, const DenseOptio
     std::snprintf(text, sizeof text, "stereo: %s after %.1f s", what.c_str(), s.count());
     progress.note(NoteLevel::Info, text);
   };
-  if (Result<void> fine = work.prepare(); !fine) return fine.error();
-  tell("visual hull carved");
-  for (int level = kLevels - 1; level >= 0; --level) {
-    if (Result<void> fine = work.match(level); !fine) return fine.error();
-    tell("level " + std::to_string(level) + " matched");
-  }
-  FusionOptions fusion;
-  fusion.threads = options.threads;
-  fusion.min_agreeing_views = options.min_agreeing_views;
   Agreement agreement;
-  std::vector<SurfacePoint> points = fusePlanes(work.framesAt(0), work.planes, fusion, agreement);
-  tell(std::to_string(points.size()) + " points fused");
-  SlantOptions slant;
-  slant.threads = options.threads;
-  points = withoutSlant(std::move(points), slant);
-  SurfaceOptions surface;
-  surface.threads = options.threads;
-  points = insideMasks(work.framesAt(0), points, surface);
-  points = smoothed(points, surface);
-  SameLightOptions same_light;
-  same_light.threads = options.threads;
-  points = settledInSameLight(work.framesAt(0), work.planes, std::move(points), same_light);
-  tell(std::to_string(points.size()) + " points on the smoothed surface");
+  std::vector<Outline> outlines(views.size());
+  parallelFor(views.size(), options.readers > 0 ? options.readers : options.threads,
+              [&](std::size_t i) { outlines[i] = outlineOf(views[i], kLevels); });
+  std::vector<const Frame*> coarse;
+  std::vector<cv::Size> sizes;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    agreement.shown += outlines[i].shown;
+    coarse.push_back(&outlines[i].frame);
+    sizes.emplace_back(views[i].camera.intrinsics.width, views[i].camera.intrinsics.height);
+  }
+  if (stop.stop_requested()) return Error::cancelled();
+  const Result<Hull> hull = carveHull(coarse, options, options.threads);
+  if (!hull) return hull.error();
+  const std::vector<Tile> tiles = tilesOf(*hull, coarse, 1 << (kLevels - 1), sizes,
+                                          options.memory_mb * 1e6 / kBytesAPixel);
+  tell("visual hull carved, " + std::to_string(tiles.size()) + " parts,");
+  std::vector<SurfacePoint> points;
+  for (std::size_t t = 0; t < tiles.size(); ++t) {
+    PartProgress part(progress, t, tiles.size());
+    Matching work{views, *hull, tiles[t], options, part, stop};
+    if (Result<void> fine = work.prepare(read); !fine) return fine.error();
+    if (work.of.size() < 3) continue;
+    for (int level = kLevels - 1; level >= 0; --level)
+      if (Result<void> fine = work.match(level); !fine) return fine.error();
+    Agreement own;
+    const std::vector<SurfacePoint> found = work.surface(own);
+    points.insert(points.end(), found.begin(), found.end());
+    agreement.matched += own.matched;
+    agreement.confirmed += own.confirmed;
+    tell(std::to_string(points.size()) + " points on the smoothed surface");
+  }
   if (points.empty())
     return Error{ErrorCode::NotEnough,
                  message("No two views agree on any surface point; check cameras and masks."),
                  {}};
-  return Reconstruction{work.coloured(points), agreement};
+  Result<PointCloud> cloud = coloured(views, read, points, options);
+  if (!cloud) return cloud.error();
+  return Reconstruction{std::move(*cloud), agreement};
+}
+
+Result<Reconstruction> reconstruct(std::span<const View> views, const DenseOptions& options,
+                                   Progress& progress, std::stop_token stop) {
+  const auto held = [&](std::size_t view) -> Result<cv::Mat> { return views[view].photograph; };
+  return reconstruct(views, held, options, progress, std::move(stop));
 }
 
 }  // namespace ostraka::stereo

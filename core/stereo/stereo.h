@@ -1,6 +1,7 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <functional>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <span>
@@ -23,8 +24,16 @@ struct View {
   cv::Mat1b mask;
 };
 
+/// The photograph of the view in this place, which may be read anew each time; from several threads
+/// at once.
+using ReadPhotograph = std::function<Result<cv::Mat>(std::size_t view)>;
+
+/// What frames and planes take for each pixel of all photographs, about.
+constexpr double kBytesAPixel = 30;
+
 struct DenseOptions {
   int threads = 1;
+  int readers = 0;  ///< photographs read at the same time, which are whole; 0: as many as threads
   std::optional<double> floor_z_mm;           ///< the plate's surface; nothing lies below it
   std::optional<Eigen::AlignedBox3d> bounds;  ///< plate frame, mm; found from the masks when absent
   /// Angles at the object between a view and the views it is compared with. Below the first depth
@@ -38,6 +47,9 @@ struct DenseOptions {
   int max_sources_per_pixel = 5;
   /// A point needs this many views that agree on it, its own included.
   int min_agreeing_views = 2;
+  /// What frames and planes may take. An object whose photographs take more is reconstructed part
+  /// by part.
+  double memory_mb = 3000;
   std::uint64_t seed = 1;
 
   Result<void> check() const;
@@ -63,8 +75,11 @@ struct Reconstruction {
 /// confidence. PatchMatch stereo with slanted windows (Bleyer et al., BMVC 2011; Galliani et al.,
 /// ICCV 2015) from coarse to fine, fused; each point is moved onto a quadric fitted around it, and
 /// to where the photographs of one stop see it. Errors: NotEnough for fewer than 3 views or nothing
-/// found, UnusableInput for sizes that differ, Cancelled. Memory is about 90 bytes per pixel of all
-/// photographs.
+/// found, UnusableInput for sizes that differ, Cancelled; those of `read`.
+Result<Reconstruction> reconstruct(std::span<const View> views, const ReadPhotograph& read,
+                                   const DenseOptions& options, Progress& progress,
+                                   std::stop_token stop);
+/// With the photographs that the views hold.
 Result<Reconstruction> reconstruct(std::span<const View> views, const DenseOptions& options,
                                    Progress& progress, std::stop_token stop);
 

@@ -28,11 +28,10 @@ constexpr std::array<double, 3> kRadii_mm{12, 22, 37};  // of outlines; sherds a
 // Of a trial's time; simulating takes what is left of processing it.
 constexpr double kProcessShare = 0.75;
 
-// What masks and stereo work on: large photographs are averaged down before.
+// What stereo works on: large photographs are averaged down before.
 int workingWidth(const rig::Rig& rig) {
   const rig::Intrinsics& own = rig.cameras.front().intrinsics;
-  const auto of_a_side = static_cast<int>(rig.cameras.size() * rig.stops.size());
-  return rig::reducedTo(own, pipeline::usualMegapixels(of_a_side)).width / 4 * 4;
+  return rig::reducedTo(own, pipeline::kUsualMegapixels).width / 4 * 4;
 }
 
 // One of several trials: its stages have their share of it.

@@ -73,15 +73,12 @@ TEST(Preflight, TimeGrowsWithPhotographsAndTheirPixels) {
   EXPECT_NEAR(needsOf(batchOf(1600, 1200), {}, 0).core_s, 943 * 48 / 40 * 1.92 / 5, 10);
 }
 
-TEST(Preflight, TheLargerSidesPhotographsDecideOnMemory) {
-  ProcessOptions options;
-  options.megapixels = 5;
-  const double once = preflight(batchOf(2592, 1944), options, 0)->memory_mb;
+TEST(Preflight, TheLargerSidesPhotographsDecideOnTheMasks) {
   batch::Batch twice = batchOf(2592, 1944, 16);
-  EXPECT_NEAR(preflight(twice, options, 0)->memory_mb, 2 * once, 100) << "80 MB are there anyway";
+  EXPECT_NEAR(maskMegapixels({}, twice), 2.54, 0.01);
   std::erase_if(twice.shots,
                 [](const batch::Shot& s) { return s.side == batch::Side::Back && s.stop > 0; });
-  EXPECT_NEAR(preflight(twice, options, 0)->memory_mb, 2 * once, 100) << "sides come one by one";
+  EXPECT_NEAR(maskMegapixels({}, twice), 2.54, 0.01) << "sides come one by one";
 }
 
 TEST(Preflight, TooLittleMemoryIsSaidBeforeTheStartAndADraftTakesLess) {
@@ -94,17 +91,28 @@ TEST(Preflight, TooLittleMemoryIsSaidBeforeTheStartAndADraftTakesLess) {
   EXPECT_TRUE(preflight(batchOf(2592, 1944), draft, 1200)->warnings.empty());
 }
 
-TEST(Preflight, ManyPhotographsAreReducedUntilFourGigabytesHoldThem) {
-  EXPECT_DOUBLE_EQ(usualMegapixels(0), 5);
-  EXPECT_DOUBLE_EQ(usualMegapixels(24), 5);
-  EXPECT_NEAR(usualMegapixels(30), 4.07, 0.01);
-  EXPECT_DOUBLE_EQ(usualMegapixels(400), 1);
+TEST(Preflight, ManyPhotographsTakeNoMoreMemoryThanGiven) {
+  EXPECT_DOUBLE_EQ(maskMegapixels({}, {}), 5);
+  EXPECT_DOUBLE_EQ(maskMegapixels({}, batchOf(4000, 3000)), 5);
+  EXPECT_NEAR(maskMegapixels({}, batchOf(4000, 3000, 10)), 4.07, 0.01);
+  EXPECT_DOUBLE_EQ(maskMegapixels({}, batchOf(4000, 3000, 134)), 1);
   const batch::Batch batch = batchOf(4000, 3000, 16);  // 48 a side
-  EXPECT_NEAR(preflight(batch, {}, 0)->megapixels, 2.54, 0.01);
-  EXPECT_NEAR(preflight(batch, onThreads(4), 0)->memory_mb, 4096, 1);
-  ProcessOptions asked;
-  asked.megapixels = 7;
-  EXPECT_EQ(preflight(batch, asked, 0)->megapixels, 7);
+  ProcessOptions all = onThreads(2);
+  all.megapixels = 12;
+  EXPECT_EQ(preflight(batch, {}, 0)->megapixels, 5);
+  EXPECT_EQ(preflight(batch, all, 0)->megapixels, 12);
+  EXPECT_NEAR(preflight(batch, all, 0)->memory_mb, 4096, 300);
+  all.memory_gb = 8;
+  EXPECT_NEAR(preflight(batch, all, 0)->memory_mb, 8192, 600);
+  EXPECT_DOUBLE_EQ(maskMegapixels(all, batch), 5);
+  EXPECT_GT(stereoMemory_mb(all, batch, 0), stereoMemory_mb(all, batch, 2));
+  all.batch = "batch";
+  all.output = "results";
+  EXPECT_TRUE(all.check());
+  all.memory_gb = 0.1;
+  const Result<void> little = all.check();
+  ASSERT_FALSE(little);
+  EXPECT_THAT(little.error().what, HasSubstr("at least 1 GB"));
 }
 
 TEST(Preflight, WhatCannotBeMaskedIsToldBeforeItsCamerasAreSought) {

@@ -26,10 +26,12 @@ struct TexturedBall {
   }
 };
 
-/// Photographs of 200 x 160 pixels, about 0.2 mm each, at 30 and 60 degrees of elevation;
-/// brightness changes from view to view as the light stands still, and the pattern lies by
-/// shading_mm towards each stop's cameras.
-inline std::vector<View> ballViews(const TexturedBall& ball, int stops, double shading_mm = 0) {
+/// Photographs of 200 x 160 pixels, about 0.2 mm each, at 30 and 60 degrees of elevation, or of
+/// `finer` times as many along each side; brightness changes from view to view as the light stands
+/// still, and the pattern lies by shading_mm towards each stop's cameras.
+inline std::vector<View> ballViews(const TexturedBall& ball, int stops, double shading_mm = 0,
+                                   double finer = 1) {
+  const int width = static_cast<int>(200 * finer), height = static_cast<int>(160 * finer);
   std::vector<View> views;
   for (int stop = 0; stop < stops; ++stop)
     for (const double elevation : {0.52, 1.05}) {
@@ -38,7 +40,9 @@ inline std::vector<View> ballViews(const TexturedBall& ball, int stops, double s
                                  std::sin(turn) * std::cos(elevation), std::sin(elevation));
       const Eigen::Vector3d eye = ball.centre + 200.0 * away;
       View view;
-      view.camera.intrinsics = {200, 160, 900, 900, 99.5, 79.5, {0.02, 0, 0, 0, 0}};
+      view.camera.intrinsics = {
+          width,       height,      900 * finer, 900 * finer, width / 2.0 - 0.5, height / 2.0 - 0.5,
+          {0.02, 0, 0, 0, 0}};
       view.camera.stop = stop;
       view.camera.file = "stop" + std::to_string(stop);
       Eigen::Matrix3d r;
@@ -47,11 +51,11 @@ inline std::vector<View> ballViews(const TexturedBall& ball, int stops, double s
       r.row(1) = Eigen::Vector3d(r.row(2)).cross(Eigen::Vector3d(r.row(0)));
       view.camera.camera_from_plate.linear() = r;
       view.camera.camera_from_plate.translation() = -r * eye;
-      view.photograph = cv::Mat(160, 200, CV_8UC3, cv::Scalar(12, 12, 12));
-      view.mask = cv::Mat1b(160, 200, std::uint8_t{0});
+      view.photograph = cv::Mat(height, width, CV_8UC3, cv::Scalar(12, 12, 12));
+      view.mask = cv::Mat1b(height, width, std::uint8_t{0});
       const double gain = 0.8 + 0.2 * std::cos(turn);
-      for (int y = 0; y < 160; ++y)
-        for (int x = 0; x < 200; ++x) {
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
           const Eigen::Vector2d n = view.camera.intrinsics.unproject({x, y});
           const Eigen::Vector3d ray = (r.transpose() * n.homogeneous()).normalized();
           const double b = ray.dot(ball.centre - eye);

@@ -277,4 +277,25 @@ void SherdScene::viewAxes(double right[3], double up[3], double away[3]) const {
   vtkMath::Normalize(up);
 }
 
+ViewPose SherdScene::viewPose() const {
+  Eigen::Vector3d right, up, away;
+  viewAxes(right.data(), up.data(), away.data());
+  ViewPose pose;
+  pose.view_from_front.row(0) = right;
+  pose.view_from_front.row(1) = up;
+  pose.view_from_front.row(2) = -away;
+  pose.half_height_mm = actors_->renderer->GetActiveCamera()->GetParallelScale();
+  return pose;
+}
+
+void SherdScene::setViewPose(const ViewPose& pose) {
+  const Eigen::Vector3d up = pose.view_from_front.row(1), to_viewer = pose.view_from_front.row(2);
+  Eigen::Vector3d middle;
+  camera()->GetFocalPoint(middle.data());
+  const Eigen::Vector3d from = middle + camera()->GetDistance() * to_viewer;
+  camera()->SetPosition(from.x(), from.y(), from.z());
+  camera()->SetViewUp(up.x(), up.y(), up.z());
+  camera()->SetParallelScale(pose.half_height_mm);
+}
+
 }  // namespace ostraka::ui

@@ -20,6 +20,12 @@ struct ShownScan {
   std::vector<std::uint8_t> fracture;
 };
 
+/// How one looks at a sherd: which way, and how large it is seen.
+struct ViewPose {
+  Eigen::Matrix3d view_from_front = Eigen::Matrix3d::Identity();  ///< right, up, to the viewer
+  double half_height_mm = 0;  ///< of the picture: views of one height have one scale
+};
+
 /// The actors: two clouds, the fracture's distances, a mesh, a measured line, a section plane.
 class SherdScene {
  public:
@@ -57,6 +63,8 @@ class SherdScene {
   void prepare();    ///< before each frame
   /// Unit, in the front's frame; away: from the viewer into the picture.
   void viewAxes(double right[3], double up[3], double away[3]) const;
+  ViewPose viewPose() const;
+  void setViewPose(const ViewPose& pose);  ///< what is in the middle stays there
 
  private:
   struct Actors;

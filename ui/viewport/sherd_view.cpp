@@ -1,5 +1,6 @@
 #include "ui/viewport/sherd_view.h"
 
+#include <QKeyEvent>
 #include <QLabel>
 #include <QResizeEvent>
 #include <QSurfaceFormat>
@@ -16,6 +17,7 @@ namespace {
 
 // When the window is usable and nobody has asked for a view yet.
 constexpr int kIdle_ms = 700, kBetweenSteps_ms = 100;
+constexpr double kTurn_rad = 0.1745, kZoom = 1.2;  // of one key: 10 degrees
 
 }  // namespace
 
@@ -165,6 +167,56 @@ void SherdView::setMeasuring(bool measuring) {
   }
 }
 
+ViewPose SherdView::viewPose() const {
+  return canvas_ == nullptr ? ViewPose() : canvas_->scene().viewPose();
+}
+
+void SherdView::setViewPose(const ViewPose& pose) {
+  if (canvas_ == nullptr) return;
+  canvas_->scene().setViewPose(pose);
+  canvas_->redraw();
+}
+
+void SherdView::keyPressEvent(QKeyEvent* event) {
+  using Eigen::Vector3d;
+  const auto turn = [this](double angle_rad, const Vector3d& axis) {
+    ViewPose pose = viewPose();
+    pose.view_from_front = Eigen::AngleAxisd(angle_rad, axis) * pose.view_from_front;
+    setViewPose(pose);
+  };
+  const auto zoom = [this](double factor) {
+    ViewPose pose = viewPose();
+    pose.half_height_mm /= factor;
+    setViewPose(pose);
+  };
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return turn(-kTurn_rad, Vector3d::UnitY());
+    case Qt::Key_Right:
+      return turn(kTurn_rad, Vector3d::UnitY());
+    case Qt::Key_Up:
+      return turn(-kTurn_rad, Vector3d::UnitX());
+    case Qt::Key_Down:
+      return turn(kTurn_rad, Vector3d::UnitX());
+    case Qt::Key_Plus:
+      return zoom(kZoom);
+    case Qt::Key_Minus:
+      return zoom(1 / kZoom);
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void SherdView::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  if (overlay_ != nullptr) overlay_->setFocusRing(true);
+}
+
+void SherdView::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  if (overlay_ != nullptr) overlay_->setFocusRing(false);
+}
+
 void SherdView::resetView() {
   if (canvas_ == nullptr) return;
   canvas_->scene().resetView();
@@ -176,6 +228,7 @@ void SherdView::showView() {
   ViewAxes axes;
   canvas_->scene().viewAxes(axes.right, axes.up, axes.away);
   overlay_->setView(canvas_->mmPerPixel(), axes);
+  emit viewMoved();
 }
 
 void SherdView::resizeEvent(QResizeEvent* event) {

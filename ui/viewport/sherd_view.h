@@ -22,7 +22,8 @@ struct ShownDistances {
 /// come from outside. Without OpenGL it says so in words, and everything else goes on.
 ///
 /// Mouse: drag turns the view, wheel zooms, middle button moves. Ctrl+drag turns the back by hand,
-/// Ctrl+Shift+drag moves it. With the section on, Shift+wheel moves the plane.
+/// Ctrl+Shift+drag moves it. With the section on, Shift+wheel moves the plane. Where the view takes
+/// the focus, the arrow keys turn it, plus and minus zoom.
 class SherdView final : public QWidget {
   Q_OBJECT
 
@@ -42,6 +43,9 @@ class SherdView final : public QWidget {
   /// The line and its length, in words; empty: none.
   void setMeasure(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const QString& text);
 
+  ViewPose viewPose() const;
+  void setViewPose(const ViewPose& pose);
+
   bool isApart() const { return apart_; }
   bool hasSection() const { return section_; }
   bool isMeasuring() const { return measuring_; }
@@ -57,9 +61,13 @@ class SherdView final : public QWidget {
   /// The back is to be turned and moved by so much, in the front's frame.
   void backMoved(const Eigen::Vector3d& turn_rad, const Eigen::Vector3d& move_mm);
   void sectionChanged(bool on);
+  void viewMoved();  ///< turned, moved or zoomed, by a person or by a call
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   void showView();

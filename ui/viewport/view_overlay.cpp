@@ -54,9 +54,19 @@ void ViewOverlay::setMeasure(const QString& text) {
   update();
 }
 
+void ViewOverlay::setFocusRing(bool shown) {
+  focus_ring_ = shown;
+  update();
+}
+
 void ViewOverlay::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
+  if (focus_ring_) {
+    const double half = Look::kFocus / 2.0;
+    painter.setPen(QPen(StateColours::inkOnMatte(), Look::kFocus));
+    painter.drawRect(QRectF(rect()).adjusted(half, half, -half, -half));
+  }
   const double edge = fontMetrics().height() / 2.0;
   const QRectF inner = QRectF(rect()).adjusted(edge, edge, -edge, -edge);
   painter.setPen(StateColours::inkOnMatte());

@@ -20,6 +20,7 @@ class ViewOverlay final : public QWidget {
   void setView(double mm_per_pixel, const ViewAxes& axes);
   void setUnitKnown(bool known);  ///< false: lengths are no millimetres, and the bar says so
   void setMeasure(const QString& text);
+  void setFocusRing(bool shown);  ///< keys go to this view
   const QString& measure() const { return measure_; }
   Legend legend() const { return legend_; }
 
@@ -36,7 +37,7 @@ class ViewOverlay final : public QWidget {
   DistanceScale scale_{1};
   double mm_per_pixel_ = 0;
   ViewAxes axes_;
-  bool unit_known_ = true;
+  bool unit_known_ = true, focus_ring_ = false;
   QString measure_;
 };
 

@@ -1139,6 +1139,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Eingabe</translation>
     </message>
+    <message>
+      <source>%1 ± %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ± %2</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1506,6 +1511,11 @@
       <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Zu ändern: %1. Unverändert: %2. Abgelehnt: %3.</translation>
+    </message>
+    <message>
+      <source>Compare</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vergleichen</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2254,11 @@
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Für ungültig erklären</translation>
+    </message>
+    <message>
+      <source>Compare</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Vergleichen</translation>
     </message>
 </context>
 <context>
@@ -3405,6 +3420,16 @@
       <source>From above</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Von oben</translation>
+    </message>
+    <message>
+      <source>No model yet: it comes when the batch of the sherd is processed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Noch kein Modell: es entsteht, wenn der Durchgang der Scherbe verarbeitet wird.</translation>
+    </message>
+    <message>
+      <source>This screen has no OpenGL 3.2, so the model cannot be turned.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Dieser Bildschirm hat kein OpenGL 3.2; das Modell lässt sich nicht drehen.</translation>
     </message>
 </context>
 <context>
@@ -4613,11 +4638,6 @@
       <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; zweifelhaft</translation>
-    </message>
-    <message>
-      <source>%1 ± %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ± %2</translation>
     </message>
     <message>
       <source>Not saved yet: %1. Return in the field saves it.</source>
@@ -11096,6 +11116,89 @@
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Gemessen.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::CompareWindow</name>
+    <message>
+      <source>only one entered</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>nur bei einer eingetragen</translation>
+    </message>
+    <message>
+      <source>differs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>verschieden</translation>
+    </message>
+    <message>
+      <source>differs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>verschieden: %1</translation>
+    </message>
+    <message>
+      <source>%1, within the uncertainty</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, innerhalb der Unsicherheit</translation>
+    </message>
+    <message>
+      <source>%1 ?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ?</translation>
+    </message>
+    <message>
+      <source>Compare sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Scherben vergleichen</translation>
+    </message>
+    <message>
+      <source>Turn &amp;together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Gemeinsam drehen</translation>
+    </message>
+    <message>
+      <source>Off: each sherd is turned alone, until both lie alike. The scale stays the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aus: jede Scherbe wird für sich gedreht, bis beide gleich liegen. Der Maßstab bleibt derselbe.</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Schnitt</translation>
+    </message>
+    <message>
+      <source>From above</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Von oben</translation>
+    </message>
+    <message>
+      <source>Fields and measurements of both sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Felder und Maße beider Scherben</translation>
+    </message>
+    <message>
+      <source>Model of %1; the arrow keys turn it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modell von %1; die Pfeiltasten drehen es</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Feld</translation>
+    </message>
+    <message>
+      <source>difference</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Unterschied</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n field(s) differ.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation><numerusform>%n Feld ist verschieden.</numerusform><numerusform>%n Felder sind verschieden.</numerusform></translation>
+    </message>
+    <message>
+      <source>The two are recorded as joining.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die beiden sind als aneinanderpassend eingetragen.</translation>
     </message>
 </context>
 </TS>

@@ -1139,6 +1139,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enter</translation>
     </message>
+    <message>
+      <source>%1 ± %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ± %2</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1506,6 +1511,11 @@
       <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Προς αλλαγή: %1. Αμετάβλητα: %2. Απορρίπτονται: %3.</translation>
+    </message>
+    <message>
+      <source>Compare</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σύγκριση</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2254,11 @@
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ακύρωση οστράκου</translation>
+    </message>
+    <message>
+      <source>Compare</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σύγκριση</translation>
     </message>
 </context>
 <context>
@@ -3405,6 +3420,16 @@
       <source>From above</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Από πάνω</translation>
+    </message>
+    <message>
+      <source>No model yet: it comes when the batch of the sherd is processed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν υπάρχει ακόμη μοντέλο: δημιουργείται όταν επεξεργαστεί η παρτίδα του οστράκου.</translation>
+    </message>
+    <message>
+      <source>This screen has no OpenGL 3.2, so the model cannot be turned.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Αυτή η οθόνη δεν έχει OpenGL 3.2, οπότε το μοντέλο δεν περιστρέφεται.</translation>
     </message>
 </context>
 <context>
@@ -4613,11 +4638,6 @@
       <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1· αμφίβολο</translation>
-    </message>
-    <message>
-      <source>%1 ± %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ± %2</translation>
     </message>
     <message>
       <source>Not saved yet: %1. Return in the field saves it.</source>
@@ -11096,6 +11116,89 @@
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Μετρημένο.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::CompareWindow</name>
+    <message>
+      <source>only one entered</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>καταχωρημένο μόνο στο ένα</translation>
+    </message>
+    <message>
+      <source>differs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>διαφέρει</translation>
+    </message>
+    <message>
+      <source>differs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>διαφέρει: %1</translation>
+    </message>
+    <message>
+      <source>%1, within the uncertainty</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, εντός της αβεβαιότητας</translation>
+    </message>
+    <message>
+      <source>%1 ?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ?</translation>
+    </message>
+    <message>
+      <source>Compare sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Σύγκριση οστράκων</translation>
+    </message>
+    <message>
+      <source>Turn &amp;together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Κοινή περιστροφή</translation>
+    </message>
+    <message>
+      <source>Off: each sherd is turned alone, until both lie alike. The scale stays the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ανενεργό: κάθε όστρακο περιστρέφεται μόνο του, ώσπου να έχουν και τα δύο τον ίδιο προσανατολισμό. Η κλίμακα μένει ίδια.</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τομή</translation>
+    </message>
+    <message>
+      <source>From above</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Από πάνω</translation>
+    </message>
+    <message>
+      <source>Fields and measurements of both sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Πεδία και μέτρα και των δύο οστράκων</translation>
+    </message>
+    <message>
+      <source>Model of %1; the arrow keys turn it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Μοντέλο του %1· τα βέλη το περιστρέφουν</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>πεδίο</translation>
+    </message>
+    <message>
+      <source>difference</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>διαφορά</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n field(s) differ.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation><numerusform>%n πεδίο διαφέρει.</numerusform><numerusform>%n πεδία διαφέρουν.</numerusform></translation>
+    </message>
+    <message>
+      <source>The two are recorded as joining.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Τα δύο έχουν καταγραφεί ως συνανήκοντα.</translation>
     </message>
 </context>
 </TS>

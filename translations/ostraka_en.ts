@@ -433,4 +433,11 @@
       </translation>
     </message>
 </context>
+<context>
+    <name>ostraka::ui::CompareWindow</name>
+    <message numerus="yes">
+      <source>%n field(s) differ.</source>
+      <translation><numerusform>%n field differs.</numerusform><numerusform>%n fields differ.</numerusform></translation>
+    </message>
+</context>
 </TS>

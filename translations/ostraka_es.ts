@@ -1139,6 +1139,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Intro</translation>
     </message>
+    <message>
+      <source>%1 ± %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ± %2</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1506,6 +1511,11 @@
       <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Por cambiar: %1. Sin cambios: %2. Rechazados: %3.</translation>
+    </message>
+    <message>
+      <source>Compare</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparar</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2254,11 @@
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Anular fragmento</translation>
+    </message>
+    <message>
+      <source>Compare</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparar</translation>
     </message>
 </context>
 <context>
@@ -3405,6 +3420,16 @@
       <source>From above</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Desde arriba</translation>
+    </message>
+    <message>
+      <source>No model yet: it comes when the batch of the sherd is processed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aún no hay modelo: llega cuando se procesa la tanda del fragmento.</translation>
+    </message>
+    <message>
+      <source>This screen has no OpenGL 3.2, so the model cannot be turned.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Esta pantalla no tiene OpenGL 3.2; el modelo no se puede girar.</translation>
     </message>
 </context>
 <context>
@@ -4613,11 +4638,6 @@
       <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1; dudoso</translation>
-    </message>
-    <message>
-      <source>%1 ± %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ± %2</translation>
     </message>
     <message>
       <source>Not saved yet: %1. Return in the field saves it.</source>
@@ -11096,6 +11116,89 @@
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Medido.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::CompareWindow</name>
+    <message>
+      <source>only one entered</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>solo en uno</translation>
+    </message>
+    <message>
+      <source>differs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>distinto</translation>
+    </message>
+    <message>
+      <source>differs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>distinto: %1</translation>
+    </message>
+    <message>
+      <source>%1, within the uncertainty</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, dentro de la incertidumbre</translation>
+    </message>
+    <message>
+      <source>%1 ?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ?</translation>
+    </message>
+    <message>
+      <source>Compare sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparar fragmentos</translation>
+    </message>
+    <message>
+      <source>Turn &amp;together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Girar juntos</translation>
+    </message>
+    <message>
+      <source>Off: each sherd is turned alone, until both lie alike. The scale stays the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Desactivado: cada fragmento se gira por separado, hasta que ambos queden orientados igual. La escala sigue siendo la misma.</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Sección</translation>
+    </message>
+    <message>
+      <source>From above</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Desde arriba</translation>
+    </message>
+    <message>
+      <source>Fields and measurements of both sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Campos y medidas de ambos fragmentos</translation>
+    </message>
+    <message>
+      <source>Model of %1; the arrow keys turn it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modelo de %1; las teclas de flecha lo giran</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>campo</translation>
+    </message>
+    <message>
+      <source>difference</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>diferencia</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n field(s) differ.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation><numerusform>%n campo es distinto.</numerusform><numerusform>%n campos son distintos.</numerusform></translation>
+    </message>
+    <message>
+      <source>The two are recorded as joining.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Los dos constan como que unen entre sí.</translation>
     </message>
 </context>
 </TS>

@@ -1139,6 +1139,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Entrée</translation>
     </message>
+    <message>
+      <source>%1 ± %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ± %2</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1506,6 +1511,11 @@
       <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>À modifier : %1. Inchangés : %2. Rejetés : %3.</translation>
+    </message>
+    <message>
+      <source>Compare</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparer</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2254,11 @@
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Annuler le tesson</translation>
+    </message>
+    <message>
+      <source>Compare</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparer</translation>
     </message>
 </context>
 <context>
@@ -3405,6 +3420,16 @@
       <source>From above</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>De dessus</translation>
+    </message>
+    <message>
+      <source>No model yet: it comes when the batch of the sherd is processed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Pas encore de modèle : il vient quand le lot du tesson est traité.</translation>
+    </message>
+    <message>
+      <source>This screen has no OpenGL 3.2, so the model cannot be turned.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Cet écran n’a pas OpenGL 3.2 : le modèle ne peut pas être tourné.</translation>
     </message>
 </context>
 <context>
@@ -4613,11 +4638,6 @@
       <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ; douteux</translation>
-    </message>
-    <message>
-      <source>%1 ± %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ± %2</translation>
     </message>
     <message>
       <source>Not saved yet: %1. Return in the field saves it.</source>
@@ -11096,6 +11116,89 @@
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Mesuré.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::CompareWindow</name>
+    <message>
+      <source>only one entered</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>saisi pour un seul</translation>
+    </message>
+    <message>
+      <source>differs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>différent</translation>
+    </message>
+    <message>
+      <source>differs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>différent : %1</translation>
+    </message>
+    <message>
+      <source>%1, within the uncertainty</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, dans l’incertitude</translation>
+    </message>
+    <message>
+      <source>%1 ?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ?</translation>
+    </message>
+    <message>
+      <source>Compare sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Comparer des tessons</translation>
+    </message>
+    <message>
+      <source>Turn &amp;together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>&amp;Tourner ensemble</translation>
+    </message>
+    <message>
+      <source>Off: each sherd is turned alone, until both lie alike. The scale stays the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Désactivé : chaque tesson se tourne seul, jusqu’à ce que les deux soient orientés de même. L’échelle reste la même.</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Coupe</translation>
+    </message>
+    <message>
+      <source>From above</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De dessus</translation>
+    </message>
+    <message>
+      <source>Fields and measurements of both sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Champs et mesures des deux tessons</translation>
+    </message>
+    <message>
+      <source>Model of %1; the arrow keys turn it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Modèle de %1 ; les touches fléchées le tournent</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>champ</translation>
+    </message>
+    <message>
+      <source>difference</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>différence</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n field(s) differ.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation><numerusform>%n champ diffère.</numerusform><numerusform>%n champs diffèrent.</numerusform></translation>
+    </message>
+    <message>
+      <source>The two are recorded as joining.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Les deux sont notés comme remontant ensemble.</translation>
     </message>
 </context>
 </TS>

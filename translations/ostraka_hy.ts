@@ -1139,6 +1139,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Enter</translation>
     </message>
+    <message>
+      <source>%1 ± %2</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ± %2</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchDelegate</name>
@@ -1506,6 +1511,11 @@
       <source>To change: %1. Unchanged: %2. Rejected: %3.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Փոխվող՝ %1։ Անփոփոխ՝ %2։ Մերժված՝ %3։</translation>
+    </message>
+    <message>
+      <source>Compare</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համեմատել</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2254,11 @@
         <source>Void sherd</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Անվավեր դարձնել բեկորը</translation>
+    </message>
+    <message>
+      <source>Compare</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համեմատել</translation>
     </message>
 </context>
 <context>
@@ -3405,6 +3420,16 @@
       <source>From above</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Վերևից</translation>
+    </message>
+    <message>
+      <source>No model yet: it comes when the batch of the sherd is processed.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Մոդել դեռ չկա. այն ստեղծվում է, երբ բեկորի խմբաքանակը մշակվի։</translation>
+    </message>
+    <message>
+      <source>This screen has no OpenGL 3.2, so the model cannot be turned.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Այս էկրանը OpenGL 3.2 չունի, ուստի մոդելը պտտել հնարավոր չէ։</translation>
     </message>
 </context>
 <context>
@@ -4613,11 +4638,6 @@
       <source>%1; in doubt</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1. կասկածելի է</translation>
-    </message>
-    <message>
-      <source>%1 ± %2</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 ± %2</translation>
     </message>
     <message>
       <source>Not saved yet: %1. Return in the field saves it.</source>
@@ -11096,6 +11116,89 @@
       <source>Measured.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Չափված։</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::CompareWindow</name>
+    <message>
+      <source>only one entered</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>մուտքագրված է միայն մեկի համար</translation>
+    </message>
+    <message>
+      <source>differs</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տարբերվում է</translation>
+    </message>
+    <message>
+      <source>differs: %1</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տարբերվում է՝ %1</translation>
+    </message>
+    <message>
+      <source>%1, within the uncertainty</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, անորոշության սահմաններում</translation>
+    </message>
+    <message>
+      <source>%1 ?</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 ?</translation>
+    </message>
+    <message>
+      <source>Compare sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Համեմատել բեկորները</translation>
+    </message>
+    <message>
+      <source>Turn &amp;together</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Պտտել &amp;միասին</translation>
+    </message>
+    <message>
+      <source>Off: each sherd is turned alone, until both lie alike. The scale stays the same.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Անջատված. յուրաքանչյուր բեկոր պտտվում է առանձին, մինչև երկուսն էլ նույն դիրքն ունենան։ Մասշտաբը մնում է նույնը։</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կտրվածք</translation>
+    </message>
+    <message>
+      <source>From above</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Վերևից</translation>
+    </message>
+    <message>
+      <source>Fields and measurements of both sherds</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկու բեկորների դաշտերն ու չափերը</translation>
+    </message>
+    <message>
+      <source>Model of %1; the arrow keys turn it</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի մոդելը. սլաքների ստեղները պտտում են այն</translation>
+    </message>
+    <message>
+      <source>field</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>դաշտ</translation>
+    </message>
+    <message>
+      <source>difference</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>տարբերություն</translation>
+    </message>
+    <message numerus="yes">
+      <source>%n field(s) differ.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation><numerusform>%n դաշտ տարբերվում է։</numerusform><numerusform>%n դաշտ տարբերվում է։</numerusform></translation>
+    </message>
+    <message>
+      <source>The two are recorded as joining.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Երկուսը գրանցված են որպես իրար կցվող։</translation>
     </message>
 </context>
 </TS>

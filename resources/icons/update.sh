@@ -1,7 +1,7 @@
 #!/bin/sh
 # Writes the icons of this folder anew from the pinned release of Lucide (ISC licence, see
-# packaging/copyright), all with one stroke. Not from there, drawn to match: map, ostraka, review,
-# section, sherd and turntable.
+# packaging/copyright), all with one stroke. Not from there, drawn to match: compare, map, ostraka,
+# review, section, sherd and turntable.
 set -eu
 version=1.62.0
 cd "$(dirname "$0")"

@@ -19,6 +19,7 @@
 #include "records/sherd.h"
 #include "sherds/sherds.h"
 #include "tables/import_table.h"
+#include "ui/catalogue/compare_window.h"
 #include "ui/catalogue/drawing_page.h"
 #include "ui/catalogue/model_pane.h"
 #include "ui/frame/no_batch_yet.h"
@@ -67,6 +68,7 @@ CatalogueScreen::CatalogueScreen(QWidget* parent)
   connect(details_, &SherdDetails::numberingWanted, this,
           [this] { emit wantsScreen("settings", "numbering"); });
   connect(bulk_, &BulkEdit::numbersWanted, this, &CatalogueScreen::giveNumbers);
+  connect(bulk_, &BulkEdit::comparisonWanted, this, &CatalogueScreen::compare);
   connect(import_, &ImportModel::entered, this,
           [this](const QString& source, const tables::ImportReport& report) {
             const QString name = source.section('/', -1);
@@ -210,18 +212,27 @@ QWidget* CatalogueScreen::buildRight() {
 void CatalogueScreen::addActions() {
   const auto add = [this](const QString& text, const QString& picture, const QKeySequence& keys,
                           const char* name, auto act) {
-    addPageAct(this, name, picture, text, keys, this, act)->setAutoRepeat(false);
+    QAction* made = addPageAct(this, name, picture, text, keys, this, act);
+    made->setAutoRepeat(false);
+    return made;
   };
   add(tr("Search"), "search", QKeySequence::Find, "search", [this] { filter_->takeKeys(); });
-  add(tr("Edit"), "edit", Qt::Key_F2, "edit", [this] { openDetails(); });
-  add(tr("Drawing"), "drawing", QKeySequence(Qt::CTRL | Qt::Key_D), "drawing", [this] {
-    right_->setCurrentIndex(drawing_tab_);
-    drawing_->setFocus(Qt::ShortcutFocusReason);
-  });
+  QAction* edit = add(tr("Edit"), "edit", Qt::Key_F2, "edit", [this] { openDetails(); });
+  QAction* drawing =
+      add(tr("Drawing"), "drawing", QKeySequence(Qt::CTRL | Qt::Key_D), "drawing", [this] {
+        right_->setCurrentIndex(drawing_tab_);
+        drawing_->setFocus(Qt::ShortcutFocusReason);
+      });
+  compare_ = add(tr("Compare"), "compare", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
+                 "compare", [this] { compare(); });
+  compare_->setEnabled(false);
   add(tr("Import"), "import", QKeySequence(Qt::CTRL | Qt::Key_I), "openImport",
       [this] { openImport(); });
-  add(tr("Assign numbers"), "label", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), "giveNumbers",
-      [this] { giveNumbers(); });
+  QAction* number =
+      add(tr("Assign numbers"), "label", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N),
+          "giveNumbers", [this] { giveNumbers(); });
+  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  table_->addActions({edit, drawing, compare_, number});
 }
 
 // F2, Enter and a double click: what is chosen can be typed into at once.
@@ -232,6 +243,17 @@ void CatalogueScreen::openDetails() {
     bulk_->findChild<QLineEdit*>("bulkValue")->setFocus(Qt::ShortcutFocusReason);
   else
     details_->edit();
+}
+
+// In the order of the table.
+void CatalogueScreen::compare() {
+  std::vector<store::SherdRow> two = selected();
+  if (!session_ || two.size() != 2) return;
+  if (model_->rowOf(two[0]) > model_->rowOf(two[1])) std::swap(two[0], two[1]);
+  if (!compare_window_) compare_window_ = new CompareWindow(*session_, this);
+  compare_window_->showSherds(two[0], two[1]);
+  compare_window_->show();
+  compare_window_->activateWindow();
 }
 
 QAbstractButton* CatalogueScreen::primary() const {
@@ -294,6 +316,7 @@ void CatalogueScreen::closeProject() {
   delete import_dialog_.data();
   import_->openProject(nullptr);
   delete merge_dialog_.data();
+  delete compare_window_.data();
   merge_->openProject(nullptr);
   delete edits_;
   edits_ = nullptr;
@@ -399,6 +422,7 @@ QString CatalogueScreen::chosen() const {
 void CatalogueScreen::showSelection() {
   if (reloading_) return;
   const std::vector<store::SherdRow> sherds = selected();
+  compare_->setEnabled(session_ != nullptr && sherds.size() == 2);
   if (!session_ || sherds.empty()) {
     edit_->setCurrentWidget(one_);
     details_->clear();

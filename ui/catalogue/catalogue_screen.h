@@ -5,6 +5,7 @@
 #include "records/sherd.h"
 #include "ui/frame/screen.h"
 
+class QAction;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
@@ -15,6 +16,7 @@ class QToolButton;
 namespace ostraka::ui {
 
 class BulkEdit;
+class CompareWindow;
 class DrawingPage;
 class EmptyState;
 class FilterLine;
@@ -72,6 +74,7 @@ class CatalogueScreen final : public Screen {
   void openMerge();
   void tookProject(const QString& sentence);
   void openDetails();
+  void compare();
   void sherdsChanged(const std::vector<store::SherdRow>& sherds);
   void tellOfImports();
   void forgetImports();
@@ -99,6 +102,8 @@ class CatalogueScreen final : public Screen {
   QPointer<ImportDialog> import_dialog_;
   MergeModel* merge_ = nullptr;
   QPointer<MergeDialog> merge_dialog_;
+  QAction* compare_ = nullptr;
+  QPointer<CompareWindow> compare_window_;
   SherdDetails* details_ = nullptr;
   BulkEdit* bulk_ = nullptr;
   QWidget* many_ = nullptr;  ///< bulk_, scrolled where it has to be

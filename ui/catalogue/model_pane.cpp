@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QStackedWidget>
 #include <QToolButton>
@@ -17,6 +18,7 @@
 #include "ui/viewport/sherd_view.h"
 #include "ui/widgets/parts.h"
 #include "ui/widgets/thumbnails.h"
+#include "ui/words/sentence.h"
 
 namespace ostraka::ui {
 namespace {
@@ -107,12 +109,22 @@ bool ModelPane::showsModel() const {
   return view_ != nullptr && pages_->currentWidget() == view_;
 }
 
+void ModelPane::hideActs() {
+  has_acts_ = false;
+}
+
+void ModelPane::settle(const QString& why_no_model) {
+  why_no_model_ = why_no_model;
+  emit settled();
+}
+
 void ModelPane::clear() {
   delete reading_.data();
   jobs_ = nullptr;
   picture_file_.clear();
   model_file_.clear();
   picture_ = {};
+  why_no_model_.clear();
   if (view_ != nullptr) view_->clear();
   pages_->setCurrentWidget(label_);
   acts_->setVisible(false);
@@ -129,6 +141,7 @@ void ModelPane::showSherd(JobRunner& jobs, const QString& picture, const QString
   model_file_ = model;
   written_ = written;
   picture_ = {};
+  why_no_model_.clear();
   pages_->setCurrentWidget(label_);
   acts_->setVisible(false);
   showPicture();
@@ -153,16 +166,20 @@ void ModelPane::fetch() {
     });
     return;
   }
-  if (model_file_.isEmpty()) return;
+  if (model_file_.isEmpty())
+    return settle(tr("No model yet: it comes when the batch of the sherd is processed."));
   const auto read = [file = model_file_.toStdString()](Progress&, std::stop_token) {
     return readForView(file);
   };
   reading_ = jobs_->start(makeJob(read), this);
   whenDone<ForViewPtr>(reading_, this, [this](const auto& model) {
-    if (!model || !view()->hasOpenGl()) return;  // the picture stays
+    if (!model) return settle(sentenceOf(model.error()));  // the picture stays
+    if (!view()->hasOpenGl())
+      return settle(tr("This screen has no OpenGL 3.2, so the model cannot be turned."));
     view()->showModel((*model)->mesh, (*model)->texture);
     pages_->setCurrentWidget(view_);
-    acts_->setVisible(true);
+    acts_->setVisible(has_acts_);
+    settle({});
   });
 }
 
@@ -183,6 +200,20 @@ void ModelPane::resizeEvent(QResizeEvent* event) {
 void ModelPane::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   fetch();
+}
+
+void ModelPane::keyPressEvent(QKeyEvent* event) {
+  if (!showsModel() || !view_->turnByKey(event->key())) QWidget::keyPressEvent(event);
+}
+
+void ModelPane::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  if (view_ != nullptr) view_->setFocusRing(true);
+}
+
+void ModelPane::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  if (view_ != nullptr) view_->setFocusRing(false);
 }
 
 }  // namespace ostraka::ui

@@ -16,7 +16,7 @@ class SherdView;
 
 /// The sherd that is chosen: its picture at once, its model to be turned as soon as a worker has
 /// read it. The view in three dimensions is made when the first model is shown; without OpenGL the
-/// picture stays.
+/// picture stays. Where the pane takes the focus, the arrow keys turn the model.
 class ModelPane final : public QWidget {
   Q_OBJECT
 
@@ -27,15 +27,27 @@ class ModelPane final : public QWidget {
   void showSherd(JobRunner& jobs, const QString& picture, const QString& model);
   void clear();
   bool showsModel() const;
+  /// Null before the first model was shown.
+  SherdView* modelView() const { return view_; }
+  /// A sentence; empty: the model is shown, or on its way.
+  const QString& whyNoModel() const { return why_no_model_; }
+  void hideActs();  ///< the page around has them, for more than this one
   QSize sizeHint() const override;
+
+ signals:
+  void settled();  ///< the model is shown, or whyNoModel() says why not
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   void fetch();
   void showPicture();
+  void settle(const QString& why_no_model);
   SherdView* view();
 
   JobRunner* jobs_ = nullptr;
@@ -46,7 +58,9 @@ class ModelPane final : public QWidget {
   QStackedWidget* pages_ = nullptr;
   QLabel* label_ = nullptr;
   SherdView* view_ = nullptr;
+  QString why_no_model_;
   QWidget* acts_ = nullptr;
+  bool has_acts_ = true;
   QToolButton* section_ = nullptr;
 };
 

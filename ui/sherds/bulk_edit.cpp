@@ -93,11 +93,15 @@ void BulkEdit::buildLayout() {
       iconButton(this, "bulkApply", "check", tr("Change"), this, [this] { emit wanted(good_); });
   numbers_ = iconButton(this, "bulkNumbers", "label", tr("Assign numbers"), this,
                         &BulkEdit::numbersWanted);
+  compare_ =
+      iconButton(this, "bulkCompare", "compare", tr("Compare"), this, &BulkEdit::comparisonWanted);
+  compare_->hide();
   bar_ = named<QProgressBar>({"bulkProgress", tr("Progress of the changes")}, this);
   bar_->setRange(0, 1000);
   stop_ =
       iconButton(this, "bulkStop", "cancel", tr("Cancel and undo"), this, &BulkEdit::stopWanted);
   filled(new QVBoxLayout(this), {heading_,
+                                 compare_,
                                  labelFor(field_, tr("Field")),
                                  field_,
                                  labelFor(value_, tr("Value")),
@@ -125,6 +129,7 @@ void BulkEdit::setSherds(ProjectSession* session, std::vector<store::SherdRow> s
   session_ = session;
   sherds_ = std::move(sherds);
   heading_->setText(tr("%n sherd(s) chosen", nullptr, static_cast<int>(sherds_.size())));
+  compare_->setVisible(sherds_.size() == 2);
   value_->setText({});  // clear() would count as a person's act
   replace_->setChecked(false);
   offerTerms();

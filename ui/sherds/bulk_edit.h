@@ -39,6 +39,7 @@ class BulkEdit final : public QWidget {
   /// The changes that the preview showed without a refusal.
   void wanted(const std::vector<records::FieldChange>& changes);
   void numbersWanted();
+  void comparisonWanted();  ///< of exactly two
   void stopWanted();
 
  private:
@@ -61,6 +62,7 @@ class BulkEdit final : public QWidget {
   QTableWidget* table_ = nullptr;
   QPushButton* apply_ = nullptr;
   QPushButton* numbers_ = nullptr;
+  QPushButton* compare_ = nullptr;
   QProgressBar* bar_ = nullptr;
   QPushButton* stop_ = nullptr;
 };

@@ -130,9 +130,7 @@ void SherdDetails::showMeasures(const catalogue::Catalogue& catalogue,
     for (const records::Measurement& m : *all) {
       const auto computed = sherd.replaced.find(m.kind);
       auto* item =
-          add(measureLabel(m.kind),
-              m.uncertainty ? tr("%1 ± %2").arg(measureText(m.value), measureText(*m.uncertainty))
-                            : measureText(m.value),
+          add(measureLabel(m.kind), measuredText(m),
               sherd.doubtful.contains(m.kind) ? tr("%1; in doubt").arg(methodLabel(m.method))
                                               : methodLabel(m.method));
       if (computed == sherd.replaced.end()) continue;

@@ -150,6 +150,12 @@ QString measureText(double value) {
   return QLocale().toString(std::round(value * unit) / unit, 'f', QLocale::FloatingPointShortest);
 }
 
+QString measuredText(const records::Measurement& measurement) {
+  const QString value = measureText(measurement.value);
+  return measurement.uncertainty ? tr("%1 ± %2").arg(value, measureText(*measurement.uncertainty))
+                                 : value;
+}
+
 QString sherdName(const records::SherdRecord& sherd) {
   if (!sherd.number.empty()) return QString::fromStdString(sherd.number);
   if (sherd.piece == 0 || sherd.batch_number.empty()) return tr("no number yet");

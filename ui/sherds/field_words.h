@@ -33,6 +33,7 @@ QString conditionText(const sherds::Condition& condition);
 /// What people call a measure, with its unit, and its value in the language's form.
 QString measureLabel(const std::string& kind);
 QString measureText(double value);
+QString measuredText(const records::Measurement& measurement);  ///< with its uncertainty
 /// A measure of the program whose batch has a doubtful scale; its text ends with a question mark.
 bool isDoubtful(const records::SherdRecord& sherd, const std::string& field);
 /// A measurement by hand that stands in place of another, computed one; null: it does not.

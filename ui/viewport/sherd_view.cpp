@@ -1,6 +1,5 @@
 #include "ui/viewport/sherd_view.h"
 
-#include <QKeyEvent>
 #include <QLabel>
 #include <QResizeEvent>
 #include <QSurfaceFormat>
@@ -177,44 +176,40 @@ void SherdView::setViewPose(const ViewPose& pose) {
   canvas_->redraw();
 }
 
-void SherdView::keyPressEvent(QKeyEvent* event) {
-  using Eigen::Vector3d;
-  const auto turn = [this](double angle_rad, const Vector3d& axis) {
-    ViewPose pose = viewPose();
+bool SherdView::turnByKey(int key) {
+  const Eigen::Vector3d right = Eigen::Vector3d::UnitX(), up = Eigen::Vector3d::UnitY();
+  ViewPose pose = viewPose();
+  const auto turn = [&](double angle_rad, const Eigen::Vector3d& axis) {
     pose.view_from_front = Eigen::AngleAxisd(angle_rad, axis) * pose.view_from_front;
-    setViewPose(pose);
   };
-  const auto zoom = [this](double factor) {
-    ViewPose pose = viewPose();
-    pose.half_height_mm /= factor;
-    setViewPose(pose);
-  };
-  switch (event->key()) {
+  switch (key) {
     case Qt::Key_Left:
-      return turn(-kTurn_rad, Vector3d::UnitY());
+      turn(-kTurn_rad, up);
+      break;
     case Qt::Key_Right:
-      return turn(kTurn_rad, Vector3d::UnitY());
+      turn(kTurn_rad, up);
+      break;
     case Qt::Key_Up:
-      return turn(-kTurn_rad, Vector3d::UnitX());
+      turn(-kTurn_rad, right);
+      break;
     case Qt::Key_Down:
-      return turn(kTurn_rad, Vector3d::UnitX());
+      turn(kTurn_rad, right);
+      break;
     case Qt::Key_Plus:
-      return zoom(kZoom);
+      pose.half_height_mm /= kZoom;
+      break;
     case Qt::Key_Minus:
-      return zoom(1 / kZoom);
+      pose.half_height_mm *= kZoom;
+      break;
     default:
-      QWidget::keyPressEvent(event);
+      return false;
   }
+  setViewPose(pose);
+  return true;
 }
 
-void SherdView::focusInEvent(QFocusEvent* event) {
-  QWidget::focusInEvent(event);
-  if (overlay_ != nullptr) overlay_->setFocusRing(true);
-}
-
-void SherdView::focusOutEvent(QFocusEvent* event) {
-  QWidget::focusOutEvent(event);
-  if (overlay_ != nullptr) overlay_->setFocusRing(false);
+void SherdView::setFocusRing(bool shown) {
+  if (overlay_ != nullptr) overlay_->setFocusRing(shown);
 }
 
 void SherdView::resetView() {

@@ -22,8 +22,7 @@ struct ShownDistances {
 /// come from outside. Without OpenGL it says so in words, and everything else goes on.
 ///
 /// Mouse: drag turns the view, wheel zooms, middle button moves. Ctrl+drag turns the back by hand,
-/// Ctrl+Shift+drag moves it. With the section on, Shift+wheel moves the plane. Where the view takes
-/// the focus, the arrow keys turn it, plus and minus zoom.
+/// Ctrl+Shift+drag moves it. With the section on, Shift+wheel moves the plane.
 class SherdView final : public QWidget {
   Q_OBJECT
 
@@ -45,6 +44,9 @@ class SherdView final : public QWidget {
 
   ViewPose viewPose() const;
   void setViewPose(const ViewPose& pose);
+  /// The arrows turn the view, plus and minus zoom; false: it is another key.
+  bool turnByKey(int key);
+  void setFocusRing(bool shown);  ///< the widget around it passes its keys on
 
   bool isApart() const { return apart_; }
   bool hasSection() const { return section_; }
@@ -65,9 +67,6 @@ class SherdView final : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-  void focusInEvent(QFocusEvent* event) override;
-  void focusOutEvent(QFocusEvent* event) override;
 
  private:
   void showView();

@@ -155,6 +155,12 @@ void GlCanvas::redraw() {
   update();
 }
 
+void GlCanvas::redrawMoving() {
+  setMoving(true);
+  rest_->start();
+  redraw();
+}
+
 void GlCanvas::setMoving(bool moving) {
   if (moving_ == moving) return;
   moving_ = moving;

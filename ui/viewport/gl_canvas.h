@@ -28,6 +28,7 @@ class GlCanvas final : public QOpenGLWidget {
   void setPicking(bool picking) { picking_ = picking; }
   /// A frame soon, and word of it to what is written over the picture.
   void redraw();
+  void redrawMoving();  ///< the same, as coarse as while a person turns it, and whole after a rest
   double mmPerPixel() const;  ///< of this widget's own pixels
   /// What the first picture takes a tenth of a second for is done while the canvas is hidden, in
   /// steps: true as long as there is another one to do. The window must be there.

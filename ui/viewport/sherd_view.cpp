@@ -173,7 +173,7 @@ ViewPose SherdView::viewPose() const {
 void SherdView::setViewPose(const ViewPose& pose) {
   if (canvas_ == nullptr) return;
   canvas_->scene().setViewPose(pose);
-  canvas_->redraw();
+  canvas_->redrawMoving();
 }
 
 bool SherdView::turnByKey(int key) {

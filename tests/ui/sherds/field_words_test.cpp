@@ -33,6 +33,14 @@ class FieldWordsTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void aMeasurementIsToldWithItsUncertainty() {
+    ostraka::records::Measurement measured;
+    measured.value = 53.929898797564384;
+    QCOMPARE(measuredText(measured), QStringLiteral("53.93"));
+    measured.uncertainty = 0.4;
+    QCOMPARE(measuredText(measured), QStringLiteral("53.93 ± 0.4"));
+  }
+
   void fieldsAreFoundByTheNamesThatTheWindowShows() {
     German german;
     QVERIFY(QCoreApplication::installTranslator(&german));

@@ -10,8 +10,6 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <optional>
-#include <set>
 
 #include "records/sherd_comparison.h"
 #include "sherds/measurements.h"
@@ -63,29 +61,29 @@ QString differenceWords(Agreement agreement, double difference) {
                                          : CompareWindow::tr("%1, within the uncertainty").arg(by);
 }
 
-// The one that counts now, of the field's kind.
-std::optional<records::Measurement> measured(const std::vector<records::Measurement>& all,
-                                             const std::string& field) {
+// Of the field's kind; null: nobody measured it.
+const records::Measurement* measured(const std::vector<records::Measurement>& all,
+                                     const std::string& field) {
   for (const records::Measurement& m : all)
-    if (field == m.kind || field == m.kind + "_" + m.unit) return m;
-  return {};
+    if (field == m.kind || field == m.kind + "_" + m.unit) return &m;
+  return nullptr;
 }
 
 Compared comparedMeasure(const std::array<records::SherdRecord, 2>& sherds,
                          const std::array<std::vector<records::Measurement>, 2>& measurements,
                          const std::string& field) {
-  std::array<std::optional<records::Measurement>, 2> found;
+  std::array<const records::Measurement*, 2> found{};
   Compared row;
   for (std::size_t i = 0; i < 2; ++i) {
     found[i] = measured(measurements[i], field);
-    if (!found[i]) continue;
+    if (found[i] == nullptr) continue;
     row.values[i] = measuredText(*found[i]);
     if (isDoubtful(sherds[i], field)) row.values[i] = CompareWindow::tr("%1 ?").arg(row.values[i]);
   }
-  if (found[0] && found[1]) {
+  if (found[0] != nullptr && found[1] != nullptr) {
     row.agreement = compareMeasurements(*found[0], *found[1]);
     row.difference = differenceWords(row.agreement, found[1]->value - found[0]->value);
-  } else if (found[0] || found[1]) {
+  } else if (found[0] != nullptr || found[1] != nullptr) {
     row.agreement = Agreement::OneBlank;
     row.difference = agreementWords(row.agreement);
   }
@@ -100,6 +98,34 @@ Compared comparedText(const std::array<records::SherdRecord, 2>& sherds, const s
       compareTexts(kind, sherds::textOf(sherds[0], field), sherds::textOf(sherds[1], field));
   row.difference = agreementWords(row.agreement);
   return row;
+}
+
+// All that is known of one of them at least, but for what is each sherd's own.
+std::vector<Compared> compared(const catalogue::Catalogue& catalogue,
+                               std::array<records::SherdRecord, 2> sherds, const TermWords& words) {
+  std::array<std::vector<records::Measurement>, 2> measurements;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (const auto all = sherds::Measurements(catalogue).of(sherds[i].row)) measurements[i] = *all;
+    // That they join each other is said above the table.
+    std::erase(sherds[i].join_numbers,
+               sherds[1 - i].number.empty() ? sherds[1 - i].id : sherds[1 - i].number);
+  }
+  std::vector<Compared> rows;
+  const auto add = [&](const std::string& field, Compared row) {
+    row.label = fieldLabel(field);
+    if (!row.values[0].isEmpty() || !row.values[1].isEmpty()) rows.push_back(std::move(row));
+  };
+  for (const records::SherdField& field : sherds::sherdFields()) {
+    const std::string name = field.name;
+    if (name == "number" || name == "uuid") continue;
+    add(name, field.kind == records::FieldKind::Number
+                  ? comparedMeasure(sherds, measurements, name)
+                  : comparedText(sherds, name, field.kind, words));
+  }
+  if (const auto custom = sherds::Sherds(catalogue).customFields())
+    for (const std::string& field : *custom)
+      add(field, comparedText(sherds, field, records::FieldKind::Text, words));
+  return rows;
 }
 
 }  // namespace
@@ -230,41 +256,16 @@ void CompareWindow::sayWhyNoModel(std::size_t side) {
 }
 
 void CompareWindow::showFields(const std::array<records::SherdRecord, 2>& sherds) {
-  const catalogue::Catalogue& catalogue = session_.project().catalogue();
-  std::array<std::vector<records::Measurement>, 2> measurements;
-  std::array<records::SherdRecord, 2> shown = sherds;
-  for (std::size_t i = 0; i < 2; ++i) {
-    if (auto all = sherds::Measurements(catalogue).of(sherds[i].row)) measurements[i] = *all;
-    // That they join each other is said above.
-    std::erase(shown[i].join_numbers,
-               sherds[1 - i].number.empty() ? sherds[1 - i].id : sherds[1 - i].number);
-  }
-  std::vector<Compared> rows;
-  const auto add = [&](const std::string& field, Compared row) {
-    row.label = fieldLabel(field);
-    if (row.values[0].isEmpty() && row.values[1].isEmpty()) return;
-    rows.push_back(std::move(row));
-  };
-  for (const records::SherdField& field : sherds::sherdFields()) {
-    const std::string name = field.name;
-    if (name == "number" || name == "uuid") continue;  // of each sherd its own
-    add(name, field.kind == records::FieldKind::Number
-                  ? comparedMeasure(shown, measurements, name)
-                  : comparedText(shown, name, field.kind, words_));
-  }
-  if (const auto custom = sherds::Sherds(catalogue).customFields())
-    for (const std::string& field : *custom)
-      add(field, comparedText(shown, field, records::FieldKind::Text, words_));
+  const std::vector<Compared> rows = compared(session_.project().catalogue(), sherds, words_);
   fields_->setHorizontalHeaderLabels(
       {tr("field"), sherdName(sherds[0]), sherdName(sherds[1]), tr("difference")});
   fields_->setRowCount(static_cast<int>(rows.size()));
   int differing = 0;
   for (int row = 0; row < fields_->rowCount(); ++row) {
-    const Compared& compared = rows[static_cast<std::size_t>(row)];
-    const bool differs = compared.agreement == Agreement::Differs;
+    const Compared& shown = rows[static_cast<std::size_t>(row)];
+    const bool differs = shown.agreement == Agreement::Differs;
     differing += differs;
-    const QString texts[] = {compared.label, compared.values[0], compared.values[1],
-                             compared.difference};
+    const QString texts[] = {shown.label, shown.values[0], shown.values[1], shown.difference};
     for (int column = 0; column < kColumns; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
       QFont letters = tabularFont(font());

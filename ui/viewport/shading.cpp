@@ -95,8 +95,9 @@ constexpr const char* kSurfaceVertex = R"(//VTK::PositionVC::Impl
 constexpr const char* kSurfaceNames = R"(//VTK::Normal::Dec
 in float unseenVSOutput;
 )";
-// Where a closed surface is cut, one sees its inside, and nowhere else: that is the cap. The names
-// of the texture and of the place on it are VTK's.
+// Where a closed surface is cut, one sees its inside, and nowhere else: that is the cap. It lies as
+// deep as the inside, so that an outer face that is nearer hides it. The names of the texture and of
+// the place on it are VTK's.
 constexpr const char* kSurfaceColour = R"(
 #ifdef TEXTURED
   vec3 own = texture(actortexture, tcoordVCVSOutput).rgb;
@@ -107,11 +108,7 @@ constexpr const char* kSurfaceColour = R"(
   if (unseenVSOutput > 0.5) own = stripe < 4.5 * pixelRatio ? unseenColour : 0.35 * own;
   vec3 shown = own * lightOn(normalVCVSOutput);
 #ifdef CUT
-  gl_FragDepth = gl_FragCoord.z;
-  if (!gl_FrontFacing) {
-    shown = capColour;
-    gl_FragDepth = cutDepth(clipDistancesVSOutput[0]);
-  }
+  if (!gl_FrontFacing) shown = capColour;
 #else
   if (!gl_FrontFacing) shown = mix(matteColour, shown, 0.45);
 #endif

@@ -218,6 +218,15 @@ void SherdViewTest::theCapOfACutModelIsFlat() {
   QVERIFY2(exactly(capColour()) > 0.9 * notBackground(),
            qPrintable(QString::number(double(exactly(capColour())) / notBackground())));
   QVERIFY2(exactly(edgeColour()) > 100, "the outline of the cut");
+  // Seen from above, too: of 40 x 10 mm of cap and the half of an upper face of 40 x 20 mm the cap
+  // is less than two thirds, and the face keeps its own colour.
+  const QPoint middle = canvas()->rect().center();
+  drag(QEvent::MouseButtonPress, middle);
+  drag(QEvent::MouseMove, middle + QPoint(60, 60));
+  drag(QEvent::MouseButtonRelease, middle + QPoint(60, 60));
+  QTRY_VERIFY2(exactly(capColour()) < 0.67 * notBackground(),
+               qPrintable(QString::number(double(exactly(capColour())) / notBackground())));
+  QVERIFY(exactly(capColour()) > 0.2 * notBackground());
   // Clay is warm: what lies beyond never has the cap's colour, nor has a side's band.
   QVERIFY(capColour().blue() > capColour().red() + 40);
   QVERIFY(capColour().lightness() > of(State::Front).lightness() + 20);

@@ -13,7 +13,6 @@
 #include "evaluate/pairs.h"
 #include "evaluate/truth.h"
 #include "evaluate_tables.h"
-#include "files/files.h"
 #include "options.h"
 
 namespace ostraka::app {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <csetjmp>
-#include <cstdio>
 #include <new>
 #include <opencv2/imgcodecs.hpp>
 

@@ -1,7 +1,6 @@
 #include "calibration/calibrate.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <tuple>
 

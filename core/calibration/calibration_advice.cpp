@@ -1,8 +1,6 @@
 #include "calibration/calibration_advice.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <span>
 

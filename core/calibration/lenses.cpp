@@ -1,7 +1,6 @@
 #include "calibration/lenses.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>

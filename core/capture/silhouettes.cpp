@@ -9,7 +9,6 @@
 
 #include "base/median.h"
 #include "cloud/point_cloud.h"
-#include "scan/split.h"
 #include "scan/touching.h"
 
 namespace ostraka::capture {

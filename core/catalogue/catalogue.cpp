@@ -1,8 +1,6 @@
 #include "catalogue/catalogue.h"
 
 #include "base/message.h"
-#include "catalogue/history.h"
-#include "records/numbering.h"
 #include "store/database.h"
 #include "store/file_header.h"
 #include "store/migrations.h"

@@ -16,9 +16,7 @@
 #include "records/sherd.h"
 #include "records/starting_words.h"
 #include "store/database.h"
-#include "store/migrations.h"
 #include "store/names.h"
-#include "store/partial_file.h"
 #include "store/values.h"
 
 namespace ostraka::catalogue {

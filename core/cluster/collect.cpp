@@ -1,11 +1,11 @@
 #include "cluster/collect.h"
 
-#include <algorithm>
 #include <iterator>
 #include <optional>
 #include <utility>
 
 #include "batch/peoples_files.h"
+#include "batch/photographs.h"
 #include "catalogue/batches.h"
 #include "cluster/place.h"
 #include "cluster/tasks.h"
@@ -15,7 +15,6 @@
 #include "files/open_folder.h"
 #include "intake/compute_batch.h"
 #include "intake/results_owner.h"
-#include "intake/side_photographs.h"
 #include "review/review.h"
 
 namespace ostraka::cluster {

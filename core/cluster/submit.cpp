@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "base/text.h"
 #include "batch/peoples_files.h"

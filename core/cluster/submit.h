@@ -1,6 +1,5 @@
 #pragma once
 #include <filesystem>
-#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>

@@ -10,7 +10,6 @@
 #include "base/message.h"
 #include "catalogue/batches.h"
 #include "catalogue/settings.h"
-#include "cloud/glb.h"
 #include "cloud/ply.h"
 #include "exchange/drawn_sherds.h"
 #include "exchange/export_plan.h"

@@ -9,7 +9,6 @@
 #include "exchange/views_out.h"
 #include "metadata/metadata.h"
 #include "metadata/sherd_json.h"
-#include "records/records.h"
 #include "records/sherd.h"
 #include "store/database.h"
 

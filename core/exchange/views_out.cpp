@@ -8,7 +8,6 @@
 #include "decisions/mask_strokes.h"
 #include "files/folder_lock.h"
 #include "files/open_folder.h"
-#include "pipeline/chain.h"
 #include "review/saved_views.h"
 #include "rig/camera.h"
 #include "stereo/outside_adapter.h"

@@ -11,7 +11,6 @@
 #include "records/sherd.h"
 #include "records/words.h"
 #include "review/review.h"
-#include "sherds/sherd_columns.h"
 #include "store/database.h"
 
 namespace ostraka::intake {

@@ -19,7 +19,6 @@
 #include "catalogue/files.h"
 #include "decisions/scan_folder.h"
 #include "files/files.h"
-#include "files/json.h"
 #include "files/open_folder.h"
 #include "intake/read_results.h"
 #include "intake/results_owner.h"

@@ -8,12 +8,11 @@
 #include <system_error>
 
 #include "base/message.h"
+#include "batch/photographs.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "files/json.h"
-#include "intake/side_photographs.h"
 #include "store/database.h"
-#include "store/values.h"
 
 namespace ostraka::intake {
 namespace {

@@ -16,7 +16,6 @@
 #include "review/review.h"
 #include "sherds/kept_models.h"
 #include "sherds/pair_decisions.h"
-#include "sherds/sherd_columns.h"
 #include "sherds/sherds.h"
 #include "store/database.h"
 #include "upkeep/project.h"

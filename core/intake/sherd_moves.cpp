@@ -11,7 +11,6 @@
 #include "catalogue/typed_place.h"
 #include "records/records.h"
 #include "records/sherd.h"
-#include "sherds/sherd_columns.h"
 #include "sherds/sherds.h"
 #include "sherds/typed_numbers.h"
 #include "store/names.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include "base/message.h"
@@ -13,7 +12,6 @@
 #include "catalogue/settings.h"
 #include "files/files.h"
 #include "store/database.h"
-#include "store/values.h"
 
 namespace ostraka::intake {
 namespace {

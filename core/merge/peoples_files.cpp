@@ -9,7 +9,6 @@
 #include "catalogue/settings.h"
 #include "decisions/decisions.h"
 #include "decisions/mask_strokes.h"
-#include "files/files.h"
 #include "files/open_folder.h"
 #include "merge/merging.h"
 #include "store/database.h"

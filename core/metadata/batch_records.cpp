@@ -7,7 +7,6 @@
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "catalogue/places.h"
-#include "files/json.h"
 #include "files/json_numbers.h"
 #include "metadata/json_fields.h"
 #include "records/records.h"

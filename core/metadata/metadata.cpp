@@ -12,7 +12,6 @@
 #include "catalogue/places.h"
 #include "files/json.h"
 #include "files/json_numbers.h"
-#include "files/json_text.h"
 #include "metadata/json_fields.h"
 #include "metadata/vocabularies.h"
 #include "records/records.h"

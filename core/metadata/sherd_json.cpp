@@ -12,7 +12,6 @@
 #include "files/json_numbers.h"
 #include "files/json_text.h"
 #include "metadata/json_fields.h"
-#include "records/records.h"
 #include "records/sherd.h"
 #include "records/words.h"
 #include "sherds/measurements.h"

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <vector>
 
 #include "model/indicator.h"
 #include "model/point_bins.h"

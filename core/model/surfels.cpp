@@ -6,7 +6,6 @@
 
 #include "base/median.h"
 #include "base/message.h"
-#include "base/parallel.h"
 #include "model/blocks.h"
 #include "model/point_bins.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <cstdint>
 #include <stop_token>
 #include <vector>
 

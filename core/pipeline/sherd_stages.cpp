@@ -4,7 +4,6 @@
 #include "base/message.h"
 #include "base/text.h"
 #include "cloud/ply.h"
-#include "files/files.h"
 #include "files/json.h"
 #include "pairing/common_scale.h"
 #include "pipeline/sherd_models.h"

@@ -28,7 +28,6 @@ namespace ostraka::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 Result<std::vector<cv::Mat>> photographsOf(const std::vector<rig::PosedImage>& images,
                                            int threads) {

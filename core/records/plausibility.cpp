@@ -1,7 +1,6 @@
 #include "records/plausibility.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 

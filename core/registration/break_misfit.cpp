@@ -8,7 +8,6 @@ namespace ostraka::registration {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr float kReach_mm = 1.0f;  // fractures of near-duplicates differ by half of it

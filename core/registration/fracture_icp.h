@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <vector>
 
 #include "registration/evidence.h"
 #include "registration/strip.h"

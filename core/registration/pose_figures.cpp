@@ -1,8 +1,5 @@
 #include "registration/pose_figures.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "registration/fracture_icp.h"
 #include "registration/self_check.h"
 

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <string>
 
 #include "registration/register_sides.h"
 #include "registration/strip.h"

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <stop_token>
 #include <vector>
 
 #include "rendering/scene.h"

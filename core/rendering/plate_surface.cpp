@@ -1,6 +1,5 @@
 #include "rendering/plate_surface.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <opencv2/aruco/charuco.hpp>

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Geometry>
-#include <vector>
 
 #include "cloud/point_cloud.h"
 #include "vessels/noise.h"

@@ -1,6 +1,5 @@
 #pragma once
 #include <Eigen/Core>
-#include <vector>
 
 #include "rendering/hand_held.h"
 #include "vessels/gloss.h"

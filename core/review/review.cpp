@@ -5,7 +5,6 @@
 
 #include "base/message.h"
 #include "decisions/mask_strokes.h"
-#include "files/json.h"
 #include "files/json_numbers.h"
 
 namespace ostraka::review {

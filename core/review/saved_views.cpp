@@ -4,7 +4,6 @@
 
 #include "batch/photograph.h"
 #include "decisions/mask_strokes.h"
-#include "pipeline/chain.h"
 #include "rig/camera.h"
 
 namespace ostraka::review {

@@ -2,7 +2,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <opencv2/core/mat.hpp>
-#include <span>
 #include <vector>
 
 namespace ostraka::rig {

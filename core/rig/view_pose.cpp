@@ -1,6 +1,5 @@
 #include "rig/view_pose.h"
 
-#include <algorithm>
 #include <cmath>
 #include <opencv2/calib3d.hpp>
 

@@ -1,7 +1,6 @@
 #pragma once
 #include <opencv2/core/mat.hpp>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "base/progress.h"

@@ -1,7 +1,6 @@
 #include "scan/touching.h"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 

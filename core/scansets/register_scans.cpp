@@ -6,7 +6,6 @@
 #include <span>
 
 #include "base/message.h"
-#include "base/parallel.h"
 #include "base/text.h"
 #include "cloud/ply.h"
 #include "decisions/pair_sides.h"

@@ -1,7 +1,6 @@
 #include "stereo/frame.h"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 

@@ -2,7 +2,6 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <opencv2/core.hpp>
-#include <span>
 #include <vector>
 
 #include "stereo/stereo.h"

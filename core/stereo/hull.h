@@ -1,7 +1,6 @@
 #pragma once
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "stereo/photometric_cost.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ostraka::stereo {
 namespace {

@@ -1,6 +1,5 @@
 #include "stereo/same_light.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>

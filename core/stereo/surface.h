@@ -1,6 +1,5 @@
 #pragma once
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "stereo/fusion.h"

@@ -1,6 +1,4 @@
 #pragma once
-#include <cstdint>
-
 #include "stereo/frame.h"
 
 namespace ostraka::stereo {

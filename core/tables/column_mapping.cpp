@@ -12,7 +12,6 @@
 #include "files/json_text.h"
 #include "records/sherd.h"
 #include "sherds/sherd_fields.h"
-#include "store/names.h"
 #include "store/values.h"
 #include "tables/column_names.h"
 #include "tables/column_numbers.h"

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "base/message.h"
-#include "store/names.h"
 #include "store/values.h"
 #include "tables/column_names.h"
 

@@ -5,7 +5,6 @@
 
 #include "base/text.h"
 #include "catalogue/search.h"
-#include "sherds/sherd_columns.h"
 #include "store/database.h"
 
 namespace ostraka::upkeep {

@@ -1,6 +1,5 @@
 #include "virtualrig/batch_files.h"
 
-#include <cstdio>
 #include <cstdlib>
 
 #include <jpeglib.h>  // after cstdio, which it leaves to its user

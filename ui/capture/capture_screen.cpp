@@ -23,7 +23,6 @@
 #include "ui/import/place_edit.h"
 #include "ui/import/sides_view.h"
 #include "ui/look/look.h"
-#include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"

@@ -3,7 +3,6 @@
 
 class QLabel;
 class QProgressBar;
-class QToolButton;
 class QAction;
 class QDateTime;
 

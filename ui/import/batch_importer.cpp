@@ -10,7 +10,6 @@
 #include "ui/frame/project_session.h"
 #include "ui/import/record_photographs.h"
 #include "ui/jobs/when_done.h"
-#include "ui/words/sentence.h"
 #include "upkeep/project.h"
 
 namespace ostraka::ui {

@@ -2,7 +2,6 @@
 
 #include <QFileInfo>
 #include <QStringList>
-#include <utility>
 
 #include "files/files.h"
 #include "ui/jobs/when_done.h"

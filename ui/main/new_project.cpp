@@ -8,7 +8,6 @@
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
 #include "records/numbering.h"
-#include "ui/widgets/message_panel.h"
 #include "ui/wizard/rig_source.h"
 #include "ui/words/sentence.h"
 #include "upkeep/project.h"

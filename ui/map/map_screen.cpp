@@ -21,7 +21,6 @@
 #include "ui/frame/no_batch_yet.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
-#include "ui/look/look.h"
 #include "ui/map/catalogue_labels.h"
 #include "ui/map/map_view.h"
 #include "ui/widgets/big_button.h"

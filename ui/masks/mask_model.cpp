@@ -5,7 +5,6 @@
 #include <QUndoStack>
 #include <algorithm>
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include "base/text.h"

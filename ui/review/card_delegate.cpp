@@ -3,7 +3,6 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "ui/look/look.h"
 #include "ui/look/state_colours.h"
 #include "ui/pairs/card_list_model.h"
 #include "ui/pairs/review_words.h"

@@ -13,7 +13,6 @@
 #include <algorithm>
 
 #include "catalogue/batches.h"
-#include "decisions/mask_strokes.h"
 #include "intake/batch_figures.h"
 #include "intake/computed_again.h"
 #include "intake/enter_results.h"
@@ -27,7 +26,6 @@
 #include "ui/pairs/free_words.h"
 #include "ui/pairs/pair_review.h"
 #include "ui/review/review_pane.h"
-#include "ui/widgets/big_button.h"
 #include "ui/widgets/message_panel.h"
 #include "ui/widgets/parts.h"
 #include "ui/words/sentence.h"

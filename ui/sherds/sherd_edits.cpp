@@ -3,7 +3,6 @@
 #include <QUndoStack>
 #include <memory>
 
-#include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/many_changes.h"
 #include "sherds/numbers.h"

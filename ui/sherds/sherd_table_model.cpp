@@ -4,7 +4,6 @@
 #include <QTimer>
 
 #include "records/sherd.h"
-#include "sherds/sherd_fields.h"
 #include "sherds/sherds.h"
 #include "ui/look/look.h"
 #include "ui/sherds/field_words.h"

@@ -9,7 +9,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 void threeViewsPerSide(const BatchFolder& folder) {
   for (const char* side : {"front", "back"})

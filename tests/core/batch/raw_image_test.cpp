@@ -13,7 +13,6 @@
 namespace ostraka::batch {
 namespace {
 
-using testing::HasSubstr;
 
 enum class Dng { Byte = 1, Ascii = 2, Short = 3, Long = 4, Rational = 5, SignedRational = 10 };
 

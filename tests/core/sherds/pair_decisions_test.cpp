@@ -15,7 +15,6 @@ namespace ostraka::sherds {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 class Decisions : public catalogue::SmallProject {
  protected:

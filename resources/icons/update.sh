@@ -22,7 +22,6 @@ capture aperture
 catalogue library
 check check
 clock clock
-disk hard-drive
 distance spline
 down chevron-down
 drawing pen-tool
@@ -46,9 +45,7 @@ new folder-plus
 next arrow-right
 open folder-open
 pause pause
-person user
 picture image
-place map-pin
 play play
 plus plus
 previous arrow-left

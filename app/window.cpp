@@ -9,7 +9,6 @@
 #include <optional>
 
 #ifdef OSTRAKA_WITH_WINDOW
-#include "ui/main/opengl_check.h"
 #include "ui/main/run_window.h"
 #endif
 

@@ -3,6 +3,9 @@
 #include <QApplication>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QTranslator>
 #include <cstdio>
 
@@ -11,22 +14,19 @@
 #include "ui/main/main_window.h"
 #include "ui/settings/window_settings.h"
 #include "ui/viewport/sherd_view.h"
-#include "ui/widgets/popup_guard.h"
-#include "ui/widgets/wheel_guard.h"
+#include "ui/widgets/input_guard.h"
 
 namespace ostraka::ui {
 namespace {
 
 bool hasDisplay() {
-  return !qEnvironmentVariableIsEmpty("DISPLAY") ||
-         !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") ||
-         !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
+  return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
 }
 
 }  // namespace
 
 int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>& project) {
-  if (!hasDisplay()) {
+  if (!hasDisplay() && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) {
     std::fputs(
         "There is no display to open the window on. Start it from a desktop, or use the commands: "
         "ostraka --help.\n",
@@ -52,8 +52,7 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
     QApplication::installTranslator(&qts);
   if (ours.load(locale, QStringLiteral("ostraka"), QStringLiteral("_"), QStringLiteral(":/i18n")))
     QApplication::installTranslator(&ours);
-  application.installEventFilter(new WheelGuard(&application));
-  application.installEventFilter(new PopupGuard(&application));
+  application.installEventFilter(new InputGuard(&application));
   applyLook(application, settings.theme, settings.text_percent);
   ThreadedJobRunner runner;
   MainWindow window(runner);
@@ -61,6 +60,32 @@ int runWindow(int argc, char** argv, const std::optional<std::filesystem::path>&
   if (project)
     window.openProject(QString::fromStdString(std::filesystem::absolute(*project).string()));
   return QApplication::exec();
+}
+
+std::string openGlOfThisComputer(std::optional<bool>& works) {
+  works.reset();
+  if (!hasDisplay()) return "not looked at: there is no display";
+  works = false;
+  prepareOpenGl();
+  int argc = 1;
+  char name[] = "ostraka";
+  char* argv[] = {name, nullptr};
+  QGuiApplication application(argc, argv);
+  QOpenGLContext context;
+  QOffscreenSurface surface;
+  surface.create();
+  if (!context.create() || !context.makeCurrent(&surface))
+    return "none; install libgl1-mesa-dri for drawing without a graphics card";
+  const auto text = [&](GLenum what) {
+    const auto* words = context.functions()->glGetString(what);
+    return words == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(words));
+  };
+  const std::string renderer = text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+  const auto version = std::pair(context.format().majorVersion(), context.format().minorVersion());
+  context.doneCurrent();
+  if (version < std::pair(3, 2)) return renderer + "; 3.2 or newer is needed";
+  works = true;
+  return renderer;
 }
 
 }  // namespace ostraka::ui

@@ -1,22 +1,26 @@
-// Esc on an open list closes the list only.
-#include "ui/widgets/popup_guard.h"
+// The wheel changes no field of a form, and Esc on an open list closes the list only.
+#include "ui/widgets/input_guard.h"
 
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 #include <QtTest>
 
 using namespace ostraka::ui;
 
-class PopupGuardTest : public QObject {
+class InputGuardTest : public QObject {
   Q_OBJECT
 
  private slots:
   void escOnAnOpenListClosesTheListOnly() {
-    PopupGuard guard;
+    InputGuard guard;
     qApp->installEventFilter(&guard);
     QWidget page;
     auto* combo = new QComboBox(&page);
@@ -40,7 +44,7 @@ class PopupGuardTest : public QObject {
   }
 
   void theKeyIsThePopupsOnlyWhileOneIsOpen() {
-    PopupGuard guard;
+    InputGuard guard;
     QComboBox combo;
     combo.addItem(QStringLiteral("Light"));
     combo.installEventFilter(&guard);
@@ -58,7 +62,37 @@ class PopupGuardTest : public QObject {
     QVERIFY(!isTaken(Qt::Key_F5));
     combo.hidePopup();
   }
+
+  void aFieldKeepsItsValueAndLeavesTheWheelToTheForm() {
+    InputGuard guard;
+    qApp->installEventFilter(&guard);
+    QScrollArea area;
+    auto* form = new QWidget;
+    auto* column = new QVBoxLayout(form);
+    auto* combo = new QComboBox(form);
+    combo->addItems({"0012", "0013"});
+    auto* spin = new QSpinBox(form);
+    auto* slider = new QSlider(Qt::Horizontal, form);
+    column->addWidget(combo);
+    column->addWidget(spin);
+    column->addWidget(slider);
+    form->setMinimumHeight(2000);
+    area.setWidget(form);
+    area.resize(200, 200);
+    area.show();
+    for (QWidget* field : {static_cast<QWidget*>(combo), static_cast<QWidget*>(spin),
+                           static_cast<QWidget*>(slider)}) {
+      field->setFocus();
+      QWheelEvent down({5, 5}, field->mapToGlobal(QPointF(5, 5)), {}, {0, -120}, Qt::NoButton,
+                       Qt::NoModifier, Qt::NoScrollPhase, false);
+      QApplication::sendEvent(field, &down);
+      QVERIFY(!down.isAccepted());  // and so Qt hands it on to what scrolls
+    }
+    QCOMPARE(combo->currentIndex(), 0);
+    QCOMPARE(spin->value(), 0);
+    QCOMPARE(slider->value(), 0);
+  }
 };
 
-QTEST_MAIN(PopupGuardTest)
-#include "popup_guard_test.moc"
+QTEST_MAIN(InputGuardTest)
+#include "input_guard_test.moc"

@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 
-#include "catalogue/replace_value.h"
 #include "records/records.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/saved_command.h"
@@ -28,11 +27,17 @@ Result<void> saveValue(ProjectSession& session, const QString& title, const Save
   const auto change = [&session, of](const std::optional<Value>& expected, const Value& to) {
     // Before the transaction: the row of a new person stays where the value is refused.
     const records::Provenance provenance = session.provenance();
-    Result<Value> before = catalogue::replaceValue(
-        session.project().catalogue(), of.field, expected, to, of.read,
-        [&](const Value& written) { return of.write(written, provenance); });
-    if (before) of.written();
-    return before;
+    std::optional<Value> before;
+    const Result<void> done = session.project().catalogue().together([&]() -> Result<void> {
+      Result<Value> now = of.read();
+      if (!now) return now.error();
+      if (expected && !(*now == *expected)) return Error::changedMeanwhile(of.field);
+      before = std::move(*now);
+      return of.write(to, provenance);
+    });
+    if (!done) return Result<Value>(done.error());
+    of.written();
+    return Result<Value>(std::move(*before));
   };
   const Result<Value> before = change({}, value);
   if (!before) return before.error();

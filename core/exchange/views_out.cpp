@@ -1,6 +1,7 @@
 #include "exchange/views_out.h"
 
 #include <algorithm>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
@@ -8,7 +9,6 @@
 #include "decisions/mask_strokes.h"
 #include "files/folder_lock.h"
 #include "files/open_folder.h"
-#include "review/saved_views.h"
 #include "rig/camera.h"
 #include "stereo/outside_adapter.h"
 #include "tables/csv.h"
@@ -27,6 +27,33 @@ std::vector<fs::path> filesIn(const fs::path& folder) {
     if (entry.is_regular_file(code)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
+}
+
+// The photographs of one side with the cameras and the masks that a run left in `out`, without
+// those on which no sherd is marked. batch: the batch's folder, wherever it lies now.
+Result<std::vector<stereo::View>> savedViews(const fs::path& out, const fs::path& batch,
+                                             batch::Side side, const std::stop_token& stop) {
+  const Result<std::vector<rig::PosedImage>> images =
+      rig::readCameras(out / "work" / "rig" / "cameras.json");
+  if (!images) return images.error();
+  const std::string masks = decisions::maskFolder(out, side);
+  std::vector<stereo::View> views;
+  for (const rig::PosedImage& image : *images) {
+    if (image.side != side) continue;
+    if (stop.stop_requested()) return Error::cancelled();
+    Result<cv::Mat> mask = batch::readMask(out / "work" / masks / maskName(image));
+    if (!mask) return mask.error();
+    if (cv::countNonZero(*mask) == 0) continue;
+    // The project may have moved since: only the last two names count.
+    const fs::path then = image.file;
+    const fs::path now = batch / then.parent_path().filename() / then.filename();
+    Result<cv::Mat> photograph = batch::readPhotograph(now);
+    if (!photograph) return photograph.error();
+    stereo::View view{image, std::move(*photograph), cv::Mat1b(std::move(*mask))};
+    view.camera.file = now.string();
+    views.push_back(std::move(view));
+  }
+  return views;
 }
 
 Result<void> addSide(archive::BagWriter& bag, const fs::path& folder, const std::string& to,
@@ -49,7 +76,7 @@ Result<void> addBothSides(archive::BagWriter& bag, const fs::path& project,
                           const std::stop_token& stop) {
   const fs::path batch = project / "batches" / number;
   for (const batch::Side side : {batch::Side::Front, batch::Side::Back}) {
-    const auto views = review::savedViews(project / "results" / number, batch, side, stop);
+    const auto views = savedViews(project / "results" / number, batch, side, stop);
     if (!views) return views.error();
     // A link may lead to a picture that nobody wants to hand on.
     for (const auto& view : *views) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <opencv2/core/mat.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
 
 #include "base/limits.h"
 #include "base/median.h"
+#include "batch/photograph.h"
 #include "files/files.h"
 
 namespace ostraka::evaluate {
@@ -97,31 +97,16 @@ std::vector<double> sizes(const std::vector<float>& values) {
   return found;
 }
 
-// Empty when it cannot be.
-cv::Mat decoded(const std::string& bytes) {
-  if (bytes.empty()) return {};
-  try {
-    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-    return cv::imdecode(raw, cv::IMREAD_UNCHANGED);
-  } catch (const cv::Exception&) {
-    return {};
-  }
-}
-
 }  // namespace
 
 Result<MaskImage> readMask(const std::filesystem::path& file) {
   const Result<std::string> bytes = readFile(file, limits::kImageBytes.most);
   if (!bytes) return bytes.error();
-  const cv::Mat image = decoded(*bytes);
+  const cv::Mat image =
+      bytes->empty() ? cv::Mat() : batch::decodedByOpenCv(*bytes, cv::IMREAD_UNCHANGED);
   if (image.empty()) return Error::unusable("The mask cannot be read as an image.", file.string());
   if (image.type() != CV_8UC1) return Error::unusable("The mask is not 8-bit grey.", file.string());
-  MaskImage mask{image.cols, image.rows, {}};
-  mask.levels.resize(static_cast<std::size_t>(image.cols) * image.rows);
-  for (int y = 0; y < image.rows; ++y)
-    std::memcpy(mask.levels.data() + static_cast<std::size_t>(y) * image.cols, image.ptr(y),
-                static_cast<std::size_t>(image.cols));
-  return mask;
+  return MaskImage{image.cols, image.rows, {image.begin<uchar>(), image.end<uchar>()}};
 }
 
 void MaskFigures::add(const MaskFigures& other) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <opencv2/imgproc.hpp>
 
 #include "base/message.h"
 #include "cloud/bounds.h"
@@ -65,32 +66,20 @@ class PlanarGrid {
   std::vector<int> first_, order_;
 };
 
-/// Per cell whether it belongs to the group of touching occupied cells that holds most points.
+/// Per cell whether it belongs to the group of touching occupied cells that holds most points; of
+/// equals to the first, row by row.
 std::vector<std::uint8_t> largestGroup(const PlanarGrid& grid) {
-  std::vector<int> group(grid.cells(), -1);
-  std::vector<std::size_t> stack;
-  int best = -1, groups = 0;
-  std::size_t best_size = 0;
-  for (std::size_t seed = 0; seed < grid.cells(); ++seed) {
-    if (group[seed] >= 0 || grid.inCell(seed).empty()) continue;
-    std::size_t size = 0;
-    stack.assign(1, seed);
-    group[seed] = groups;
-    while (!stack.empty()) {
-      const std::size_t cell = stack.back();
-      stack.pop_back();
-      size += grid.inCell(cell).size();
-      grid.around(cell, 1, [&](std::size_t near) {
-        if (group[near] >= 0 || grid.inCell(near).empty()) return;
-        group[near] = groups;
-        stack.push_back(near);
-      });
-    }
-    if (size > best_size) best_size = size, best = groups;
-    ++groups;
-  }
-  std::vector<std::uint8_t> chosen(grid.cells(), 0);
-  for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = group[i] == best;
+  cv::Mat1b occupied(grid.rows(), grid.columns());
+  for (std::size_t i = 0; i < grid.cells(); ++i) occupied.data[i] = grid.inCell(i).empty() ? 0 : 1;
+  cv::Mat1i group;
+  std::vector<std::size_t> points(cv::connectedComponents(occupied, group, 8, CV_32S));
+  for (std::size_t i = 0; i < grid.cells(); ++i)
+    points[group(static_cast<int>(i))] += grid.inCell(i).size();
+  int best = 0;  // the empty cells
+  for (const int one : group)
+    if (points[one] > points[best]) best = one;
+  std::vector<std::uint8_t> chosen;
+  for (const int one : group) chosen.push_back(one == best);
   return chosen;
 }
 

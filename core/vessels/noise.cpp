@@ -40,15 +40,6 @@ std::uint32_t cellHash(int x, int y, int z, std::uint32_t seed) {
   return h ^ (h >> 16);
 }
 
-float noise(const Eigen::Vector3f& p, std::uint32_t seed) {
-  const Cell c = cellOf(p);
-  const std::array<float, 8> v = corners(c, seed);
-  const Eigen::Vector3f s = c.f.array().square() * (3 - 2 * c.f.array());
-  const auto mix = [](float a, float b, float t) { return a + (b - a) * t; };
-  return mix(mix(mix(v[0], v[1], s.x()), mix(v[2], v[3], s.x()), s.y()),
-             mix(mix(v[4], v[5], s.x()), mix(v[6], v[7], s.x()), s.y()), s.z());
-}
-
 NoiseValue noiseWithGradient(const Eigen::Vector3f& p, std::uint32_t seed) {
   const Cell c = cellOf(p);
   const std::array<float, 8> v = corners(c, seed);
@@ -62,6 +53,10 @@ NoiseValue noiseWithGradient(const Eigen::Vector3f& p, std::uint32_t seed) {
       mix(mix(v[1] - v[0], v[3] - v[2], s.y()), mix(v[5] - v[4], v[7] - v[6], s.y()), s.z());
   const float dy = mix(x10 - x00, x11 - x01, s.z());
   return {mix(y0, y1, s.z()), {dx * ds.x(), dy * ds.y(), (y1 - y0) * ds.z()}};
+}
+
+float noise(const Eigen::Vector3f& p, std::uint32_t seed) {
+  return noiseWithGradient(p, seed).value;
 }
 
 float fractalNoise(const Eigen::Vector3f& p, std::uint32_t seed, int octaves, float share) {

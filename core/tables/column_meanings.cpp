@@ -1,6 +1,9 @@
 #include "tables/column_meanings.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "store/values.h"
 
@@ -12,7 +15,13 @@ constexpr double kPerStep = 1000;  // three decimals: a micrometre, a milligram
 }  // namespace
 
 std::string tableNumber(double value) {
-  return store::numberText(std::round(kPerStep * value) / kPerStep);
+  // Adding 0 takes the sign off a zero.
+  const double rounded = std::round(kPerStep * value) / kPerStep + 0.0;
+  std::array<char, std::numeric_limits<double>::max_exponent10 + 20> buffer{};
+  char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded,
+                                  std::chars_format::fixed)
+                        .ptr;
+  return {buffer.data(), end};
 }
 
 bool showsInTable(std::string_view typed, double value) {

@@ -1,4 +1,5 @@
-// Which sherds join, as tables say it.
+#include "tables/table_joins.h"
+
 #include <gmock/gmock.h>
 
 #include "sherds/sherd_fields.h"

@@ -36,7 +36,7 @@ class HandTurntable final : public devices::Turntable {
 
  private:
   Result<void> turn(double degrees, std::stop_token stop) {
-    const long mark = std::lround(degrees - 360 * std::floor(degrees / 360));
+    const long mark = std::lround(degrees - 360 * std::floor(degrees / 360)) % 360;
     position_ = kUnknown;
     if (!ask_ ||
         !ask_(

@@ -12,9 +12,8 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using namespace catalogue;
 
-class Conflicts : public TwoHouses {
+class Conflicts : public TwoCopies {
  protected:
-  Conflicts() : b_(copied("b")) {}
   /// Nothing is written before it is settled; afterwards neither direction asks again.
   void settle(const Settled& settled) {
     const std::string before = contentIn(*project_), before_b = contentIn(b_);
@@ -51,7 +50,6 @@ class Conflicts : public TwoHouses {
              number)
         .one<std::string>();
   }
-  upkeep::Project b_;
 };
 
 TEST_F(Conflicts, AFieldThatBothChangedIsTakenFromB) {
@@ -61,42 +59,6 @@ TEST_F(Conflicts, AFieldThatBothChangedIsTakenFromB) {
   settle({{"sherd/" + id + "/ware", take(Take::B)}});
   EXPECT_EQ(saidOf(*project_, id, "ware"), "red");
   EXPECT_EQ(saidOf(b_, id, "ware"), "red");
-}
-
-TEST_F(Conflicts, AreToldByNumberFieldAndWhoEnteredWhat) {
-  say(*project_, rows[0], "ware", "grey");
-  say(b_, rows[0], "ware", "red");
-  say(*project_, rows[0], "weight_g", "24");
-  say(b_, rows[0], "weight_g", "25");
-  const MergeReport report = merged(*project_, b_);
-  ASSERT_EQ(report.conflicts.size(), 2u);
-  const Conflict &ware = report.conflicts[0], &weight = report.conflicts[1];
-  EXPECT_EQ(ware.table, "sherd");
-  EXPECT_EQ(ware.name, "ARM1-T3-0012-0001");
-  EXPECT_EQ(ware.field, "ware");
-  EXPECT_THAT(ware.a.values, ElementsAre(testing::Pair("ware", "grey")));
-  EXPECT_THAT(ware.b.values, ElementsAre(testing::Pair("ware", "red")));
-  EXPECT_EQ(ware.a.by, "AP");
-  EXPECT_GT(ware.b.at_ms, ware.a.at_ms);
-  EXPECT_THAT(ware.takes, ElementsAre(Take::A, Take::B));
-  EXPECT_EQ(weight.field, "weight");
-  EXPECT_EQ(weight.a.values.front().first, "weight");
-  EXPECT_EQ(weight.b.by, "AP");
-}
-
-TEST_F(Conflicts, ANumberGivenToTwoSherdsSaysWhatTellsThemApart) {
-  const store::SherdRow own = newSherd(*project_, context13, true);
-  const store::SherdRow theirs = newSherd(b_, context13, true);
-  say(*project_, own, "ware", "grey");
-  say(b_, theirs, "ware", "red");
-  const MergeReport report = merged(*project_, b_);
-  ASSERT_EQ(report.conflicts.size(), 1u);
-  const Conflict& number = report.conflicts.front();
-  EXPECT_EQ(number.name, "ARM1-T3-0013-0001");
-  EXPECT_THAT(number.a.values,
-              ElementsAre(testing::Pair("context", "ARM1-T3-0013"), testing::Pair("ware", "grey")));
-  EXPECT_THAT(number.b.values, testing::Contains(testing::Pair("ware", "red")));
-  EXPECT_TRUE(number.offers(Take::Number));
 }
 
 TEST_F(Conflicts, AFieldThatBothChangedStaysAsInA) {

@@ -12,11 +12,7 @@ namespace fs = std::filesystem;
 using testing::IsEmpty;
 using namespace catalogue;
 
-class MergingProjects : public TwoHouses {
- protected:
-  MergingProjects() : b_(copied("b")) {}
-  upkeep::Project b_;
-};
+using MergingProjects = TwoCopies;
 
 TEST_F(MergingProjects, CopiesAreTheSame) {
   const std::string before = contentIn(*project_);
@@ -70,23 +66,6 @@ TEST_F(MergingProjects, SherdsThatOnePartedAndTheOtherJoinedAgainStayJoined) {
   EXPECT_EQ(valueOf(rows[1], "joins"), "ARM1-T3-0012-0001");
 }
 
-// So that a repair can tell them; later merges ask what persons said, as before.
-TEST_F(MergingProjects, PairsThatAMergeJoinedOrPartedAreInTheHistory) {
-  say(b_, rows[1], "joins", "ARM1-T3-0012-0003");
-  merged(*project_, b_);
-  for (const auto& [sherd, before, after] :
-       {std::tuple(rows[0], "ARM1-T3-0012-0002", ""), {rows[2], "", "ARM1-T3-0012-0002"}}) {
-    const auto history = valueIn(History(catalogue()).of(sherd));
-    EXPECT_EQ(history.front().field, "joins");
-    EXPECT_EQ(history.front().old_value, before);
-    EXPECT_EQ(history.front().new_value, after);
-    EXPECT_EQ(history.front().source, "merge");
-  }
-  say(b_, rows[1], "joins", "");
-  merged(*project_, b_);
-  EXPECT_EQ(valueOf(rows[1], "joins"), "") << "the merge did not say that they join";
-}
-
 class MergingTerms : public MergingProjects {
  protected:
   static std::vector<std::string> termsOf(const upkeep::Project& project) {
@@ -137,14 +116,6 @@ TEST_F(MergingTerms, AreCalledAsTheOneProjectSaysThatChangedThem) {
   EXPECT_EQ(valueIn(Settings(catalogue()).vocabulary("condition")), terms);
 }
 
-TEST_F(MergingProjects, WhatWasChangedBackHoldsAgainstWhatWasNeverChanged) {
-  say(*project_, rows[0], "ware", "grey");
-  merged(b_, *project_);
-  say(b_, rows[0], "ware", "");
-  EXPECT_THAT(merged(*project_, b_).conflicts, IsEmpty());
-  EXPECT_EQ(valueOf(rows[0], "ware"), "");
-}
-
 TEST_F(MergingProjects, OnlySaysWhatItWouldDoWhenAsked) {
   say(b_, rows[0], "note", "a handle");
   const std::string before = contentIn(*project_);
@@ -153,16 +124,6 @@ TEST_F(MergingProjects, OnlySaysWhatItWouldDoWhenAsked) {
   EXPECT_FALSE(report.entered);
   EXPECT_EQ(report.changed, 1);
   EXPECT_EQ(contentIn(*project_), before);
-}
-
-TEST_F(MergingProjects, TellsWhoChangedWhatInB) {
-  say(b_, rows[0], "note", "a handle");
-  merged(*project_, b_);
-  const auto history = valueIn(History(catalogue()).of(rows[0]));
-  EXPECT_EQ(history.front().field, "note");
-  EXPECT_EQ(history.front().new_value, "a handle");
-  EXPECT_EQ(history.front().by, anna.person);
-  EXPECT_EQ(history.front().source, "test");
 }
 
 TEST_F(MergingProjects, TwoProjectsThatWereNeverOneBecomeOne) {

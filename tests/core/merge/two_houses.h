@@ -66,4 +66,11 @@ class TwoHouses : public exchange::ExportedProject {
   static Choice take(Take side) { return {side, {}}; }
 };
 
+/// The first project, and one copy of it.
+class TwoCopies : public TwoHouses {
+ protected:
+  TwoCopies() : b_(copied("b")) {}
+  upkeep::Project b_;
+};
+
 }  // namespace ostraka::merge

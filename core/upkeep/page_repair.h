@@ -19,8 +19,8 @@ struct PageRepair {
 };
 /// Repairs in place what the checksums prove, so pass a copy. The catalogue's pages are those of
 /// the file under those that its WAL holds of saved transactions, which is merged into the file and
-/// removed. Missing pages at the file's end are added and count as lost. Errors: the file cannot be
-/// read or written.
+/// removed. Missing pages at the file's end are added and count as lost, as what cannot be read
+/// does. Errors: CannotWrite.
 Result<PageRepair> repairPages(const std::filesystem::path& file,
                                std::span<const std::filesystem::path> backups);
 

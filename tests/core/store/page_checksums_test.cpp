@@ -1,49 +1,19 @@
 #include "store/page_checksums.h"
 
 #include <sqlite3.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <set>
 #include <vector>
 
-#include "sherds/sherds.h"
-#include "store/wal_content.h"
 #include "tests/core/catalogue/flipped_bits.h"
-#include "tests/core/catalogue/small_project.h"
+#include "tests/core/store/filled_project.h"
 
 namespace ostraka::store {
 namespace {
 
 namespace fs = std::filesystem;
 
-class PageChecksums : public catalogue::SmallProject {
- protected:
-  void fill(int sherds) {
-    for (int i = 0; i < sherds; ++i) {
-      const SherdRow sherd = i % 3 == 0 ? draft(context13, bag1) : numbered(context12);
-      EXPECT_TRUE(set(sherd, "ware", i % 2 == 0 ? "grey" : "red slipped"));
-      EXPECT_TRUE(set(sherd, "length_mm", std::to_string(20 + i)));
-      EXPECT_TRUE(set(sherd, "note", "found beside the oven, number " + std::to_string(i)));
-    }
-  }
-  fs::path folder() const { return folder_.path() / "project"; }
-  fs::path file() const { return folder() / "catalogue.sqlite"; }
-};
-
-// What a process leaves that is killed after it has saved.
-template <class Work>
-void inAKilledProcess(Work work) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    work();
-    ::_exit(0);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  ASSERT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0);
-}
+using PageChecksums = FilledProject;
 
 // As any program that knows SQLite opens it.
 std::string askedOfPlainSqlite(const fs::path& file, const char* sql) {
@@ -165,120 +135,6 @@ TEST_F(PageChecksums, WhatAnotherProgramChangedIsFound) {
   const Result<std::string> content = catalogue::contentOf(folder());
   ASSERT_FALSE(content);
   EXPECT_EQ(content.error().code, ErrorCode::Damaged);
-}
-
-// As frames of a WAL tell it: which of them count.
-WalContent walOf(const std::string& wal) {
-  const ReadAt read = [&](unsigned char* to, std::size_t count, std::int64_t from) {
-    const auto at = static_cast<std::size_t>(from);
-    if (at + count > wal.size()) return false;
-    std::copy_n(wal.begin() + from, count, to);
-    return true;
-  };
-  return readWal(read, static_cast<std::int64_t>(wal.size()));
-}
-
-class DamagedWal : public PageChecksums {
- protected:
-  // A few transactions in the WAL of a closed project.
-  void SetUp() override {
-    project_.reset();
-    inAKilledProcess([&] {
-      project_ = std::make_unique<upkeep::Project>(*upkeep::Project::open(folder()));
-      fill(4);
-    });
-    main_ = catalogue::bytesOf(file());
-    wal_ = catalogue::bytesOf(file().string() + "-wal");
-    frames_ = walOf(wal_).frames;
-    ASSERT_GT(frames_.size(), 20u);
-    content_ = *catalogue::contentOf(folder());
-  }
-  Result<std::string> contentWith(const std::string& wal) {
-    catalogue::writeBytes(file(), main_);
-    catalogue::writeBytes(file().string() + "-wal", wal);
-    fs::remove(file().string() + "-shm");
-    return catalogue::contentOf(folder());
-  }
-  std::string walWithBitOf(std::size_t byte) const {
-    std::string wal = wal_;
-    wal[byte] ^= 4;
-    return wal;
-  }
-  std::string main_, wal_, content_;
-  std::vector<WalFrame> frames_;
-};
-
-TEST_F(DamagedWal, IsRefusedAndLeftAsItIs) {
-  // Number of the page, size, salt, checksum, page and page's checksum; a whole WAL stands first.
-  ASSERT_EQ(*contentWith(wal_), content_);
-  for (std::size_t frame = 0; frame + 1 < frames_.size(); frame += 7)
-    for (const int place : {-21, -17, -14, -3, 100, 4090}) {
-      const auto byte = static_cast<std::size_t>(frames_[frame].at + place);
-      const std::string wal = walWithBitOf(byte);
-      const Result<std::string> content = contentWith(wal);
-      ASSERT_FALSE(content) << "frame " << frame << ", byte " << place;
-      EXPECT_EQ(content.error().code, ErrorCode::Damaged);
-      EXPECT_EQ(catalogue::bytesOf(file().string() + "-wal"), wal);
-    }
-}
-
-TEST_F(DamagedWal, IsRefusedForABitOfItsHeaderAndOfTheLastPage) {
-  for (const std::size_t byte : {std::size_t{1}, std::size_t{17}, std::size_t{26},
-                                 static_cast<std::size_t>(frames_.back().at) + 700}) {
-    const Result<std::string> content = contentWith(walWithBitOf(byte));
-    ASSERT_FALSE(content) << "byte " << byte;
-    EXPECT_EQ(content.error().code, ErrorCode::Damaged);
-  }
-}
-
-TEST_F(DamagedWal, IsRepairedWithoutAnyBackup) {
-  fs::remove_all(folder() / "backups");
-  for (const int place : {-21, -17, -14, -3, 100, 4090}) {
-    const std::string wal = walWithBitOf(static_cast<std::size_t>(frames_[9].at + place));
-    ASSERT_FALSE(contentWith(wal));
-    QuietProgress quiet;
-    const Result<upkeep::RepairReport> report = upkeep::repairCatalogue(folder(), quiet, {});
-    ASSERT_TRUE(report) << report.error().sentence();
-    EXPECT_EQ(catalogue::bytesOf(report->damaged.string() + "-wal"), wal) << "it is kept";
-    EXPECT_EQ(*catalogue::contentOf(folder()), content_) << "byte " << place;
-    fs::remove_all(folder() / "backups");
-  }
-}
-
-// What a killed process or a power cut leaves of a transaction is not damage.
-TEST_F(DamagedWal, IsNotOneThatEndsWithinATransaction) {
-  const auto last = static_cast<std::size_t>(frames_.back().at);
-  for (const std::size_t bytes : {last + 2000, last - 10, last - 24, last - 5000}) {
-    EXPECT_TRUE(contentWith(wal_.substr(0, bytes)));
-    EXPECT_TRUE(contentWith(wal_.substr(0, bytes) + std::string(20000, '\0')));
-  }
-  // The first frame of a transaction that was given up lies behind the saved ones.
-  EXPECT_EQ(*contentWith(
-                wal_ + wal_.substr(static_cast<std::size_t>(frames_[3].at) - 24, kPageBytes + 24)),
-            content_);
-}
-
-// Disks write in any order: the end of what was being written may stand, and not all before it.
-TEST_F(DamagedWal, IsNotOneWhoseLastTransactionLacksAFrame) {
-  const auto withoutFrame = [&](std::size_t frame) {
-    std::string wal = wal_;
-    wal.replace(static_cast<std::size_t>(frames_[frame].at) - 24, kPageBytes + 24,
-                std::string(kPageBytes + 24, '\0'));
-    return wal;
-  };
-  std::vector<std::size_t> ends;  // frames that name the size of the database
-  for (std::size_t i = 0; i < frames_.size(); ++i)
-    if (wal_.substr(static_cast<std::size_t>(frames_[i].at) - 20, 4) != std::string(4, '\0'))
-      ends.push_back(i);
-  ASSERT_GT(ends.size(), 1u);
-  const std::size_t first_of_last = ends[ends.size() - 2] + 1;
-  ASSERT_LT(first_of_last, ends.back());
-  const Result<std::string> cut_off = contentWith(withoutFrame(first_of_last));
-  ASSERT_TRUE(cut_off) << cut_off.error().sentence();
-  EXPECT_NE(*cut_off, content_);
-  const Result<std::string> lost = contentWith(withoutFrame(first_of_last - 2));
-  ASSERT_FALSE(lost);
-  EXPECT_EQ(lost.error().code, ErrorCode::Damaged);
 }
 
 TEST_F(PageChecksums, AFileThatWasReplacedIsNotReadAnyMore) {

@@ -1,4 +1,4 @@
-// What a repair does with two sherds that bear one number.
+// Rows that a repair collects: two sherds that bear one number, and a row that is there twice.
 #include <gmock/gmock.h>
 
 #include "catalogue/history.h"

@@ -1,0 +1,96 @@
+#include "upkeep/staged_files.h"
+
+#include <gmock/gmock.h>
+
+#include "catalogue/settings.h"
+#include "files/files.h"
+#include "tests/core/catalogue/small_project.h"
+
+namespace ostraka::upkeep {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Staged : public catalogue::SmallProject {
+ protected:
+  void write(const std::string& path, const std::string& bytes) {
+    fs::create_directories((project_->folder() / path).parent_path());
+    EXPECT_TRUE(writeFileAtomically(project_->folder() / path, bytes));
+  }
+  std::string at(const std::string& path) const {
+    const Result<std::string> bytes = readFile(project_->folder() / path);
+    return bytes ? *bytes : "nothing";
+  }
+  // Waits under a name of its own; over: what lay in its place then.
+  void stage(const std::string& to, const std::string& bytes, const std::string& over = {}) {
+    const std::string name = std::to_string(files_.size());
+    write(std::string(kStagingFolder) + "/" + name, bytes);
+    files_[to] = {name, over.empty() ? over : sha256(over)};
+    ASSERT_TRUE(noteStaged(catalogue(), files_));
+  }
+  Result<std::vector<std::string>> place() {
+    return placeStaged(catalogue(), project_->folder(), quiet_, {});
+  }
+  StagedFiles files_;
+  QuietProgress quiet_;
+};
+
+TEST_F(Staged, ComeToTheirPlacesAndAreForgotten) {
+  write("results/B0001/report.json", "of A");
+  stage("batches/B0002/front/a.jpg", "JPEG");
+  stage("results/B0001/report.json", "of B", "of A");
+  const auto kept = place();
+  ASSERT_TRUE(kept) << kept.error().sentence();
+  EXPECT_TRUE(kept->empty());
+  EXPECT_EQ(at("batches/B0002/front/a.jpg"), "JPEG");
+  EXPECT_EQ(at("results/B0001/report.json"), "of B");
+  EXPECT_FALSE(fs::exists(project_->folder() / kStagingFolder));
+  write("results/B0001/report.json", "later");
+  ASSERT_TRUE(place());
+  EXPECT_EQ(at("results/B0001/report.json"), "later");
+}
+
+// A folder with files of two computations belongs to neither.
+TEST_F(Staged, LeaveAFolderWholeInWhichOneFileChangedMeanwhile) {
+  write("results/B0001/report.json", "of A");
+  write("results/B0001/scans/f000.ply", "of A");
+  write("results/B0002/report.json", "of A");
+  stage("results/B0001/report.json", "of B", "of A");
+  stage("results/B0001/scans/f000.ply", "of B", "of A");
+  stage("results/B0002/report.json", "of B", "of A");
+  write("results/B0001/scans/f000.ply", "computed anew");
+  const auto kept = place();
+  ASSERT_TRUE(kept) << kept.error().sentence();
+  EXPECT_THAT(*kept, testing::ElementsAre("results/B0001"));
+  EXPECT_EQ(at("results/B0001/report.json"), "of A");
+  EXPECT_EQ(at("results/B0001/scans/f000.ply"), "computed anew");
+  EXPECT_EQ(at("results/B0002/report.json"), "of B");
+}
+
+TEST_F(Staged, GoOnWhereAKillLeftThem) {
+  stage("batches/B0001/front/a.jpg", "A");
+  stage("batches/B0001/front/b.jpg", "B");
+  fs::create_directories(project_->folder() / "batches/B0001/front");
+  fs::rename(project_->folder() / kStagingFolder / files_.at("batches/B0001/front/a.jpg").name,
+             project_->folder() / "batches/B0001/front/a.jpg");
+  ASSERT_TRUE(place());
+  EXPECT_EQ(at("batches/B0001/front/a.jpg"), "A");
+  EXPECT_EQ(at("batches/B0001/front/b.jpg"), "B");
+}
+
+TEST_F(Staged, GoNowhereElseThanAMergeMay) {
+  for (const char* place_of : {"batches/a", "results/a", "models/a", "imported/a"})
+    EXPECT_TRUE(isPlaceOfFiles(place_of)) << place_of;
+  for (const char* elsewhere : {"catalogue.sqlite", "backups/a", "batches", "batches_of_others/a",
+                                "", "/batches/a"})
+    EXPECT_FALSE(isPlaceOfFiles(elsewhere)) << elsewhere;
+  stage("batches/B0001/front/a.jpg", "A");
+  stage("backups/catalogue-20260101-000000-000.sqlite", "planted");
+  const auto refused = place();
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::UnusableInput);
+  EXPECT_EQ(at("batches/B0001/front/a.jpg"), "nothing") << "none of them is moved";
+}
+
+}  // namespace
+}  // namespace ostraka::upkeep

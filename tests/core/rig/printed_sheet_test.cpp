@@ -3,13 +3,10 @@
 #include <gmock/gmock.h>
 
 #include "batch/batch.h"
-#include "files/files.h"
-#include "tests/core/files/temporary_folder.h"
 
 namespace ostraka::rig {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // From the drawing itself: the ink of each marker lies where plate.json says.
@@ -53,26 +50,6 @@ TEST(PrintedSheet, HasABarOfTheLengthThatItNames) {
   EXPECT_THAT(words, HasSubstr("Print at 100 %"));
   EXPECT_THAT(words, HasSubstr("must measure 200 mm"));
   EXPECT_THAT(words, HasSubstr("choose Clear sheet"));
-}
-
-TEST(PrintedSheet, IsWrittenWithItsFileWhichFollowsTheMeasuredBar) {
-  const TemporaryFolder folder;
-  const fs::path pdf = folder.path() / "sheet.pdf";
-  ASSERT_TRUE(writeSheetPrint(pdf, {}).has_value());
-  EXPECT_TRUE(readFile(pdf)->starts_with("%PDF"));
-  const auto drawn = batch::readPlate(folder.path() / "plate.json");
-  ASSERT_TRUE(drawn.has_value());
-  EXPECT_EQ(drawn->markers.size(), sheetPlate(SheetSize::A4).markers.size());
-  ASSERT_TRUE(writeSheetPrint(pdf, {SheetSize::A4, 198}).has_value());
-  const auto measured = batch::readPlate(folder.path() / "plate.json");
-  const auto side = [](const batch::Plate& plate) {
-    return (plate.markers[0].corners[1] - plate.markers[0].corners[0]).norm();
-  };
-  EXPECT_NEAR(side(*measured), 0.99 * side(*drawn), 1e-3);
-  EXPECT_NEAR(measured->sheet->sizes().x(), 0.99 * 297, 1e-9);
-  // Another sheet's file is not replaced, and a bar of another unit is not believed.
-  EXPECT_FALSE(writeSheetPrint(pdf, {SheetSize::A3}).has_value());
-  EXPECT_FALSE(printSheet({SheetSize::A4, 20}).has_value());
 }
 
 }  // namespace

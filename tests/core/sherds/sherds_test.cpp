@@ -54,13 +54,6 @@ TEST_F(SherdsTest, APageComesInTheOrderAskedFor) {
   EXPECT_FALSE(Sherds(catalogue()).of(none));
 }
 
-TEST_F(SherdsTest, EachFieldOfTheTableHasANameOfItsOwn) {
-  std::set<std::string> names;
-  for (const records::SherdField& field : sherds::sherdFields())
-    EXPECT_TRUE(names.insert(field.name).second);
-  EXPECT_TRUE(names.contains("thickness_mean_mm"));
-}
-
 TEST_F(SherdsTest, AUuidIsThereOnce) {
   records::SherdRecord s;
   s.context = context12;

@@ -2,63 +2,18 @@
 
 #include <gmock/gmock.h>
 
-#include "catalogue/batches.h"
 #include "catalogue/settings.h"
-#include "cloud/ply.h"
-#include "intake/enter_results.h"
-#include "intake/plate_sherds.h"
-#include "records/records.h"
 #include "records/sherd.h"
 #include "sherds/numbers.h"
 #include "sherds/pair_decisions.h"
-#include "sherds/photographed_again.h"
-#include "sherds/sherds.h"
-#include "tests/core/catalogue/result_folder.h"
-#include "tests/core/catalogue/small_project.h"
+#include "tests/core/sherds/three_on_a_plate.h"
 
 namespace ostraka::sherds {
 namespace {
 
 using testing::ElementsAre;
 
-// Three sherds 50 mm apart on a plate; the results come when entered.
-class TypedNumbers : public catalogue::SmallProject {
- protected:
-  TypedNumbers() : batch(newBatch({bag4})) {}
-  void results(bool doubtful = false) {
-    catalogue::ResultFolder out(project_->resultsFolder("B0001"), 3);
-    out.pairs()[0].ambiguous = out.pairs()[1].ambiguous = doubtful;
-    out.write();
-    for (const int i : {1, 2, 3}) {
-      PointCloud cloud;
-      const auto x = static_cast<float>(50 * i);
-      cloud.points = {{x - 2, 10, 0}, {x + 2, 10, 0}};
-      EXPECT_TRUE(writePly(project_->resultsFolder("B0001") / "work/scans_front" /
-                               ("f00" + std::to_string(i) + ".ply"),
-                           cloud, "plate_front"));
-    }
-  }
-  intake::EnteredResults enter() {
-    QuietProgress quiet;
-    const auto entered = intake::enterResults(catalogue(), project_->folder(), batch,
-                                              project_->resultsFolder("B0001"), {}, quiet, {});
-    EXPECT_TRUE(entered) << (entered ? "" : entered.error().sentence());
-    return entered ? *entered : intake::EnteredResults{};
-  }
-  std::string numberOf(const std::string& front) {
-    for (const records::ScanRecord& scan :
-         catalogue::valueIn(catalogue::Batches(catalogue()).scans(batch)))
-      if (scan.name == front)
-        for (const records::SherdRecord& sherd : catalogue::valueIn(
-                 Sherds(catalogue()).of(catalogue::valueIn(Sherds(catalogue()).rows(batch)))))
-          if (sherd.front == scan.row) return sherd.number;
-    return "no sherd";
-  }
-  Result<void> type(const std::vector<TypedNumber>& numbers) {
-    return setTypedNumbers(catalogue(), batch, numbers);
-  }
-  store::BatchRow batch;
-};
+using TypedNumbers = ThreeOnAPlate;
 
 TEST_F(TypedNumbers, FollowTheirSherdsByTheirPlaces) {
   ASSERT_TRUE(type({{{152, 14}, "ARM1-T3-0012-0007"}, {{47, 6}, "OLD-1"}}));
@@ -121,155 +76,6 @@ TEST_F(TypedNumbers, AreRefusedWhenTheyAreNotUnique) {
   EXPECT_FALSE(setTypedNumbers(catalogue(), newBatch({bag5}), std::span(&again, 1)))
       << "it waits on another plate";
   EXPECT_EQ(catalogue::valueIn(typedNumbers(catalogue(), batch)).size(), 1u);
-}
-
-// Sherd 1 of B0001 is set for new photographs and lies on the plate of B0002.
-TEST_F(TypedNumbers, OfASherdThatWaitsForNewPhotographsFindIt) {
-  ASSERT_TRUE(type({{{50, 10}, "ARM1-T3-0012-0031"}}));
-  results();
-  enter();
-  const std::vector<store::SherdRow> rows = catalogue::valueIn(Sherds(catalogue()).rows(batch));
-  ASSERT_TRUE(Numbers(catalogue()).assign(rows, anna));
-  const records::SherdRecord before = *Sherds(catalogue()).get(rows[0]);
-  ASSERT_FALSE(before.number.empty());
-  ASSERT_TRUE(set(before.row, "note", "a handle"));
-  const TypedNumber typed{{50, 10}, before.number};
-  const store::BatchRow again = newBatch({bag5});
-  EXPECT_FALSE(setTypedNumbers(catalogue(), again, std::span(&typed, 1))) << "it has its pair";
-  EXPECT_TRUE(toPhotographAgain(catalogue())->empty());
-
-  records::PairDecision reshoot;
-  reshoot.batch = batch;
-  reshoot.verdict = records::Verdict::Reshoot;
-  reshoot.front = before.front;
-  reshoot.back = before.back;
-  const store::DecisionRow asked =
-      catalogue::valueIn(PairDecisions(catalogue()).add(reshoot, anna));
-  ASSERT_EQ(toPhotographAgain(catalogue())->size(), 1u);
-  EXPECT_EQ(toPhotographAgain(catalogue())->front().number, before.number);
-  ASSERT_TRUE(setTypedNumbers(catalogue(), again, std::span(&typed, 1)));
-
-  catalogue::ResultFolder out(project_->resultsFolder("B0002"), 2);
-  out.places_mm = {{50, 10}, {100, 10}};
-  out.length_mm = 70;
-  out.write();
-  QuietProgress quiet;
-  const auto entered = intake::enterResults(catalogue(), project_->folder(), again,
-                                            project_->resultsFolder("B0002"), {}, quiet, {});
-  ASSERT_TRUE(entered) << entered.error().sentence();
-  EXPECT_TRUE(entered->numbers_left.empty());
-  const records::SherdRecord after = *Sherds(catalogue()).get(before.row);
-  EXPECT_EQ(after.number, before.number);
-  EXPECT_EQ(after.note, "a handle");
-  EXPECT_EQ(after.batch, again);
-  EXPECT_TRUE(after.back);
-  EXPECT_EQ(after.measures.at("length"), 71);
-  const std::vector<UnlikeBefore> unlike = catalogue::valueIn(unlikeBefore(catalogue(), again));
-  ASSERT_EQ(unlike.size(), 1u) << "it was 61 mm long; is it the same?";
-  EXPECT_EQ(unlike[0].number, before.number);
-  EXPECT_EQ(unlike[0].now_mm, 71);
-  EXPECT_THAT(after.model_path, testing::StartsWith("models/B0002/"));
-  EXPECT_TRUE(toPhotographAgain(catalogue())->empty());
-  const std::vector<PhotographedAgain> moved =
-      catalogue::valueIn(photographedAgain(catalogue(), batch));
-  ASSERT_EQ(moved.size(), 1u);
-  EXPECT_EQ(moved[0].front, before.front);
-  EXPECT_EQ(moved[0].number, before.number);
-  EXPECT_EQ(moved[0].batch_number, "B0002");
-  EXPECT_TRUE(photographedAgain(catalogue(), again)->empty());
-  const intake::PlateSherds old_plate(catalogue(), "B0001");
-  ASSERT_NE(old_plate.again({50, 10}), nullptr) << "nobody photographs it a third time";
-  EXPECT_EQ(old_plate.again({100, 10}), nullptr);
-  int unnumbered = 0;
-  const auto on_plate = Sherds(catalogue()).of(*Sherds(catalogue()).rows(again));
-  for (const records::SherdRecord& sherd : *on_plate)
-    unnumbered += sherd.number.empty() && sherd.state != records::SherdState::Void ? 1 : 0;
-  EXPECT_EQ(unnumbered, 1) << "the other one of the plate";
-  // Computed again, or the old plate's word taken back: it stays what it is.
-  ASSERT_TRUE(intake::enterResults(catalogue(), project_->folder(), again,
-                                   project_->resultsFolder("B0002"), {}, quiet, {}));
-  records::PairDecision back;
-  back.batch = batch;
-  back.verdict = records::Verdict::Withdraw;
-  back.replaces = asked;
-  ASSERT_TRUE(PairDecisions(catalogue()).add(back, anna));
-  EXPECT_EQ(Sherds(catalogue()).get(before.row)->front, after.front);
-  EXPECT_EQ(Sherds(catalogue()).get(before.row)->model_path, after.model_path);
-  // Those photographs are no good either: once more.
-  reshoot.batch = again;
-  reshoot.front = after.front;
-  reshoot.back = after.back;
-  ASSERT_TRUE(PairDecisions(catalogue()).add(reshoot, anna));
-  ASSERT_EQ(toPhotographAgain(catalogue())->size(), 1u);
-  EXPECT_TRUE(setTypedNumbers(catalogue(), newBatch({bag5}), std::span(&typed, 1)));
-}
-
-// Its request was taken back while the new plate was computed, and made again afterwards.
-TEST_F(TypedNumbers, OfASherdThatIsAskedForAfterItsPlateWasComputedFindItWithItsModel) {
-  results();
-  enter();
-  const store::SherdRow row = catalogue::valueIn(Sherds(catalogue()).rows(batch))[0];
-  ASSERT_TRUE(Numbers(catalogue()).assign(std::span(&row, 1), anna));
-  const records::SherdRecord before = *Sherds(catalogue()).get(row);
-  records::PairDecision reshoot;
-  reshoot.batch = batch;
-  reshoot.verdict = records::Verdict::Reshoot;
-  reshoot.front = before.front;
-  reshoot.back = before.back;
-  const store::DecisionRow asked =
-      catalogue::valueIn(PairDecisions(catalogue()).add(reshoot, anna));
-  const TypedNumber typed{{50, 10}, before.number};
-  const store::BatchRow again = newBatch({bag4});
-  ASSERT_TRUE(setTypedNumbers(catalogue(), again, std::span(&typed, 1)));
-  records::PairDecision back;
-  back.batch = batch;
-  back.verdict = records::Verdict::Withdraw;
-  back.replaces = asked;
-  ASSERT_TRUE(PairDecisions(catalogue()).add(back, anna));
-  catalogue::ResultFolder out(project_->resultsFolder("B0002"), 2);
-  out.places_mm = {{50, 10}, {100, 10}};
-  out.write();
-  const auto compute = [&] {
-    QuietProgress quiet;
-    return intake::enterResults(catalogue(), project_->folder(), again,
-                                project_->resultsFolder("B0002"), {}, quiet, {});
-  };
-  EXPECT_THAT(compute()->numbers_left, ElementsAre(before.number)) << "it has its old pair";
-  ASSERT_TRUE(PairDecisions(catalogue()).add(reshoot, anna));
-  EXPECT_TRUE(compute()->numbers_left.empty());
-  const records::SherdRecord after = *Sherds(catalogue()).get(row);
-  EXPECT_EQ(after.batch, again);
-  EXPECT_THAT(after.model_path, testing::StartsWith("models/B0002/"));
-  EXPECT_EQ(after.measures.at("length"), 51);
-}
-
-TEST_F(TypedNumbers, ThatCameAfterADescriptionTakeItAlong) {
-  results();
-  enter();
-  const store::SherdRow draft = catalogue::valueIn(Sherds(catalogue()).rows(batch))[0];
-  ASSERT_TRUE(set(draft, "note", "burnt on one side"));
-  ASSERT_TRUE(set(draft, "ware", "red slip"));
-  ASSERT_TRUE(set(draft, "fabric", "coarse"));
-  ASSERT_TRUE(set(draft, "weight_g", "41.5"));
-  ASSERT_TRUE(set(draft, "length_mm", "72"));
-  const store::SherdRow listed = numbered(context12);
-  ASSERT_TRUE(set(listed, "note", "from the list"));
-  ASSERT_TRUE(set(listed, "fabric", "fine"));
-  ASSERT_TRUE(set(listed, "weight_g", "40"));
-  const std::string number = Sherds(catalogue()).get(listed)->number;
-  ASSERT_TRUE(type({{{50, 10}, number}}));
-  ASSERT_THAT(*giveTypedNumbers(catalogue(), batch, anna), testing::IsEmpty());
-
-  const records::SherdRecord after = *Sherds(catalogue()).get(listed);
-  EXPECT_TRUE(after.front);
-  EXPECT_EQ(after.note, "from the list; burnt on one side");
-  EXPECT_EQ(after.ware, "red slip");
-  EXPECT_EQ(after.fabric, "fine") << "what it says itself holds";
-  EXPECT_EQ(after.measures.at("weight"), 40);
-  EXPECT_EQ(after.measures.at("length"), 72) << "by a person";
-  const records::SherdRecord left = *Sherds(catalogue()).get(draft);
-  EXPECT_EQ(left.state, records::SherdState::Void);
-  EXPECT_EQ(left.fabric, "coarse") << "still to be read";
 }
 
 TEST_F(TypedNumbers, AreGivenToNobodyElseBeforeTheirPlateIsComputed) {

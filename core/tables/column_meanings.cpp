@@ -18,9 +18,9 @@ std::string tableNumber(double value) {
   // Adding 0 takes the sign off a zero.
   const double rounded = std::round(kPerStep * value) / kPerStep + 0.0;
   std::array<char, std::numeric_limits<double>::max_exponent10 + 20> buffer{};
-  char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded,
-                                  std::chars_format::fixed)
-                        .ptr;
+  char* const end =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), rounded, std::chars_format::fixed)
+          .ptr;
   return {buffer.data(), end};
 }
 

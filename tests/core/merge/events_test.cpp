@@ -51,12 +51,11 @@ TEST(TellMembers, TellsWhatLeftAndWhatCameButNotWhatStayed) {
   event.old_value = "rim; neck; base";
   event.new_value = "body; neck";
   std::vector<std::pair<std::string, bool>> told;
-  tellMembers(event, [&](const std::string& member, bool added) {
-    told.emplace_back(member, added);
-  });
+  tellMembers(event,
+              [&](const std::string& member, bool added) { told.emplace_back(member, added); });
   using testing::Pair;
-  EXPECT_THAT(told, testing::ElementsAre(Pair("rim", false), Pair("base", false),
-                                         Pair("body", true)));
+  EXPECT_THAT(told,
+              testing::ElementsAre(Pair("rim", false), Pair("base", false), Pair("body", true)));
   std::swap(event.old_value, event.new_value);
   event.old_value.clear();
   told.clear();

@@ -27,8 +27,8 @@ std::map<std::string, std::vector<std::size_t>> columnsOf(const std::vector<Unit
 }
 
 TEST(Units, AreWhatAPersonDecidesInOneStep) {
-  const auto units = columnsOf(unitsOf(
-      tableOf("site", {"latitude_deg", "code", "code_key", "longitude_deg", "name", "created_at"})));
+  const auto units = columnsOf(unitsOf(tableOf(
+      "site", {"latitude_deg", "code", "code_key", "longitude_deg", "name", "created_at"})));
   EXPECT_THAT(units, ElementsAre(testing::Pair("code", ElementsAre(1, 2)),
                                  testing::Pair("location", ElementsAre(0, 3)),
                                  testing::Pair("name", ElementsAre(4))));
@@ -74,8 +74,8 @@ TEST_F(UnitsOfProject, HoldNoColumnOfTheCatalogueTwice) {
 TEST(CustomFields, GoThereAndBackInTheOrderOfTheirNames) {
   const auto fields = customFields(R"({"shelf":"B \"2\"","drawer":7,"list":[1]})");
   using testing::Pair;
-  EXPECT_THAT(fields, ElementsAre(Pair("drawer", "7"), Pair("list", "[1]"),
-                                  Pair("shelf", R"("B \"2\"")")));
+  EXPECT_THAT(fields,
+              ElementsAre(Pair("drawer", "7"), Pair("list", "[1]"), Pair("shelf", R"("B \"2\"")")));
   EXPECT_EQ(customFieldsJson(fields), R"({"drawer":7,"list":[1],"shelf":"B \"2\""})");
   EXPECT_EQ(textOf(fields[2].second), "B \"2\"");
   EXPECT_EQ(textOf(fields[0].second), "7");

@@ -38,8 +38,8 @@ TEST_F(Versions, OfANumberGivenToTwoSherdsSayWhatTellsThemApart) {
   ASSERT_EQ(report.conflicts.size(), 1u);
   const Conflict& number = report.conflicts.front();
   EXPECT_EQ(number.name, "ARM1-T3-0013-0001");
-  EXPECT_THAT(number.a.values,
-              testing::ElementsAre(testing::Pair("context", "ARM1-T3-0013"), testing::Pair("ware", "grey")));
+  EXPECT_THAT(number.a.values, testing::ElementsAre(testing::Pair("context", "ARM1-T3-0013"),
+                                                    testing::Pair("ware", "grey")));
   EXPECT_THAT(number.b.values, testing::Contains(testing::Pair("ware", "red")));
   EXPECT_TRUE(number.offers(Take::Number));
 }

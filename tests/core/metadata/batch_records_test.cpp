@@ -54,8 +54,8 @@ TEST_F(BatchRecords, NamePhotographsThatGoAlongByWhereTheyLieInTheExport) {
     ASSERT_TRUE(catalogue::Files(catalogue()).save(file, anna));
   }
   const std::string sum(64, '1');
-  const auto written = batchesJson(catalogue(), {batch},
-                                   {{"data/photographs/B0001/front/a.jpg", sum, 4}});
+  const auto written =
+      batchesJson(catalogue(), {batch}, {{"data/photographs/B0001/front/a.jpg", sum, 4}});
   ASSERT_TRUE(written) << written.error().sentence();
   const auto& one = written->at("batches").at(0);
   EXPECT_EQ(one.at("number"), "B0001");
@@ -85,8 +85,7 @@ TEST_F(BatchRecords, ABatchWhoseNumberIsTakenTakesItsFilesToTheNextOne) {
   EXPECT_EQ(entered->copies[0].from, "photographs/B0001/front/a.jpg");
   EXPECT_EQ(entered->copies[0].to, "batches/B0002/front/a.jpg");
   ASSERT_EQ(entered->fresh.size(), 1u);
-  const records::BatchRecord batch =
-      *catalogue::Batches(catalogue()).get(*entered->fresh.begin());
+  const records::BatchRecord batch = *catalogue::Batches(catalogue()).get(*entered->fresh.begin());
   EXPECT_EQ(batch.number, "B0002");
   EXPECT_EQ(batch.state, records::BatchState::Failed) << "nobody here computes it by itself";
   EXPECT_EQ(batch.note, "Was B0001 where it was made.");

@@ -28,9 +28,8 @@ TEST(JsonFields, WhatIsEmptyFalseOrNoneIsLeftOutUnlessItAlwaysStandsThere) {
   fields("score", std::optional(0.0));
   fields("site", store::SiteRow{3});
   fields.inner("extra", R"({"z":1,"a":[]})");
-  EXPECT_EQ(
-      written.dump(),
-      R"({"name":"","side":"f","ambiguous":true,"score":0.0,"site":"a-site","extra":{"z":1,"a":[]}})");
+  EXPECT_EQ(written.dump(), R"({"name":"","side":"f","ambiguous":true,"score":0.0,"site":"a-site",)"
+                            R"("extra":{"z":1,"a":[]}})");
 }
 
 TEST(JsonFields, AreReadAsTheyAreWritten) {
@@ -98,8 +97,7 @@ TEST(JsonFields, ATextThatNoFileCanHoldIsNamedByItsPlace) {
 }
 
 TEST(JsonFields, OfAStrangerHoldOnlyTextsThatTheCatalogueCouldHaveWritten) {
-  EXPECT_EQ(parseFields(R"({"a":[{"b":"x\u001b[2J"}]})", "x.json").error().where,
-            "x.json/a/0/b");
+  EXPECT_EQ(parseFields(R"({"a":[{"b":"x\u001b[2J"}]})", "x.json").error().where, "x.json/a/0/b");
   EXPECT_EQ(parseFields(R"({"a\u0000":1})", "x.json").error().code, ErrorCode::UnusableInput);
   EXPECT_FALSE(parseFields("{", "x.json"));
   ASSERT_TRUE(parseFields(R"({"a":"two\nlines"})", "x.json"));

@@ -68,7 +68,8 @@ TEST(Glyphs, OfABlankAreRoomAlone) {
 
 TEST(Glyphs, OfATextAreOfOneFontAndBoldOnesOfAnother) {
   std::set<std::string> fonts;
-  for (const Glyph& glyph : glyphsIn("Garni, \u0533\u0561\u057C\u0576\u056B")) fonts.insert(glyph.font);
+  for (const Glyph& glyph : glyphsIn("Garni, \u0533\u0561\u057C\u0576\u056B"))
+    fonts.insert(glyph.font);
   EXPECT_EQ(fonts.size(), 1u) << "letters of two fonts have two heights";
   EXPECT_NE(glyphsIn("a")[0].font, glyphsIn("a", true)[0].font);
 }

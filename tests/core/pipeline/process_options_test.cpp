@@ -38,7 +38,8 @@ TEST_F(CheckedOptions, NeedABatchAndAnOutput) {
 
 // Nothing in a batch is ever written, however its folder is named.
 TEST_F(CheckedOptions, RefuseAnOutputInsideTheBatch) {
-  for (const char* inside : {"batch", "batch/out", "batch/front/../out", "batch/./", "other/../batch/x"}) {
+  for (const char* inside :
+       {"batch", "batch/out", "batch/front/../out", "batch/./", "other/../batch/x"}) {
     options_.output = folder_.path() / inside;
     EXPECT_THAT(wrong(), testing::HasSubstr("inside the batch folder")) << inside;
   }

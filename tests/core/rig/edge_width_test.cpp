@@ -8,9 +8,9 @@ namespace ostraka::rig {
 namespace {
 
 constexpr double kFrom = 30, kTo = 70;
-const std::array<Eigen::Vector2d, 4> kSquare{
-    Eigen::Vector2d(kFrom, kFrom), Eigen::Vector2d(kTo, kFrom), Eigen::Vector2d(kTo, kTo),
-    Eigen::Vector2d(kFrom, kTo)};
+const std::array<Eigen::Vector2d, 4> kSquare{Eigen::Vector2d(kFrom, kFrom),
+                                             Eigen::Vector2d(kTo, kFrom), Eigen::Vector2d(kTo, kTo),
+                                             Eigen::Vector2d(kFrom, kTo)};
 
 // A dark square whose edges are ramps of this many pixels about its outline.
 cv::Mat1b ramped(double width, double paper, double ink) {

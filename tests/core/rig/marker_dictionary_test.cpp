@@ -77,14 +77,14 @@ TEST(MarkerInk, HasTheMarkersBitsBetweenItsCorners) {
   EXPECT_NEAR(areaOf(shape.lines), 28 * 25, 1e-9) << "8 of 36 cells of 5 by 5 mm are white";
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column) {
-      const bool white = kFirstMarker[static_cast<std::size_t>(row)]
-                                     [static_cast<std::size_t>(column)] == 1;
+      const bool white =
+          kFirstMarker[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] == 1;
       const Eigen::Vector2d middle(10 + 5 * (column + 1.5), 20 + 5 * (row + 1.5));
       EXPECT_EQ(inkAt(shape, middle), !white) << row << ", " << column;
     }
   // Upside down: the first corner is the marker's own, not the paper's.
-  const Shape turned =
-      markerInk(*markerDictionary("DICT_4X4_50"), 0, {corners[2], corners[3], corners[0], corners[1]});
+  const Shape turned = markerInk(*markerDictionary("DICT_4X4_50"), 0,
+                                 {corners[2], corners[3], corners[0], corners[1]});
   EXPECT_FALSE(inkAt(turned, {40 - 7.5, 50 - 7.5}));
   EXPECT_TRUE(inkAt(turned, {40 - 12.5, 50 - 7.5}));
 }

@@ -30,8 +30,8 @@ cv::Mat laid(std::initializer_list<Laid> markers) {
   cv::Mat1b grey(light.size());
   for (int y = 0; y < grey.rows; ++y)
     for (int x = 0; x < grey.cols; ++x)
-      grey(y, x) = cv::saturate_cast<unsigned char>(
-          255 * (1.055 * std::pow(light(y, x), 1 / 2.4f) - 0.055));
+      grey(y, x) =
+          cv::saturate_cast<unsigned char>(255 * (1.055 * std::pow(light(y, x), 1 / 2.4f) - 0.055));
   return grey;
 }
 

@@ -21,8 +21,9 @@ Plan wholePlan() {
 }
 
 // A surface whose height depends on the column, mm; its normals point upwards, tilted by the slope.
-SeenSurface surfaceOf(const std::function<double(int)>& height_mm,
-                      const std::function<double(int)>& slope = [](int) { return 0.0; }) {
+SeenSurface surfaceOf(
+    const std::function<double(int)>& height_mm,
+    const std::function<double(int)>& slope = [](int) { return 0.0; }) {
   SeenSurface surface{cv::Mat1f(kRows, kColumns, std::numeric_limits<float>::quiet_NaN()),
                       cv::Mat3f(kRows, kColumns, cv::Vec3f())};
   for (int y = 1; y + 1 < kRows; ++y)
@@ -102,13 +103,9 @@ TEST(BrokenShare, IsAllOfAStepAKinkOrAGrooveAndNothingOfASmoothFace) {
   const cv::Mat1i parts = partsUpTo(kBreak);
   EXPECT_EQ(brokenShare(parts, 1, 2, surfaceOf(flat)), 0);
   EXPECT_EQ(brokenShare(parts, 1, 2, surfaceOf(step)), 1);
-  EXPECT_EQ(brokenShare(parts, 1, 2,
-                        surfaceOf([](int x) { return x == kBreak ? 4.0 : 5.0; })),
-            1)
+  EXPECT_EQ(brokenShare(parts, 1, 2, surfaceOf([](int x) { return x == kBreak ? 4.0 : 5.0; })), 1)
       << "a groove of a millimetre";
-  EXPECT_EQ(brokenShare(parts, 1, 2,
-                        surfaceOf([](int x) { return x == kBreak ? 4.7 : 5.0; })),
-            0)
+  EXPECT_EQ(brokenShare(parts, 1, 2, surfaceOf([](int x) { return x == kBreak ? 4.7 : 5.0; })), 0)
       << "a scratch";
   // A roof: 15 degrees up, then 15 degrees down; and a slope that goes on.
   const double slope = std::tan(15 * M_PI / 180);
@@ -116,10 +113,10 @@ TEST(BrokenShare, IsAllOfAStepAKinkOrAGrooveAndNothingOfASmoothFace) {
                         surfaceOf([&](int x) { return -slope * 0.5 * std::abs(x - kBreak - 0.5); },
                                   [&](int x) { return x <= kBreak ? slope : -slope; })),
             1);
-  EXPECT_EQ(brokenShare(parts, 1, 2,
-                        surfaceOf([&](int x) { return slope * 0.5 * x; },
-                                  [&](int) { return slope; })),
-            0);
+  EXPECT_EQ(
+      brokenShare(parts, 1, 2,
+                  surfaceOf([&](int x) { return slope * 0.5 * x; }, [&](int) { return slope; })),
+      0);
 }
 
 TEST(BrokenShare, OfPartsThatDoNotMeetIsOneAndOfAnUnseenSurfaceNothing) {

@@ -123,7 +123,8 @@ TEST_F(SherdsOnTwoPlates, ThatAreAskedForAfterTheirPlateWasComputedTakeItsModel)
     return intake::enterResults(catalogue(), project_->folder(), again,
                                 project_->resultsFolder("B0002"), {}, quiet, {});
   };
-  EXPECT_THAT(compute()->numbers_left, testing::ElementsAre(before.number)) << "it has its old pair";
+  EXPECT_THAT(compute()->numbers_left, testing::ElementsAre(before.number))
+      << "it has its old pair";
   ASSERT_TRUE(PairDecisions(catalogue()).add(reshoot, anna));
   EXPECT_TRUE(compute()->numbers_left.empty());
   const records::SherdRecord after = *Sherds(catalogue()).get(row);

@@ -51,8 +51,9 @@ TEST(FusePlanes, LeavesOutAViewThatTheOthersContradict) {
 TEST(FusePlanes, BelievesNoViewAloneAndNoPlaneThatMatchesBadly) {
   BallFrames ball(3);
   Agreement agreement;
-  EXPECT_TRUE(fusePlanes(std::span(ball.all).first(1), std::span(ball.truth).first(1), {}, agreement)
-                  .empty());
+  EXPECT_TRUE(
+      fusePlanes(std::span(ball.all).first(1), std::span(ball.truth).first(1), {}, agreement)
+          .empty());
   EXPECT_EQ(agreement.confirmed, 0);
   EXPECT_GT(agreement.matched, 0);
   for (PlaneMap& map : ball.truth) std::ranges::fill(map.cost, 0.9F);

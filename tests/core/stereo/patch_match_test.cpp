@@ -30,8 +30,8 @@ TEST(StartPlanes, LieInTheirRangesAndFaceTheCamera) {
     EXPECT_GE(planes.depth[k], ranges[k].near);
     EXPECT_LE(planes.depth[k], ranges[k].far);
     EXPECT_NEAR(planes.normal[k].norm(), 1, 1e-5);
-    const Eigen::Vector3f ray = frame.ray(static_cast<float>(frame.pixels[k].x),
-                                          static_cast<float>(frame.pixels[k].y));
+    const Eigen::Vector3f ray =
+        frame.ray(static_cast<float>(frame.pixels[k].x), static_cast<float>(frame.pixels[k].y));
     EXPECT_LT(planes.normal[k].dot(ray), 0);
     level += planes.normal[k].dot(frame.rotation.col(2)) > 0.9F ? 1 : 0;
   }
@@ -46,8 +46,7 @@ TEST(RefinePlanes, ContinuesAPlaneToTheFinerPixels) {
   const Eigen::Vector3f on_plate(3, -2, 15);
   const auto planeAt = [&](const Frame& frame, const cv::Point& pixel) {
     const Eigen::Vector3f normal = frame.rotation.col(2);
-    const Eigen::Vector3f ray =
-        frame.ray(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
+    const Eigen::Vector3f ray = frame.ray(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
     return Plane{normal.dot(frame.toCamera(on_plate)) / normal.dot(ray), normal};
   };
   PlaneMap coarse, fine;

@@ -16,8 +16,8 @@ class PhotometricCosts : public testing::Test {
   std::vector<Link> linksTo(const std::vector<int>& sources) const {
     std::vector<Link> links;
     for (const int source : sources)
-      links.push_back(linkBetween(ball_.frames[0], ball_.frames[static_cast<std::size_t>(source)],
-                                  source));
+      links.push_back(
+          linkBetween(ball_.frames[0], ball_.frames[static_cast<std::size_t>(source)], source));
     return links;
   }
   BallFrames ball_{8};

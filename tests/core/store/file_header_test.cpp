@@ -15,8 +15,9 @@ class FileHeader : public testing::Test {
  protected:
   FileHeader() {
     auto database = std::move(*Database::open(file_, Database::Mode::Create));
-    database->script("PRAGMA application_id = 1330861138; PRAGMA user_version = 3;"
-                     "CREATE TABLE thing (row INTEGER PRIMARY KEY) STRICT;");
+    database->script(
+        "PRAGMA application_id = 1330861138; PRAGMA user_version = 3;"
+        "CREATE TABLE thing (row INTEGER PRIMARY KEY) STRICT;");
     database->copyTo(backup_);
     database.reset();
     bytes_ = catalogue::bytesOf(file_);

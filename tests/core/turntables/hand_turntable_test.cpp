@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ostraka::turntables {
@@ -21,13 +22,13 @@ class HandTurntable : public ::testing::Test {
 
 // A marked circle ends at 359.
 TEST_F(HandTurntable, AsksForTheMarkThatStandsOnTheTable) {
-  for (const auto& [degrees, mark] : {std::pair(45.0, "45"), std::pair(405.0, "45"),
-                                      std::pair(360.0, "0"), std::pair(-90.0, "270"),
-                                      std::pair(359.7, "0"), std::pair(719.999999, "0")}) {
+  for (const auto& [degrees, mark] :
+       {std::pair(45.0, "45"), std::pair(405.0, "45"), std::pair(360.0, "0"),
+        std::pair(-90.0, "270"), std::pair(359.7, "0"), std::pair(719.999999, "0")}) {
     asked_.clear();
     ASSERT_TRUE(table_->moveTo(degrees, {}));
-    EXPECT_THAT(asked_, testing::ElementsAre(testing::HasSubstr(
-                            " to " + std::string(mark) + " degrees,")))
+    EXPECT_THAT(asked_,
+                testing::ElementsAre(testing::HasSubstr(" to " + std::string(mark) + " degrees,")))
         << degrees;
     EXPECT_EQ(table_->position_deg(), degrees);
   }

@@ -81,8 +81,8 @@ TEST_F(Staged, GoOnWhereAKillLeftThem) {
 TEST_F(Staged, GoNowhereElseThanAMergeMay) {
   for (const char* place_of : {"batches/a", "results/a", "models/a", "imported/a"})
     EXPECT_TRUE(isPlaceOfFiles(place_of)) << place_of;
-  for (const char* elsewhere : {"catalogue.sqlite", "backups/a", "batches", "batches_of_others/a",
-                                "", "/batches/a"})
+  for (const char* elsewhere :
+       {"catalogue.sqlite", "backups/a", "batches", "batches_of_others/a", "", "/batches/a"})
     EXPECT_FALSE(isPlaceOfFiles(elsewhere)) << elsewhere;
   stage("batches/B0001/front/a.jpg", "A");
   stage("backups/catalogue-20260101-000000-000.sqlite", "planted");

@@ -22,14 +22,14 @@ TEST(StrewnReflection, IsTheMirrorsWhereNothingIsRough) {
   const Eigen::Vector3f normal(0, 0, 1), to_eye = Eigen::Vector3f(1, 0, 1).normalized();
   EXPECT_LT((mirrored(normal, to_eye) - Eigen::Vector3f(-1, 0, 1).normalized()).norm(), 1e-6);
   for (std::uint64_t k = 0; k < 100; ++k)
-    EXPECT_LT((strewnReflection(normal, to_eye, {1, 0}, mixed(k)) - mirrored(normal, to_eye)).norm(),
-              1e-5);
+    EXPECT_LT(
+        (strewnReflection(normal, to_eye, {1, 0}, mixed(k)) - mirrored(normal, to_eye)).norm(),
+        1e-5);
 }
 
 TEST(StrewnReflection, StaysOutsideTheSurfaceAndSpreadsWithTheRoughness) {
   const Eigen::Vector3f normal = Eigen::Vector3f(1, 2, 2) / 3;
-  const Eigen::Vector3f grazing =
-      (normal.unitOrthogonal() + 0.1f * normal).normalized();
+  const Eigen::Vector3f grazing = (normal.unitOrthogonal() + 0.1f * normal).normalized();
   std::vector<double> spreads;
   for (const float roughness : {0.05f, 0.3f, 1.f}) {
     double apart = 0;

@@ -10434,6 +10434,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die Fotos lassen das Licht nicht von den Eigenfarben der Scherben unterscheiden; die Texturen bleiben wie fotografiert.</translation>
     </message>
+    <message>
+      <source>Ostraka needs this folder for its own files, but it contains others. They are unchanged; move them elsewhere, then start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka braucht diesen Ordner für eigene Dateien, er enthält aber andere. Sie sind unverändert; sie an einen anderen Ort verschieben, dann noch einmal starten.</translation>
+    </message>
+    <message>
+      <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hier liegt kein Foto, kein Ergebnis, kein Modell und keine importierte Datei, und nur solche führt ein Katalog auf. Nichts wurde geändert; eine Sicherung oder eine andere Kopie des Projekts verwenden.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10434,6 +10434,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Οι φωτογραφίες δεν επιτρέπουν να διακριθεί το φως από τα χρώματα των ίδιων των οστράκων· οι υφές μένουν όπως φωτογραφήθηκαν.</translation>
     </message>
+    <message>
+      <source>Ostraka needs this folder for its own files, but it contains others. They are unchanged; move them elsewhere, then start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το Ostraka χρειάζεται αυτόν τον φάκελο για τα δικά του αρχεία, αλλά περιέχει άλλα. Είναι αμετάβλητα· μετακινήστε τα αλλού και ξεκινήστε ξανά.</translation>
+    </message>
+    <message>
+      <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Δεν είναι θέση φωτογραφίας, αποτελέσματος, μοντέλου ή εισαγμένου αρχείου, των μόνων αρχείων που απαριθμεί ένας κατάλογος. Δεν άλλαξε τίποτα· χρησιμοποιήστε αντίγραφο ασφαλείας ή άλλο αντίγραφο του έργου.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10434,6 +10434,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Las fotografías no permiten distinguir la luz de los colores propios de los fragmentos, así que las texturas quedan como se fotografiaron.</translation>
     </message>
+    <message>
+      <source>Ostraka needs this folder for its own files, but it contains others. They are unchanged; move them elsewhere, then start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka necesita esta carpeta para sus propios archivos, pero contiene otros. No se han modificado; muévalos a otro lugar y empiece de nuevo.</translation>
+    </message>
+    <message>
+      <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>No es el lugar de una fotografía, un resultado, un modelo o un archivo importado, los únicos archivos que un catálogo enumera. No se ha cambiado nada; use una copia de seguridad u otra copia del proyecto.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10434,6 +10434,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les photographies ne permettent pas de distinguer la lumière des couleurs propres des tessons ; les textures restent telles que photographiées.</translation>
     </message>
+    <message>
+      <source>Ostraka needs this folder for its own files, but it contains others. They are unchanged; move them elsewhere, then start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka a besoin de ce dossier pour ses propres fichiers, mais il en contient d’autres. Ils sont inchangés ; déplacez-les ailleurs, puis recommencez.</translation>
+    </message>
+    <message>
+      <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ce n’est pas l’emplacement d’une photographie, d’un résultat, d’un modèle ou d’un fichier importé, les seuls fichiers qu’un catalogue énumère. Rien n’a été modifié ; utilisez une sauvegarde ou une autre copie du projet.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

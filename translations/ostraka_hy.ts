@@ -10434,6 +10434,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Լուսանկարները թույլ չեն տալիս լույսը տարբերել բեկորների սեփական գույներից. հյուսվածքները մնում են այնպես, ինչպես լուսանկարված են։</translation>
     </message>
+    <message>
+      <source>Ostraka needs this folder for its own files, but it contains others. They are unchanged; move them elsewhere, then start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka-ին այս պանակն անհրաժեշտ է իր սեփական ֆայլերի համար, բայց այն պարունակում է ուրիշ ֆայլեր։ Դրանք անփոփոխ են. տեղափոխեք դրանք այլ տեղ և նորից սկսեք։</translation>
+    </message>
+    <message>
+      <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Սա լուսանկարի, արդյունքի, մոդելի կամ ներմուծված ֆայլի տեղ չէ, իսկ կատալոգը թվարկում է միայն դրանք։ Ոչինչ չի փոխվել. օգտագործեք պահուստային պատճենը կամ նախագծի մեկ այլ պատճեն։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

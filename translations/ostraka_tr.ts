@@ -10388,6 +10388,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Fotoğraflar ışığı parçaların kendi renklerinden ayırmaya yetmiyor; dokular fotoğraftaki gibi kalıyor.</translation>
     </message>
+    <message>
+      <source>Ostraka needs this folder for its own files, but it contains others. They are unchanged; move them elsewhere, then start again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ostraka’nın kendi dosyaları için bu klasöre ihtiyacı var, ama içinde başka dosyalar var. Onlar değişmedi; başka bir yere taşıyın, sonra yeniden başlatın.</translation>
+    </message>
+    <message>
+      <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Burası bir fotoğrafın, sonucun, modelin ya da içe aktarılmış dosyanın yeri değil; bir katalog yalnız bunları listeler. Hiçbir şey değiştirilmedi; bir yedek ya da projenin başka bir kopyasını kullanın.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

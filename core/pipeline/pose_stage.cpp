@@ -92,9 +92,9 @@ struct SidePoses {
 };
 
 // In its true size where a length is known, else in the nominal one.
-Result<SidePoses> poseSideWithoutPlate(const Run& run, batch::Side side,
+Result<SidePoses> poseSideWithoutPlate(const Run& run, const fs::path& folder, batch::Side side,
                                        std::vector<batch::Shot> shots, Progress& progress) {
-  const fs::path workspace = run.work / (std::string("colmap_") + batch::name(side));
+  const fs::path workspace = folder / (std::string("colmap_") + batch::name(side));
   colmap::ColmapPoseOptions options;
   options.threads = run.options.threads;
   const bool free = run.batch.way == batch::Way::FreeCamera;
@@ -137,7 +137,7 @@ Result<stages::StageNotes> poseWithoutPlate(const Run& run, const fs::path& fold
       if (shot.side == side) shots.push_back(shot);
     if (shots.empty()) continue;
     stages::WarningsKept kept(run.progress);
-    const Result<SidePoses> posed = poseSideWithoutPlate(run, side, shots, kept);
+    const Result<SidePoses> posed = poseSideWithoutPlate(run, folder, side, shots, kept);
     if (!posed) return posed.error();
     notes.warnings.insert(notes.warnings.end(), kept.warnings.begin(), kept.warnings.end());
     has_scale = has_scale && posed->scale.has_value();

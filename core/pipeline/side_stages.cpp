@@ -229,7 +229,7 @@ bool names(const Message& message, const std::string& file) {
 }
 
 // Another program works in a folder beside the stage's, which stays for its log when it fails.
-Result<PointCloud> denseCloud(const Run& run, batch::Side side, const std::string& name,
+Result<PointCloud> denseCloud(const Run& run, batch::Side side, const fs::path& folder,
                               std::vector<stereo::View> views,
                               const stereo::DenseOptions& options, stages::StageNotes& notes) {
   const auto read = [&](std::size_t i) -> Result<cv::Mat> {
@@ -256,7 +256,7 @@ Result<PointCloud> denseCloud(const Run& run, batch::Side side, const std::strin
     views[i].photograph = std::move(*photograph);
   }
   const bool colmap = run.options.dense == DenseMethod::Colmap;
-  const fs::path workspace = run.work / (name + (colmap ? "_colmap" : "_openmvs"));
+  const fs::path workspace = folder / (colmap ? "colmap" : "openmvs");
   Result<PointCloud> cloud =
       colmap ? stereo::reconstructWithColmap(views, options, workspace, run.progress, run.stop)
              : stereo::reconstructWithOpenMvs(views, options, workspace, run.progress, run.stop);
@@ -320,7 +320,7 @@ Result<Staged<PointCloud>> denseStage(const Run& run, batch::Side side, const St
     options.memory_mb = stereoMemory_mb(run.options, run.batch, options.readers);
     if (run.batch.plate) options.floor_z_mm = -poses.value.bends[sideIndex(side)].most();
     const Result<PointCloud> cloud =
-        denseCloud(run, side, name, std::move(views), options, notes);
+        denseCloud(run, side, folder, std::move(views), options, notes);
     if (!cloud) return cloud.error();
     const Result<void> written =
         writePly(folder / "cloud.ply", *cloud, std::string("plate_") + batch::name(side));

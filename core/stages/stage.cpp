@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "base/memory.h"
+#include "base/message.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "files/json_message.h"
@@ -20,8 +21,10 @@ using nlohmann::ordered_json;
 constexpr int kFormat = 1;  // of stage.json and the artefacts beside it
 constexpr const char* kProgram =
     OSTRAKA_VERSION;  // a new version computes anew: results may differ
+constexpr const char* kWhole = "stage.json";
+constexpr const char* kBegun = "begun.json";  // from before the first file until the stage is whole
 
-// Names (relative) and SHA-256 of all files of a stage but stage.json, in the order of their names.
+// Names (relative) and SHA-256 of all files of a stage but its records, in the order of their names.
 Result<ordered_json> hashesOf(const fs::path& folder) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
@@ -30,7 +33,7 @@ Result<ordered_json> hashesOf(const fs::path& folder) {
   std::sort(names.begin(), names.end());
   ordered_json hashes = ordered_json::object();
   for (const std::string& name : names) {
-    if (name == "stage.json") continue;
+    if (name == kWhole || name == kBegun) continue;
     const Result<std::string> bytes = readFile(folder / name);
     if (!bytes) return bytes.error();
     hashes[name] = sha256(*bytes);
@@ -43,7 +46,7 @@ std::string outputsHash(const ordered_json& files, const ordered_json& figures) 
 }
 
 std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string& key_hash) {
-  const Result<std::string> text = readFile(folder / "stage.json");
+  const Result<std::string> text = readFile(folder / kWhole);
   if (!text) return {};
   const ordered_json stage = orderedJsonOrDiscarded(*text);
   if (!stage.is_object() || !stage.contains("key") || stage["key"] != key_hash) return {};
@@ -53,7 +56,7 @@ std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string
   try {
     record.notes.figures = stage.at("figures");
     Result<std::vector<Message>> warnings =
-        messagesFromJson(stage.at("warnings"), (folder / "stage.json").string());
+        messagesFromJson(stage.at("warnings"), (folder / kWhole).string());
     if (!warnings) return {};
     record.notes.warnings = *warnings;
     record.seconds = numberAt(stage, "seconds");
@@ -64,6 +67,48 @@ std::optional<StageRecord> wholeRecord(const fs::path& folder, const std::string
   record.outputs_hash = outputsHash(*files, record.notes.figures);
   record.resumed = true;
   return record;
+}
+
+bool isNamedBy(const fs::path& record, const std::string& name) {
+  const Result<nlohmann::json> read = readJson(record);
+  return read && read->is_object() && read->value("stage", nlohmann::json()) == name;
+}
+
+// A run that was killed before its first record leaves at most that record's unfinished file.
+bool isOurs(const fs::path& folder, const std::string& name) {
+  if (isNamedBy(folder / kWhole, name) || isNamedBy(folder / kBegun, name)) return true;
+  std::error_code failed;
+  if (!fs::exists(folder, failed)) return !failed;
+  for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
+    if (!at->path().filename().string().starts_with("." + std::string(kBegun) + ".")) return false;
+  return !failed;
+}
+
+// Empty but for its record. The record of a whole stage goes first, so that nothing half removed
+// looks whole.
+Result<void> begin(const fs::path& folder, const std::string& name) {
+  if (!isOurs(folder, name))
+    return Error::unusable(
+        message("Ostraka needs this folder for its own files, but it contains others. They are "
+                "unchanged; move them elsewhere, then start again."),
+        folder.string());
+  if (const Result<void> r = writeJson(folder / kBegun, {{"stage", name}}); !r) return r;
+  std::error_code failed;
+  fs::remove(folder / kWhole, failed);
+  std::vector<fs::path> earlier;
+  for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed))
+    if (at->path().filename() != kBegun) earlier.push_back(at->path());
+  for (const fs::path& entry : earlier)
+    if (!failed) fs::remove_all(entry, failed);
+  if (failed) return cannotWrite(folder, failed.value());
+  return {};
+}
+
+// What was written into an output folder that is gone; another's, put in its place, has records.
+void leaveGoneStage(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / kWhole, ignored) && !fs::exists(folder / kBegun, ignored))
+    fs::remove_all(folder, ignored);
 }
 
 }  // namespace
@@ -78,44 +123,44 @@ std::vector<Message> messagesAt(const ordered_json& figures, const char* key) {
 Result<StageRecord> runStage(const FolderLock& held, const std::string& name,
                              const ordered_json& key, const StageWork& work, Progress& progress) {
   const fs::path folder = held.folder() / name;
+  std::error_code failed;
   if (!held.stands()) return outputGone(held.folder().parent_path());
   const std::string key_hash =
       sha256(ordered_json{{"stage", name}, {"format", kFormat}, {"program", kProgram}, {"key", key}}
                  .dump());
   if (std::optional<StageRecord> record = wholeRecord(folder, key_hash)) {
     progress.note(NoteLevel::Info, name + ": reused from an earlier run");
+    fs::remove(folder / kBegun, failed);  // of a run that was killed just before this
     return std::move(*record);
   }
-  std::error_code failed;
-  fs::remove(folder / "stage.json", failed);  // first, so that nothing half removed looks whole
-  fs::remove_all(folder, failed);
-  if (const Result<void> made = makeFolder(folder); !made) return made.error();
-  const auto begin = std::chrono::steady_clock::now();
+  if (const Result<void> begun = begin(folder, name); !begun) return begun.error();
+  const auto start = std::chrono::steady_clock::now();
   const Result<StageNotes> notes = work(folder);
   if (!held.stands()) {
-    fs::remove_all(folder, failed);
+    leaveGoneStage(folder);
     return outputGone(held.folder().parent_path());
   }
   if (!notes) return notes.error();
   StageRecord record;
   record.notes = *notes;
-  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   record.peak_memory_mb = peakMemoryMb();
   const Result<ordered_json> files = hashesOf(folder);
   if (!files) return files.error();
   record.outputs_hash = outputsHash(*files, record.notes.figures);
   const Result<void> written =
-      writeJson(folder / "stage.json", {{"format", kFormat},
-                                        {"program", kProgram},
-                                        {"stage", name},
-                                        {"key", key_hash},
-                                        {"inputs", key},
-                                        {"seconds", record.seconds},
-                                        {"peak_memory_mb", record.peak_memory_mb},
-                                        {"files", *files},
-                                        {"figures", record.notes.figures},
-                                        {"warnings", toJson(record.notes.warnings)}});
+      writeJson(folder / kWhole, {{"format", kFormat},
+                                  {"program", kProgram},
+                                  {"stage", name},
+                                  {"key", key_hash},
+                                  {"inputs", key},
+                                  {"seconds", record.seconds},
+                                  {"peak_memory_mb", record.peak_memory_mb},
+                                  {"files", *files},
+                                  {"figures", record.notes.figures},
+                                  {"warnings", toJson(record.notes.warnings)}});
   if (!written) return written.error();
+  fs::remove(folder / kBegun, failed);
   return record;
 }
 

@@ -263,7 +263,9 @@ TEST_F(ProcessBatch, GoesOnWhereABatchWasStoppedAndThenMoved) {
   QuietProgress quiet;
   copyOfWhole("stopped");
   const auto before = results(folder_ / "stopped");
-  fs::remove(folder_ / "stopped" / "work" / "masks_front" / "stage.json");
+  const fs::path stage = folder_ / "stopped" / "work" / "masks_front";
+  fs::remove(stage / "stage.json");
+  ASSERT_TRUE(writeJson(stage / "begun.json", {{"stage", "masks_front"}}).has_value());
   fs::copy(folder_ / "batch", folder_ / "elsewhere", fs::copy_options::recursive);
   ProcessOptions options;
   options.batch = folder_ / "elsewhere";

@@ -6,6 +6,7 @@
 
 #include "base/message.h"
 #include "base/uuid.h"
+#include "catalogue/file_places.h"
 #include "catalogue/history.h"
 #include "catalogue/stamped_rows.h"
 #include "files/json_message.h"
@@ -219,7 +220,7 @@ Result<std::optional<records::BatchRecord>> Batches::byId(const std::string& id)
 Result<store::PhotographRow> Batches::save(const records::PhotographRecord& p,
                                            const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string path = store::valueOrThrow(store::checkedPath(p.path));
+    const std::string path = store::valueOrThrow(recordedPath(p.path));
     const std::string camera(1, p.camera), exif = p.exif_json.empty() ? "{}" : p.exif_json;
     const std::int64_t row =
         p.row ? p.row.value
@@ -268,7 +269,7 @@ Result<bool> Batches::isInvented(store::BatchRow batch) const {
 Result<store::ScanRow> Batches::save(const records::ScanRecord& s,
                                      const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string path = store::valueOrThrow(store::checkedPath(s.path));
+    const std::string path = store::valueOrThrow(recordedPath(s.path));
     const std::int64_t row =
         s.row ? s.row.value
               : database_

@@ -1,11 +1,11 @@
 #include "catalogue/files.h"
 
+#include "catalogue/file_places.h"
 #include "catalogue/history.h"
 #include "catalogue/stamped_rows.h"
 #include "records/sherd.h"
 #include "records/words.h"
 #include "store/database.h"
-#include "store/values.h"
 
 namespace ostraka::catalogue {
 namespace {
@@ -24,7 +24,7 @@ std::vector<records::FileRecord> readFiles(store::Statement rows) {
 Result<store::FileRow> Files::save(const records::FileRecord& f,
                                    const records::Provenance& provenance) {
   return database_->inTransaction([&] {
-    const std::string path = store::valueOrThrow(store::checkedPath(f.path));
+    const std::string path = store::valueOrThrow(recordedPath(f.path));
     const std::int64_t row =
         f.row ? f.row.value
               : database_->sql("SELECT row FROM file WHERE path = ?", path).one<std::int64_t>();

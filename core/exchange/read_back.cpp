@@ -7,6 +7,7 @@
 #include "base/limits.h"
 #include "base/text.h"
 #include "catalogue/batches.h"
+#include "catalogue/file_places.h"
 #include "catalogue/files.h"
 #include "catalogue/history.h"
 #include "exchange/other_version.h"
@@ -23,7 +24,6 @@
 #include "store/database.h"
 #include "store/names.h"
 #include "store/values.h"
-#include "tables/import_places.h"
 #include "upkeep/file_check.h"
 
 namespace ostraka::exchange {
@@ -295,7 +295,7 @@ class ReadingBack {
     std::string model, preview;
     for (const metadata::SherdFile& file : record.files) {
       records::FileRecord f;
-      f.path = valueOrThrow(tables::importPlace("imported/" + name_ + "/" + file.path, {})).text();
+      f.path = valueOrThrow(catalogue::importPlace("imported/" + name_ + "/" + file.path, {})).text();
       const archive::BagFile verified =
           valueOrThrow(metadata::verifiedFile(bag_, file.path, file.sha256, file.bytes));
       f.sha256 = verified.sha256;

@@ -3,13 +3,13 @@
 
 #include "base/text.h"
 #include "catalogue/batches.h"
+#include "catalogue/file_places.h"
 #include "catalogue/settings.h"
 #include "merge/merging.h"
 #include "merge/staged_files.h"
 #include "merge/told.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
-#include "tables/import_places.h"
 
 namespace ostraka::merge {
 namespace {
@@ -31,7 +31,7 @@ void Merging::numberBatch(const Table& table, const Row& theirs, Values& values)
   Value& number = values[table.column("number")];
   const std::string there = number.value_or("");
   bool taken = database_.sql("SELECT 1 FROM batch WHERE number = ?", there).next();
-  for (const char* folder : upkeep::kFoldersOfBatches) {
+  for (const char* folder : catalogue::kFoldersOfBatches) {
     std::error_code failed;
     taken |= fs::exists(fs::symlink_status(projects_.a_folder / folder / there, failed));
   }
@@ -42,7 +42,7 @@ void Merging::numberBatch(const Table& table, const Row& theirs, Values& values)
 }
 
 std::string Merging::placed(const std::string& path) const {
-  for (const std::string folder : upkeep::kFoldersOfBatches) {
+  for (const std::string folder : catalogue::kFoldersOfBatches) {
     if (!path.starts_with(folder)) continue;
     const std::size_t end = path.find('/', folder.size());
     if (end == std::string::npos) break;
@@ -119,7 +119,7 @@ void Merging::mergeBags() {
 FileCopy& Merging::addFile(const Table& table, const Values& values, const std::string& from) {
   const std::string to = values[table.column("path")].value_or("");
   const Value& batch = values[table.column("batch")];
-  if (!tables::isMergePlace(to, batch ? labelOf(*batch) : std::string()))
+  if (!catalogue::isRecordedPlace(to, batch ? labelOf(*batch) : std::string()))
     throw store::Refused(upkeep::notAPlaceOfFiles(to));
   FileCopy& copy = outcome_.copies[to];
   copy = {from, to, values[table.column("sha256")].value_or("")};
@@ -131,7 +131,9 @@ void Merging::restoreFile(const Table& table, const Row& mine, const Row& theirs
   const std::size_t hash = table.column("sha256"), path = table.column("path");
   const std::string place = mine.values[path].value_or("");
   std::error_code failed;
-  if (mine.values[hash] != theirs.values[hash] || !upkeep::isPlaceOfFiles(place) ||
+  const Value& batch = mine.values[table.column("batch")];
+  if (mine.values[hash] != theirs.values[hash] ||
+      !catalogue::isRecordedPlace(place, batch ? labelOf(*batch) : std::string()) ||
       fs::exists(fs::symlink_status(projects_.a_folder / place, failed)))
     return;
   FileCopy& copy = outcome_.copies[place];

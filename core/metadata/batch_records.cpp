@@ -5,6 +5,7 @@
 #include "base/message.h"
 #include "base/uuid.h"
 #include "catalogue/batches.h"
+#include "catalogue/file_places.h"
 #include "catalogue/files.h"
 #include "catalogue/places.h"
 #include "files/json_numbers.h"
@@ -14,7 +15,6 @@
 #include "records/words.h"
 #include "sherds/pair_decisions.h"
 #include "store/database.h"
-#include "tables/import_places.h"
 
 namespace ostraka::metadata {
 namespace {
@@ -296,7 +296,7 @@ class Entering {
     records::FileRecord file;
     file.id = text(f, "id");
     file.path =
-        valueOrThrow(tables::importPlace(here(text(f, "path")), read.numbers.at(number_))).text();
+        valueOrThrow(catalogue::importPlace(here(text(f, "path")), read.numbers.at(number_))).text();
     const std::int64_t bytes = wholeIn(f.at("bytes"), "bytes", 0, INT64_MAX);
     const archive::BagFile verified =
         valueOrThrow(verifiedFile(bag_, text(f, "at"), text(f, "sha256"), bytes));

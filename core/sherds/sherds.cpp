@@ -5,6 +5,7 @@
 
 #include "base/message.h"
 #include "base/uuid.h"
+#include "catalogue/file_places.h"
 #include "catalogue/history.h"
 #include "catalogue/search.h"
 #include "catalogue/stamped_rows.h"
@@ -205,7 +206,7 @@ Result<void> Sherds::setModel(store::SherdRow sherd, const std::string& model_pa
                               const std::string& preview_path) {
   return database_->inTransaction([&] {
     for (const std::string& path : {model_path, preview_path})
-      if (!path.empty()) store::valueOrThrow(store::checkedPath(path));
+      if (!path.empty()) store::valueOrThrow(catalogue::recordedPath(path));
     database_->run("UPDATE sherd SET model_path = ?, preview_path = ? WHERE row = ?", model_path,
                    preview_path, sherd);
   });

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "base/message.h"
+#include "catalogue/file_places.h"
 #include "files/open_folder.h"
 #include "sherds/sherd_columns.h"
 #include "store/database.h"
@@ -171,7 +172,7 @@ Result<void> checkPaths(const catalogue::Catalogue& catalogue) {
         "SELECT path FROM file UNION ALL SELECT path FROM photograph UNION ALL SELECT path FROM "
         "scan UNION ALL SELECT model_path FROM sherd UNION ALL SELECT preview_path FROM sherd");
     for (std::string path; rows.read(path);)
-      if (!path.empty()) store::valueOrThrow(store::checkedPath(path));
+      if (!path.empty()) store::valueOrThrow(catalogue::recordedPath(path));
     store::Statement batches = catalogue.database().sql("SELECT number FROM batch");
     for (std::string number; batches.read(number);) {
       if (!store::isFolderName(number))

@@ -7,6 +7,7 @@
 #include "base/limits.h"
 #include "base/message.h"
 #include "batch/peoples_files.h"
+#include "catalogue/file_places.h"
 #include "catalogue/settings.h"
 #include "decisions/decisions.h"
 #include "decisions/mask_strokes.h"
@@ -111,12 +112,6 @@ Error notAPlaceOfFiles(const std::string& path) {
       path);
 }
 
-bool isPlaceOfFiles(const std::string& path) {
-  return path.starts_with("imported/") ||
-         std::any_of(std::begin(kFoldersOfBatches), std::end(kFoldersOfBatches),
-                     [&](const char* folder) { return path.starts_with(folder); });
-}
-
 Result<std::string> sha256At(const OpenFolder& project, const ContainedPath& place,
                              const std::stop_token& stop) {
   if (!project.has(place)) return std::string();
@@ -151,7 +146,7 @@ Result<std::vector<std::string>> placeStaged(catalogue::Catalogue& catalogue,
                                                             file.name);
     if (!place) return place.error();
     if (!from) return from.error();
-    if (!isPlaceOfFiles(to)) return notAPlaceOfFiles(to);
+    if (!catalogue::isPlaceOfFiles(to)) return notAPlaceOfFiles(to);
     if (!folder->has(*from)) continue;  // it has its place
     const Result<std::string> there = sha256At(*folder, *place, stop);
     if (!there) return there.error();

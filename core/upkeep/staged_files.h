@@ -13,10 +13,6 @@
 
 namespace ostraka::upkeep {
 
-/// The folders of a project's files, one for each batch: a merge writes nowhere else but in
-/// imported/, where the files of imported exports lie, of whatever batch.
-inline constexpr const char* kFoldersOfBatches[] = {"batches/", "results/", "models/"};
-bool isPlaceOfFiles(const std::string& path);
 Error notAPlaceOfFiles(const std::string& path);
 
 /// Where files of a merge wait, whole, until the catalogue that names them is saved.

@@ -44,7 +44,7 @@ class DrawnSherds : public ExportedProject {
     model(2, mesh);
   }
   void model(std::size_t i, const TriangleMesh& mesh) {
-    const std::string path = "results/drawn/" + std::to_string(i) + ".ply";
+    const std::string path = "models/drawn/" + std::to_string(i) + ".ply";
     put(project_->folder() / path, formatPly(mesh, "plate_front"));
     EXPECT_TRUE(sherds::Sherds(catalogue()).setModel(rows[i], path, {}));
   }
@@ -92,7 +92,7 @@ TEST_F(DrawnSherds, AreRimsWhereAPersonSaysSoOfTheirDrawingAlone) {
 
 TEST_F(DrawnSherds, SayWhereTheirPhotographsCannotBeShown) {
   records::FileRecord glb;
-  glb.path = "results/drawn/1.glb";
+  glb.path = "models/drawn/1.glb";
   glb.sha256 = sha256("no GLB");
   glb.bytes = 6;
   glb.media_type = "model/gltf-binary";

@@ -270,13 +270,19 @@ TEST_F(FileCheck, NeedsNoRightToWrite) {
   EXPECT_EQ(share(1 << 20).damaged.size(), 1u);
 }
 
-TEST_F(FileCheck, RefusesACatalogueThatNamesPlacesOutsideTheProject) {
+TEST_F(FileCheck, RefusesACatalogueThatNamesPlacesWhereNoFilesOfItLie) {
   EXPECT_TRUE(checkPaths(catalogue()));
-  catalogue().database().script(
-      "UPDATE file SET path = '../../.ssh/id_rsa' WHERE role = 'preview'");
-  const Result<void> paths = checkPaths(catalogue());
-  ASSERT_FALSE(paths);
-  EXPECT_EQ(paths.error().code, ErrorCode::UnusableInput);
+  for (const char* path : {"../../.ssh/id_rsa", "catalogue.sqlite", "results/B0001/decisions.json"})
+    for (const char* column : {"sherd SET model_path", "sherd SET preview_path", "file SET path"}) {
+      catalogue().database().script("SAVEPOINT before");
+      const std::string one = column[0] == 'f' ? " WHERE role = 'preview'" : "";
+      catalogue().database().run("UPDATE " + std::string(column) + " = ?" + one, std::string(path));
+      const Result<void> paths = checkPaths(catalogue());
+      ASSERT_FALSE(paths) << column << " " << path;
+      EXPECT_EQ(paths.error().code, ErrorCode::UnusableInput);
+      catalogue().database().script("ROLLBACK TO before; RELEASE before");
+    }
+  EXPECT_TRUE(checkPaths(catalogue()));
 }
 
 TEST_F(FileCheck, IsNotPutOffByTimesThatAreStillToCome) {

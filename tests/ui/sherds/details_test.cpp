@@ -143,7 +143,7 @@ class DetailsTest : public CatalogueWindow {
                                     QString("a long remark ").repeated(20).toStdString()};
     SampleProject::must(sherds::SherdChanges(sample_->catalogue()).apply(std::span(&note, 1), {}));
     records::FileRecord drawing;
-    drawing.path = "results/B0001/drawn.svg";
+    drawing.path = "imported/drawn/sherd.svg";
     drawing.sha256 = std::string(64, '0');
     drawing.media_type = "image/svg+xml";
     drawing.role = "drawing";

@@ -1,4 +1,4 @@
-#include "tables/import_places.h"
+#include "catalogue/file_places.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,9 +6,10 @@
 
 #include "base/message.h"
 #include "base/text.h"
+#include "files/folder_lock.h"
 #include "store/values.h"
 
-namespace ostraka::tables {
+namespace ostraka::catalogue {
 namespace {
 
 struct ImportPlace {
@@ -29,8 +30,12 @@ const std::vector<ImportPlace>& importPlaces() {
   return kAll;
 }
 
+bool isUnfinished(const std::string& part) {
+  return part.starts_with('.') || part.ends_with(".partial");
+}
+
 bool isOfTheProgram(const std::string& part) {
-  return part.starts_with('.') || part == "work" || part.ends_with(".partial");
+  return isUnfinished(part) || part == "work";
 }
 
 // The scans of a computation and its report in HTML, which no export has.
@@ -67,11 +72,34 @@ Result<ContainedPath> importPlace(const std::string& path, const std::string& ba
   return refused();
 }
 
-bool isMergePlace(const std::string& path, const std::string& batch) {
+bool isRecordedPlace(const std::string& path, const std::string& batch) {
   const Result<ContainedPath> parsed = ContainedPath::parse(path);
   if (!parsed || parsed->parts().size() < 3) return false;
   if (parsed->parts()[0] == "imported") return importPlace(path, {}).has_value();
   return !batch.empty() && (isComputed(parsed->parts(), batch) || importPlace(path, batch));
 }
 
-}  // namespace ostraka::tables
+Result<std::string> recordedPath(std::string_view path) {
+  Result<std::string> text = store::checkedPath(path);
+  if (!text) return text;
+  const std::size_t first = text->find('/'), second = text->find('/', first + 1);
+  const bool is_deep = second != std::string::npos;
+  if (is_deep && isRecordedPlace(*text, text->substr(first + 1, second - first - 1))) return text;
+  return Error::unusable(
+      message("This is not the location of a photograph, result, model or imported file, the only "
+              "files that a catalogue lists. Nothing was changed; use a backup or another copy of "
+              "the project."),
+      text->substr(0, 255));
+}
+
+bool isPlaceOfFiles(const std::string& path) {
+  const Result<ContainedPath> parsed = ContainedPath::parse(path);
+  if (!parsed || parsed->parts().size() < 3) return false;
+  const std::vector<std::string>& parts = parsed->parts();
+  if (parts[0] == "imported") return importPlace(path, {}).has_value();
+  return std::find(std::begin(kFoldersOfBatches), std::end(kFoldersOfBatches), parts[0] + "/") !=
+             std::end(kFoldersOfBatches) &&
+         parts.back() != kLockFile && std::none_of(parts.begin(), parts.end(), isUnfinished);
+}
+
+}  // namespace ostraka::catalogue

@@ -14,7 +14,14 @@ constexpr std::size_t kMostRows = limits::kTableRows.most,
                       kMostColumns = limits::kTableColumns.most,
                       kMostField = limits::kTableFieldBytes.most;
 constexpr std::string_view kBom = kUtf8Mark;
-constexpr std::string_view kFormulaStarts = "=+-@\t\r\n";
+// The wide ones of East Asian keyboards (U+FF1D, FF0B, FF0D, FF20) begin formulas, too.
+constexpr std::string_view kFormulaStarts[] = {
+    "=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠"};
+
+bool isFormula(std::string_view text) {
+  return std::any_of(std::begin(kFormulaStarts), std::end(kFormulaStarts),
+                     [&](std::string_view start) { return text.starts_with(start); });
+}
 
 std::string fromUtf16(std::string_view bytes, bool big_endian) {
   std::u16string units;
@@ -219,15 +226,14 @@ std::string csvLine(const std::vector<std::string>& values, char separator) {
 
 std::string guarded(std::string_view text) {
   const std::size_t first = text.find_first_not_of('\'');
-  if (first != std::string_view::npos && kFormulaStarts.find(text[first]) != std::string_view::npos)
+  if (first != std::string_view::npos && isFormula(text.substr(first)))
     return "'" + std::string(text);
   return std::string(text);
 }
 
 std::string unguarded(std::string_view text) {
   const std::size_t first = text.find_first_not_of('\'');
-  if (first != std::string_view::npos && first > 0 &&
-      kFormulaStarts.find(text[first]) != std::string_view::npos)
+  if (first != std::string_view::npos && first > 0 && isFormula(text.substr(first)))
     text.remove_prefix(1);
   return std::string(text);
 }

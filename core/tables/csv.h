@@ -34,8 +34,9 @@ Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where);
 /// CRLF; values with any separator, a quotation mark or a line end are quoted.
 std::string csvLine(const std::vector<std::string>& values, char separator = ',');
 
-/// A spreadsheet takes a text that begins with = + - @ (or tab, CR, LF) for a formula: such texts,
-/// also behind quotes, get one ' more, which the import takes off again. Any text survives both.
+/// A spreadsheet takes a text that begins with = + - @, also as wide letters (＝ ＋ － ＠), or with
+/// tab, CR or LF for a formula: such texts, also behind quotes, get one ' more, which the import
+/// takes off again. Any text survives both.
 std::string guarded(std::string_view text);
 std::string unguarded(std::string_view text);
 

@@ -86,6 +86,11 @@ TEST(Csv, FormulasAreDisarmedAndComeBack) {
   EXPECT_EQ(guarded("=1+1"), "'=1+1");
   EXPECT_EQ(guarded("'=1+1"), "''=1+1");
   EXPECT_EQ(guarded("@cmd"), "'@cmd");
+  for (const std::string wide : {"＝1+1", "＋1", "－1", "＠cmd"}) {
+    EXPECT_EQ(guarded(wide), "'" + wide) << "wide letters of East Asian keyboards";
+    EXPECT_EQ(unguarded("'" + wide), wide);
+  }
+  EXPECT_EQ(guarded("（grey)"), "（grey)") << "no formula begins so";
   EXPECT_EQ(guarded("'tis"), "'tis") << "a harmless quote stays alone";
   EXPECT_EQ(unguarded("'-5"), "-5");
   EXPECT_EQ(unguarded("-5"), "-5") << "typed by a person in a spreadsheet";

@@ -26,8 +26,8 @@ bool isRecordedPlace(const std::string& path, const std::string& batch);
 /// of store/values.h). Error: UnusableInput.
 Result<std::string> recordedPath(std::string_view path);
 
-/// Where a merge may put a file of a batch that comes with all of its files: anything in the folders
-/// of the batch but locks and what is hidden or unfinished; in imported/ as above.
+/// Where a merge may put a file of a batch that comes with all its files: anywhere in the folders
+/// of the batch, but nothing hidden or unfinished and no lock; in imported/ as above.
 bool isPlaceOfFiles(const std::string& path);
 
 }  // namespace ostraka::catalogue

@@ -11,6 +11,7 @@
 #include "catalogue/history.h"
 #include "catalogue/places.h"
 #include "catalogue/stamped_rows.h"
+#include "catalogue/typed_place.h"
 #include "files/json_text.h"
 #include "records/numbering.h"
 #include "records/sherd.h"
@@ -98,7 +99,10 @@ Result<void> Settings::rename(const std::string& title, const std::string& code,
     records::ProjectRecord renamed = store::valueOrThrow(project());
     const std::string old_title = std::exchange(renamed.title, title.empty() ? code : title);
     const std::string old_code = std::exchange(renamed.code, code);
+    const std::string place = store::valueOrThrow(value(kCapturePlace));
+    const std::string same_place = placeOfRenamedSite(catalogue_, place, old_code, code);
     store::valueOrThrow(setProject(renamed, provenance));
+    if (same_place != place) store::valueOrThrow(setValue(kCapturePlace, same_place));
     Places places(catalogue_);
     const bool same_code = store::codeKey(code) == store::codeKey(old_code);
     std::vector<records::SiteRecord> sites = store::valueOrThrow(places.sites());

@@ -237,6 +237,18 @@ Result<std::optional<BagPlace>> typedPlace(const Catalogue& catalogue, const std
   });
 }
 
+std::string placeOfRenamedSite(const Catalogue& catalogue, const std::string& text,
+                               const std::string& from, const std::string& to) {
+  const std::string key = store::codeKey(from);
+  const auto place = typedPlace(catalogue, text, Named::Bag);
+  if (place && *place && store::codeKey((*place)->site) != key) return text;
+  constexpr std::string_view kMarks = " -/";
+  for (std::size_t at = text.find_first_of(kMarks); at != std::string::npos;
+       at = text.find_first_of(kMarks, at + 1))
+    if (store::codeKey(text.substr(0, at)) == key) return to + text.substr(at);
+  return store::codeKey(text) == key ? to : text;
+}
+
 Result<BagPlace> readPlace(const Catalogue& catalogue, const BagPlace& written) {
   return catalogue.database().asResult([&] {
     BagPlace place{store::trimmed(written.site), store::trimmed(written.trench),

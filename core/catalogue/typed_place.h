@@ -21,6 +21,14 @@ enum class Named { Context, Bag };
 Result<std::optional<BagPlace>> typedPlace(const Catalogue& catalogue, const std::string& text,
                                            Named what, const BagPlace& below = {});
 
+/// Setting: the place that a person typed last for a batch; Settings::rename keeps it in step.
+inline constexpr const char* kCapturePlace = "capture.place";
+
+/// `text` with the code `to` in place of the site's code `from`, where it begins with that code and
+/// names no place of another site.
+std::string placeOfRenamedSite(const Catalogue& catalogue, const std::string& text,
+                               const std::string& from, const std::string& to);
+
 /// A place as tables and people write it: each code by itself, all of them in the context or the
 /// bag, and those that are the only ones left out. In the catalogue's spelling where the context is
 /// known; else it is a new one in the written or only site and trench. Without a context: as it was

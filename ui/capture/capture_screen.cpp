@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "batch/batch.h"
+#include "catalogue/typed_place.h"
 #include "ui/capture/capture_foot.h"
 #include "ui/capture/count_edit.h"
 #include "ui/capture/fact_list.h"
@@ -41,7 +42,6 @@
 namespace ostraka::ui {
 namespace {
 
-constexpr const char* kPlaceKey = "capture.place";
 constexpr int kMostCameras = 3;
 constexpr qsizetype kNumbersNamed = 4;
 constexpr double kFromAfar = 3;  // of the body's letters
@@ -267,8 +267,15 @@ void CaptureScreen::openProject(ProjectSession& session) {
     edit->setNews(
         [&session](const PlaceText& place) { return newOf(session.project().catalogue(), place); });
   }
-  place_->setText(session.setting(kPlaceKey));
+  place_->setText(session.setting(catalogue::kCapturePlace));
   placeTyped();
+  connect(&session, &ProjectSession::vocabulariesChanged, this, [this, &session] {
+    place_->setSite(siteOf(session.project().catalogue()));  // it may have another code
+    const QString kept = session.setting(catalogue::kCapturePlace);
+    if (!place_->isUsable() || kept == place_->text()) return;
+    place_->setText(kept);
+    placeTyped();
+  });
   const RigChoice choice = rigChoice();
   rig_page_->setChoice(choice);
   if (choice.kind != RigChoice::Kind::None) chooseRig(choice);
@@ -340,7 +347,8 @@ void CaptureScreen::showImported(const QString& number, int files, const QString
 
 void CaptureScreen::placeTyped() {
   wizard_->description()->setPlace(place_->place());
-  if (session_ != nullptr && place_->isUsable()) session_->noteSetting(kPlaceKey, place_->text());
+  if (session_ != nullptr && place_->isUsable())
+    session_->noteSetting(catalogue::kCapturePlace, place_->text());
   emit lineChanged();
 }
 

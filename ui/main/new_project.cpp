@@ -7,6 +7,7 @@
 
 #include "catalogue/places.h"
 #include "catalogue/settings.h"
+#include "catalogue/typed_place.h"
 #include "records/numbering.h"
 #include "ui/wizard/rig_source.h"
 #include "ui/words/sentence.h"
@@ -177,7 +178,9 @@ Result<std::shared_ptr<upkeep::Project>> makeVirtualProject(const QString& folde
   catalogue::Catalogue& rows = (*made)->catalogue();
   if (const auto set = catalogue::Settings(rows).setValue("rig", rig.toJson().toStdString()); !set)
     return set.error();
-  if (const auto set = catalogue::Settings(rows).setValue("capture.place", "VIRT-T1-0001-1"); !set)
+  if (const auto set =
+          catalogue::Settings(rows).setValue(catalogue::kCapturePlace, "VIRT-T1-0001-1");
+      !set)
     return set.error();
   return made;
 }

@@ -1,6 +1,7 @@
 #include "catalogue/settings.h"
 
 #include "catalogue/history.h"
+#include "catalogue/typed_place.h"
 #include "small_project.h"
 
 namespace ostraka::catalogue {
@@ -31,6 +32,24 @@ TEST_F(SettingsTest, ARenamedProjectTakesItsSiteAlongAndLeavesTheNumbersThatWere
   const auto history = *History(catalogue()).of("site", site.value);
   ASSERT_FALSE(history.empty());
   EXPECT_EQ(history.front().by, anna.person);
+}
+
+TEST_F(SettingsTest, ThePlaceTypedLastForABatchFollowsTheSitesNewCode) {
+  records::SiteRecord other;
+  other.code = "ARM1-N";
+  ASSERT_TRUE(Places(catalogue()).save(other, anna));
+  const BagPlace there{"ARM1-N", "T3", "0012", "1"};
+  ASSERT_TRUE(bagAt(catalogue(), there, anna));
+  const auto after = [&](const std::string& typed) {
+    return placeOfRenamedSite(catalogue(), typed, "ARM1", "GRB");
+  };
+  EXPECT_EQ(after("ARM1"), "GRB");
+  EXPECT_EQ(after("arm 1 / T9 / new"), "GRB / T9 / new") << "not in the catalogue yet";
+  for (const char* stays : {"", "T3-0012-4", "ARM12-T3-0012-4", "ARM1-N-T3-0012-1"})
+    EXPECT_EQ(after(stays), stays);
+  ASSERT_TRUE(settings.setValue(kCapturePlace, "ARM1-T3-0012-4"));
+  ASSERT_TRUE(settings.rename("Grabung Nord", "GRB", anna));
+  EXPECT_EQ(*settings.value(kCapturePlace), "GRB-T3-0012-4");
 }
 
 TEST_F(SettingsTest, ASiteNameThatAPersonTypedStays) {

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "command.h"
 #include "files/json.h"
+#include "intake/computed_again.h"
 #include "options.h"
 #include "pipeline/process_batch.h"
 #include "registration/within.h"
@@ -91,6 +92,11 @@ void printTable(const ProcessSummary& summary) {
 }
 
 int runProcess(const ProcessOptions& options, Session& session) {
+  const Result<void> queued = [&] {
+    Result<void> good = options.check();
+    return good ? intake::queueOwnerOf(options.output, session.progress) : good;
+  }();
+  if (!queued) return fail(session, queued.error(), WhenStopped::GoesOn);
   const Result<ProcessSummary> summary =
       pipeline::processBatch(options, session.progress, session.stop);
   if (!summary) return fail(session, summary.error(), WhenStopped::GoesOn);

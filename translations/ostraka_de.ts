@@ -3904,6 +3904,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Verarbeitet diesen Durchgang, obwohl ein anderer dieselben Fotos hat; dann stehen die Scherben beider im Katalog</translation>
     </message>
+    <message>
+      <source>The report of %1 is not opened: this version of Ostraka did not write it, and it may run scripts. Reprocess the batch to write it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Bericht von %1 wird nicht geöffnet: Diese Version von Ostraka hat ihn nicht geschrieben, und er könnte Skripte ausführen. Den Durchgang neu verarbeiten, damit er neu geschrieben wird.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -10443,6 +10448,11 @@
       <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Hier liegt kein Foto, kein Ergebnis, kein Modell und keine importierte Datei, und nur solche führt ein Katalog auf. Nichts wurde geändert; eine Sicherung oder eine andere Kopie des Projekts verwenden.</translation>
+    </message>
+    <message>
+      <source>The catalogue has earlier results of %1, and the batch is queued again. Enter the new ones with &apos;ostraka catalogue enter&apos;, or reprocess it in the window.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Katalog hat frühere Ergebnisse von %1, und der Durchgang steht wieder in der Warteschlange. Die neuen mit &apos;ostraka catalogue enter&apos; eintragen oder ihn im Fenster neu verarbeiten.</translation>
     </message>
 </context>
 <context>

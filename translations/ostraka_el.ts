@@ -3904,6 +3904,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Επεξεργάζεται αυτή την παρτίδα, αν και μια άλλη έχει τις ίδιες φωτογραφίες· τα όστρακα και των δύο βρίσκονται τότε στον κατάλογο</translation>
     </message>
+    <message>
+      <source>The report of %1 is not opened: this version of Ostraka did not write it, and it may run scripts. Reprocess the batch to write it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Η αναφορά της %1 δεν ανοίγει: δεν την έγραψε αυτή η έκδοση του Ostraka και μπορεί να εκτελέσει σενάρια. Επεξεργαστείτε ξανά την παρτίδα για να γραφτεί εκ νέου.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -10443,6 +10448,11 @@
       <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν είναι θέση φωτογραφίας, αποτελέσματος, μοντέλου ή εισαγμένου αρχείου, των μόνων αρχείων που απαριθμεί ένας κατάλογος. Δεν άλλαξε τίποτα· χρησιμοποιήστε αντίγραφο ασφαλείας ή άλλο αντίγραφο του έργου.</translation>
+    </message>
+    <message>
+      <source>The catalogue has earlier results of %1, and the batch is queued again. Enter the new ones with &apos;ostraka catalogue enter&apos;, or reprocess it in the window.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο κατάλογος έχει παλαιότερα αποτελέσματα της %1 και η παρτίδα μπήκε ξανά στην ουρά. Καταχωρίστε τα νέα με &apos;ostraka catalogue enter&apos; ή επεξεργαστείτε την ξανά στο παράθυρο.</translation>
     </message>
 </context>
 <context>

@@ -3904,6 +3904,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Procesa esta tanda aunque otra tenga las mismas fotografías; los fragmentos de ambas están entonces en el catálogo</translation>
     </message>
+    <message>
+      <source>The report of %1 is not opened: this version of Ostraka did not write it, and it may run scripts. Reprocess the batch to write it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El informe de %1 no se abre: esta versión de Ostraka no lo escribió y podría ejecutar scripts. Vuelva a procesar el lote para escribirlo de nuevo.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -10443,6 +10448,11 @@
       <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No es el lugar de una fotografía, un resultado, un modelo o un archivo importado, los únicos archivos que un catálogo enumera. No se ha cambiado nada; use una copia de seguridad u otra copia del proyecto.</translation>
+    </message>
+    <message>
+      <source>The catalogue has earlier results of %1, and the batch is queued again. Enter the new ones with &apos;ostraka catalogue enter&apos;, or reprocess it in the window.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El catálogo tiene resultados anteriores de %1, y el lote está de nuevo en la cola. Registre los nuevos con &apos;ostraka catalogue enter&apos; o vuelva a procesarlo en la ventana.</translation>
     </message>
 </context>
 <context>

@@ -3904,6 +3904,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Traite ce lot bien qu’un autre ait les mêmes photographies ; les tessons des deux figurent alors au catalogue</translation>
     </message>
+    <message>
+      <source>The report of %1 is not opened: this version of Ostraka did not write it, and it may run scripts. Reprocess the batch to write it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le rapport de %1 n’est pas ouvert : cette version d’Ostraka ne l’a pas écrit, et il pourrait exécuter des scripts. Retraitez le lot pour l’écrire à nouveau.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -10443,6 +10448,11 @@
       <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ce n’est pas l’emplacement d’une photographie, d’un résultat, d’un modèle ou d’un fichier importé, les seuls fichiers qu’un catalogue énumère. Rien n’a été modifié ; utilisez une sauvegarde ou une autre copie du projet.</translation>
+    </message>
+    <message>
+      <source>The catalogue has earlier results of %1, and the batch is queued again. Enter the new ones with &apos;ostraka catalogue enter&apos;, or reprocess it in the window.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le catalogue a des résultats antérieurs de %1, et le lot est remis dans la file d’attente. Enregistrez les nouveaux avec &apos;ostraka catalogue enter&apos;, ou retraitez-le dans la fenêtre.</translation>
     </message>
 </context>
 <context>

@@ -3904,6 +3904,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Մշակում է այս խմբաքանակը, թեև մեկ ուրիշն ունի նույն լուսանկարները. այդ դեպքում երկուսի բեկորներն էլ կատալոգում են</translation>
     </message>
+    <message>
+      <source>The report of %1 is not opened: this version of Ostraka did not write it, and it may run scripts. Reprocess the batch to write it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1-ի հաշվետվությունը չի բացվում. այն չի գրել Ostraka-ի այս տարբերակը, և այն կարող է սկրիպտներ գործարկել։ Վերամշակեք խմբաքանակը, որպեսզի այն նորից գրվի։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -10443,6 +10448,11 @@
       <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Սա լուսանկարի, արդյունքի, մոդելի կամ ներմուծված ֆայլի տեղ չէ, իսկ կատալոգը թվարկում է միայն դրանք։ Ոչինչ չի փոխվել. օգտագործեք պահուստային պատճենը կամ նախագծի մեկ այլ պատճեն։</translation>
+    </message>
+    <message>
+      <source>The catalogue has earlier results of %1, and the batch is queued again. Enter the new ones with &apos;ostraka catalogue enter&apos;, or reprocess it in the window.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կատալոգում կան %1-ի ավելի վաղ արդյունքներ, և խմբաքանակը նորից հերթում է։ Նորերը գրանցեք &apos;ostraka catalogue enter&apos; հրամանով կամ խմբաքանակը նորից մշակեք պատուհանում։</translation>
     </message>
 </context>
 <context>

@@ -3863,6 +3863,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Başka bir partide aynı fotoğraflar olsa da bu partiyi işler; o zaman ikisinin parçaları da katalogda yer alır</translation>
     </message>
+    <message>
+      <source>The report of %1 is not opened: this version of Ostraka did not write it, and it may run scripts. Reprocess the batch to write it again.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 raporu açılmıyor: onu Ostraka’nın bu sürümü yazmadı ve komut dosyaları çalıştırabilir. Yeniden yazılması için partiyi yeniden işleyin.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -10397,6 +10402,11 @@
       <source>This is not the location of a photograph, result, model or imported file, the only files that a catalogue lists. Nothing was changed; use a backup or another copy of the project.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Burası bir fotoğrafın, sonucun, modelin ya da içe aktarılmış dosyanın yeri değil; bir katalog yalnız bunları listeler. Hiçbir şey değiştirilmedi; bir yedek ya da projenin başka bir kopyasını kullanın.</translation>
+    </message>
+    <message>
+      <source>The catalogue has earlier results of %1, and the batch is queued again. Enter the new ones with &apos;ostraka catalogue enter&apos;, or reprocess it in the window.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Katalogda %1 için önceki sonuçlar var ve parti yeniden kuyruğa alındı. Yenilerini &apos;ostraka catalogue enter&apos; ile kaydedin ya da partiyi pencerede yeniden işleyin.</translation>
     </message>
 </context>
 <context>

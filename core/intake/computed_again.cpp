@@ -12,9 +12,13 @@
 #include "records/words.h"
 #include "review/review.h"
 #include "store/database.h"
+#include "store/network_share.h"
+#include "upkeep/project.h"
 
 namespace ostraka::intake {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr const char* kAsked = "yes";
 
@@ -53,6 +57,32 @@ Result<void> queueAgain(catalogue::Catalogue& catalogue, const std::string& batc
       store::valueOrThrow(catalogue::Settings(catalogue).setValue(keyOf(batch_number), kAsked));
     store::valueOrThrow(
         catalogue::Batches(catalogue).setState(batch.row, records::BatchState::Queued, provenance));
+  });
+}
+
+Result<void> queueOwnerOf(const fs::path& output, Progress& progress) {
+  std::error_code failed;
+  fs::path out = fs::weakly_canonical(output, failed);
+  if (!out.has_filename()) out = out.parent_path();
+  const fs::path project = out.parent_path().parent_path();
+  const std::string number = out.filename().string();
+  if (failed || out.parent_path().filename() != "results" ||
+      !fs::exists(project / "catalogue.sqlite", failed) || !store::networkShareOf(project).empty())
+    return {};
+  Result<upkeep::Project> opened = upkeep::Project::open(project);
+  if (!opened) return opened.error();
+  catalogue::Batches batches(opened->catalogue());
+  return opened->catalogue().database().inTransaction([&] {
+    for (const records::BatchRecord& batch : store::valueOrThrow(batches.all())) {
+      if (batch.number != number || !isComputed(batch.state)) continue;
+      store::valueOrThrow(
+          batches.setState(batch.row, records::BatchState::Queued, {{}, "process", {}}));
+      progress.note(
+          NoteLevel::Warning,
+          message("The catalogue has earlier results of %1, and the batch is queued again. Enter "
+                  "the new ones with 'ostraka catalogue enter', or reprocess it in the window.",
+                  number));
+    }
   });
 }
 

@@ -32,6 +32,22 @@ TEST_F(ComputedAgain, ABatchIsQueuedUnlessItIsBeingPhotographed) {
   EXPECT_EQ(catalogue::History(catalogue()).of("batch", batch.value)->front().by, anna.person);
 }
 
+TEST_F(ComputedAgain, WhatACommandIsToProcessOverEnteredResultsIsQueuedAndNothingElse) {
+  QuietProgress quiet;
+  const std::filesystem::path results = project_->folder() / "results";
+  is(records::BatchState::Done);
+  for (const std::filesystem::path& other :
+       {results / "trial", project_->folder() / "B0001", results / "B0001" / "more"}) {
+    ASSERT_TRUE(queueOwnerOf(other, quiet)) << other;
+    EXPECT_EQ(state(), records::BatchState::Done) << other;
+  }
+  ASSERT_TRUE(queueOwnerOf(results / "B0001" / "", quiet));
+  EXPECT_EQ(state(), records::BatchState::Queued);
+  is(records::BatchState::Flipped);
+  ASSERT_TRUE(queueOwnerOf(output, quiet));
+  EXPECT_EQ(state(), records::BatchState::Flipped) << "it was not entered";
+}
+
 TEST_F(ComputedAgain, WhatIsAskedWhileItIsComputedIsDoneWhenThatEnds) {
   is(records::BatchState::Review);
   ASSERT_TRUE(ask());

@@ -12,6 +12,7 @@
 #include "pairing/contour.h"
 #include "pairing/turning_angles.h"
 #include "paper/markup.h"
+#include "paper/report_page.h"
 #include "pipeline/report.h"
 #include "registration/within.h"
 
@@ -308,10 +309,9 @@ std::string reportHtml(const ReportInput& input) {
   const auto doubtful = std::count_if(input.sherds.begin(), input.sherds.end(),
                                       [](const ReportSherd& s) { return s.pair->ambiguous; });
   std::string html =
-      "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><title>Ostraka: " +
-      markupText(input.batch_name) + "</title><style>" + kStyle + "</style><h1>Batch " +
-      markupText(input.batch_name) + "</h1><p>" + std::to_string(input.sherds.size()) +
-      " sherds, " +
+      std::string(kReportHead) + "<title>Ostraka: " + markupText(input.batch_name) +
+      "</title><style>" + kStyle + "</style><h1>Batch " + markupText(input.batch_name) +
+      "</h1><p>" + std::to_string(input.sherds.size()) + " sherds, " +
       (doubtful == 0 ? std::string("all pairs certain.")
                      : "<span class=\"ask\">" + std::to_string(doubtful) + " to review.</span>") +
       "</p><p>" + markupText(input.scale.english()) + "</p>";

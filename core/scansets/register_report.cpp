@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "files/json.h"
 #include "paper/markup.h"
+#include "paper/report_page.h"
 #include "registration/within.h"
 
 namespace ostraka::scansets {
@@ -76,12 +77,11 @@ std::string listed(const std::vector<std::string>& words) {
 std::string html(const RegisterSummary& summary, const decisions::PairTable& table,
                  std::span<const scan::Scan> fronts, std::span<const scan::Scan> backs) {
   std::string page =
-      "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Ostraka: registered "
-      "scans</title><style>body{font-family:sans-serif;margin:2em;color:#222}table{border-collapse:"
-      "collapse}td,th{border-bottom:1px solid #ccc;padding:.4em "
-      ".8em;text-align:left;vertical-align:"
-      "top}.ask{background:#fff3cd}svg{margin-right:1em}</style></head><body><h1>Registered "
-      "scans</h1>";
+      std::string(kReportHead) +
+      "<title>Ostraka: registered scans</title><style>body{font-family:sans-serif;margin:2em;"
+      "color:#222}table{border-collapse:collapse}td,th{border-bottom:1px solid #ccc;padding:.4em "
+      ".8em;text-align:left;vertical-align:top}.ask{background:#fff3cd}svg{margin-right:1em}"
+      "</style><h1>Registered scans</h1>";
   page += "<p>" + std::to_string(summary.pairs.size()) + " pairs, " +
           std::to_string(summary.ambiguous()) +
           " to review. Fronts without a back: " + listed(summary.unpaired_front) +
@@ -117,7 +117,7 @@ std::string html(const RegisterSummary& summary, const decisions::PairTable& tab
                      backs[static_cast<std::size_t>(d.back)], table.pairs[i], summary.mm) +
             "</td></tr>";
   }
-  return page + "</table></body></html>\n";
+  return page + "</table></html>\n";
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include "files/files.h"
+#include "paper/report_page.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/no_batch_yet.h"
 #include "ui/frame/project_session.h"
@@ -348,6 +350,13 @@ void QueueScreen::openReport() {
   const std::filesystem::path results = session_->folder() / "results" / selected().toStdString();
   for (const char* file : {"report.html", "log.txt"})
     if (std::filesystem::exists(results / file)) {
+      if (const Result<std::string> page = readFile(results / file);
+          file == std::string_view("report.html") && !(page && isSafeReport(*page))) {
+        emit said(tr("The report of %1 is not opened: this version of Ostraka did not write it, "
+                     "and it may run scripts. Reprocess the batch to write it again.")
+                      .arg(selected()));
+        return;
+      }
       if (const QString why_not = openOutside(QString::fromStdString((results / file).string()));
           !why_not.isEmpty())
         emit said(why_not);

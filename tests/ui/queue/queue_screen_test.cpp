@@ -6,12 +6,14 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <QDesktopServices>
 #include <QInputDialog>
 #include <QListView>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
+#include <QUrl>
 #include <QtTest>
 #include <atomic>
 #include <thread>
@@ -21,6 +23,7 @@
 #include "catalogue/batches.h"
 #include "files/files.h"
 #include "intake/side_photographs.h"
+#include "paper/report_page.h"
 #include "ui/frame/project_session.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
@@ -54,6 +57,9 @@ class WithoutPrivileges {
 
 class QueueScreenTest : public QObject {
   Q_OBJECT
+
+ public slots:
+  void take(const QUrl& url) { opened_ = url; }
 
  private slots:
   void init() {
@@ -202,6 +208,24 @@ class QueueScreenTest : public QObject {
     QTRY_VERIFY(!button->isVisible());  // the rig fits: nothing is offered
   }
 
+  void aReportThatMayRunScriptsIsToldOfAndOneOfOursOpens() {
+    addBatch(records::BatchState::Done);
+    const auto file = session_->folder() / "results/B0001/report.html";
+    QVERIFY(writeFileAtomically(file, "<html><script>alert(1)</script></html>"));
+    screen_->openProject(*session_);
+    QSignalSpy said(screen_.get(), &Screen::said);
+    QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "take");
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_O);
+    QCOMPARE(said.count(), 1);
+    QVERIFY2(said[0][0].toString().contains("not opened"), qPrintable(said[0][0].toString()));
+    QVERIFY(opened_.isEmpty());
+    QVERIFY(writeFileAtomically(file, std::string(kReportHead) + "<title>B0001</title></html>"));
+    QTest::keyClick(child<QListView>("queueList"), Qt::Key_O);
+    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+    QCOMPARE(said.count(), 1);
+    QCOMPARE(opened_.toLocalFile(), QString::fromStdString(file.string()));
+  }
+
   void masksAreOfferedOnlyWhereThereAreAny() {
     addBatch(records::BatchState::Done);
     screen_->openProject(*session_);
@@ -298,6 +322,7 @@ class QueueScreenTest : public QObject {
   std::unique_ptr<ProjectSession> session_;
   std::unique_ptr<BatchQueue> queue_;
   std::unique_ptr<QueueScreen> screen_;
+  QUrl opened_;
 };
 
 QTEST_MAIN(QueueScreenTest)

@@ -10454,6 +10454,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Katalog hat frühere Ergebnisse von %1, und der Durchgang steht wieder in der Warteschlange. Die neuen mit &apos;ostraka catalogue enter&apos; eintragen oder ihn im Fenster neu verarbeiten.</translation>
     </message>
+    <message>
+      <source>The folder on the cluster has files that Ostraka did not write (%1): %2. They were left there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ordner auf dem Cluster enthält Dateien, die Ostraka nicht geschrieben hat (%1): %2. Sie bleiben dort.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10454,6 +10454,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο κατάλογος έχει παλαιότερα αποτελέσματα της %1 και η παρτίδα μπήκε ξανά στην ουρά. Καταχωρίστε τα νέα με &apos;ostraka catalogue enter&apos; ή επεξεργαστείτε την ξανά στο παράθυρο.</translation>
     </message>
+    <message>
+      <source>The folder on the cluster has files that Ostraka did not write (%1): %2. They were left there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος στη συστοιχία έχει αρχεία που δεν έγραψε το Ostraka (%1): %2. Έμειναν εκεί.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -3907,7 +3907,7 @@
     <message>
       <source>The report of %1 is not opened: this version of Ostraka did not write it, and it may run scripts. Reprocess the batch to write it again.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El informe de %1 no se abre: esta versión de Ostraka no lo escribió y podría ejecutar scripts. Vuelva a procesar el lote para escribirlo de nuevo.</translation>
+      <translation>El informe de %1 no se abre: esta versión de Ostraka no lo escribió y podría ejecutar scripts. Vuelva a procesar la tanda para escribirlo de nuevo.</translation>
     </message>
 </context>
 <context>
@@ -10452,7 +10452,12 @@
     <message>
       <source>The catalogue has earlier results of %1, and the batch is queued again. Enter the new ones with &apos;ostraka catalogue enter&apos;, or reprocess it in the window.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El catálogo tiene resultados anteriores de %1, y el lote está de nuevo en la cola. Registre los nuevos con &apos;ostraka catalogue enter&apos; o vuelva a procesarlo en la ventana.</translation>
+      <translation>El catálogo tiene resultados anteriores de %1, y la tanda está de nuevo en la cola. Registre los nuevos con &apos;ostraka catalogue enter&apos; o vuelva a procesarla en la ventana.</translation>
+    </message>
+    <message>
+      <source>The folder on the cluster has files that Ostraka did not write (%1): %2. They were left there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta del clúster tiene archivos que Ostraka no escribió (%1): %2. Se han quedado allí.</translation>
     </message>
 </context>
 <context>

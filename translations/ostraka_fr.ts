@@ -10452,7 +10452,12 @@
     <message>
       <source>The catalogue has earlier results of %1, and the batch is queued again. Enter the new ones with &apos;ostraka catalogue enter&apos;, or reprocess it in the window.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le catalogue a des résultats antérieurs de %1, et le lot est remis dans la file d’attente. Enregistrez les nouveaux avec &apos;ostraka catalogue enter&apos;, ou retraitez-le dans la fenêtre.</translation>
+      <translation>Le catalogue a des résultats antérieurs de %1, et le lot est remis dans la file. Enregistrez les nouveaux avec &apos;ostraka catalogue enter&apos;, ou retraitez-le dans la fenêtre.</translation>
+    </message>
+    <message>
+      <source>The folder on the cluster has files that Ostraka did not write (%1): %2. They were left there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier sur le cluster contient des fichiers qu’Ostraka n’a pas écrits (%1) : %2. Ils y sont restés.</translation>
     </message>
 </context>
 <context>

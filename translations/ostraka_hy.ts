@@ -10454,6 +10454,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կատալոգում կան %1-ի ավելի վաղ արդյունքներ, և խմբաքանակը նորից հերթում է։ Նորերը գրանցեք &apos;ostraka catalogue enter&apos; հրամանով կամ խմբաքանակը նորից մշակեք պատուհանում։</translation>
     </message>
+    <message>
+      <source>The folder on the cluster has files that Ostraka did not write (%1): %2. They were left there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Կլաստերի պանակում կան ֆայլեր, որոնք Ostraka-ն չի գրել (%1)՝ %2։ Դրանք մնացել են այնտեղ։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

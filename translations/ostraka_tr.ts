@@ -10406,7 +10406,12 @@
     <message>
       <source>The catalogue has earlier results of %1, and the batch is queued again. Enter the new ones with &apos;ostraka catalogue enter&apos;, or reprocess it in the window.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Katalogda %1 için önceki sonuçlar var ve parti yeniden kuyruğa alındı. Yenilerini &apos;ostraka catalogue enter&apos; ile kaydedin ya da partiyi pencerede yeniden işleyin.</translation>
+      <translation>Katalogda %1 için önceki sonuçlar var ve parti yeniden sıraya alındı. Yenilerini &apos;ostraka catalogue enter&apos; ile kaydedin ya da partiyi pencerede yeniden işleyin.</translation>
+    </message>
+    <message>
+      <source>The folder on the cluster has files that Ostraka did not write (%1): %2. They were left there.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Kümedeki klasörde Ostraka’nın yazmadığı dosyalar var (%1): %2. Orada bırakıldılar.</translation>
     </message>
 </context>
 <context>

@@ -2,8 +2,11 @@
 
 #include <iterator>
 #include <optional>
+#include <span>
 #include <utility>
 
+#include "base/message.h"
+#include "base/text.h"
 #include "batch/peoples_files.h"
 #include "batch/photographs.h"
 #include "catalogue/batches.h"
@@ -16,6 +19,7 @@
 #include "intake/compute_batch.h"
 #include "intake/results_owner.h"
 #include "review/review.h"
+#include "stages/publish.h"
 
 namespace ostraka::cluster {
 namespace {
@@ -24,6 +28,7 @@ namespace fs = std::filesystem;
 using records::BatchState;
 
 const std::string kIncoming = "cluster/incoming/";
+constexpr std::size_t kNamedOthers = 6;
 
 Result<void> moved(const fs::path& from, const fs::path& to) {
   std::error_code error;
@@ -47,6 +52,25 @@ Result<void> checkNames(const fs::path& folder) {
                   "batch was entered. Submit the batch again."),
           (folder.parent_path() / entry.path).string());
   return review::computedToItsEnd(folder);
+}
+
+// What else lies in the cluster's folder is not the project's.
+Result<void> leaveOthers(const std::string& batch, const fs::path& folder, Progress& progress) {
+  const std::vector<std::string> others = stages::filesOfOthers(folder);
+  for (const std::string& file : others) {
+    std::error_code error;
+    fs::remove(folder / file, error);
+    if (error) return cannotWrite(folder / file, error.value());
+  }
+  if (!others.empty()) {
+    const std::string names =
+        joined(std::span(others).first(std::min(others.size(), kNamedOthers)), ", ");
+    progress.note(NoteLevel::Warning,
+                  about(batch, message("The folder on the cluster has files that Ostraka did not "
+                                       "write (%1): %2. They were left there.",
+                                       others.size(), names)));
+  }
+  return {};
 }
 
 fs::path replacedOf(const upkeep::Project& project, const std::string& batch) {
@@ -136,7 +160,7 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const Task& ta
     const auto own =
         intake::checkResultsAreOf(project.catalogue(), project.folder(), *record, incoming, stop);
     if (!own) return own.error();
-    if (const Result<void> taken = takePlace(project, batch, incoming); !taken)
+    if (const Result<void> taken = takePlace(project, batch, incoming, progress); !taken)
       return taken.error();
   }
   Result<intake::BatchFigures> figures = intake::enterComputed(project, *record, progress, stop);
@@ -151,8 +175,9 @@ Result<Entry> enter(upkeep::Project& project, const Place& place, const Task& ta
 }  // namespace
 
 Result<void> takePlace(const upkeep::Project& project, const std::string& batch,
-                       const fs::path& folder) {
+                       const fs::path& folder, Progress& progress) {
   if (const Result<void> good = checkNames(folder); !good) return good;
+  if (const Result<void> left = leaveOthers(batch, folder, progress); !left) return left;
   const fs::path results = project.resultsFolder(batch), replaced = replacedOf(project, batch);
   std::error_code error;
   if (!fs::exists(results, error)) return moved(folder, results);

@@ -30,10 +30,11 @@ Result<Collected> collect(upkeep::Project& project, const Access& access, Progre
                           std::stop_token stop);
 
 /// Results in `folder`, which came from elsewhere, replace those of the batch: only regular files
-/// with plain names, and a report. The batch keeps its decisions.json and mask_strokes.json; its
-/// results of before wait in cluster/replaced until the new ones are entered. Errors:
-/// UnusableInput, which names the file; CannotWrite.
+/// with plain names, and a report. Files that no run writes (stages::filesOfOthers) are deleted
+/// from `folder`, and a warning names them. The batch keeps its decisions.json and
+/// mask_strokes.json; its results of before wait in cluster/replaced until the new ones are
+/// entered. Errors: UnusableInput, which names the file; CannotWrite.
 Result<void> takePlace(const upkeep::Project& project, const std::string& batch,
-                       const std::filesystem::path& folder);
+                       const std::filesystem::path& folder, Progress& progress);
 
 }  // namespace ostraka::cluster

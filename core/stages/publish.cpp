@@ -1,9 +1,13 @@
 #include "stages/publish.h"
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
+#include "batch/peoples_files.h"
 #include "files/files.h"
+#include "files/json.h"
 #include "stages/output_folder.h"
 
 namespace ostraka::stages {
@@ -38,6 +42,38 @@ bool isSherdNumber(const std::string& name) {
   return name.size() >= 2 && name.find_first_not_of("0123456789") == std::string::npos;
 }
 
+constexpr std::string_view kFilesOfOut[] = {"report.json",
+                                            "report.html",
+                                            "pairs.json",
+                                            "log.txt",
+                                            "work/batch.json",
+                                            "work/scans.json",
+                                            "work/lock",
+                                            "work/more_candidates.json",
+                                            batch::kDecisionsFile,
+                                            batch::kMaskStrokesFile};
+
+bool isOfAStage(const fs::path& stage, const std::string& file) {
+  if (file == "stage.json" || file == "begun.json") return true;
+  const Result<nlohmann::json> record = readJson(stage / "stage.json");
+  return record && record->is_object() &&
+         record->value("files", nlohmann::json::object()).contains(file);
+}
+
+bool isOfARun(const fs::path& output, const fs::path& file) {
+  if (std::find(std::begin(kFilesOfOut), std::end(kFilesOfOut), file.generic_string()) !=
+      std::end(kFilesOfOut))
+    return true;
+  const std::vector<fs::path> parts(file.begin(), file.end());
+  if (parts.size() == 2) return parts[0] == "unpaired" && parts[1].extension() == ".ply";
+  if (parts.size() < 3) return false;
+  if (parts[0] == "sherds")
+    return parts.size() == 3 && isSherdNumber(parts[1].string()) && isOfASherd(parts[2].string());
+  const fs::path stage = parts[0] / parts[1];
+  return parts[0] == "work" &&
+         isOfAStage(output / stage, file.lexically_relative(stage).generic_string());
+}
+
 }  // namespace
 
 Result<void> publish(const FolderLock& held, const std::string& number, bool has_model) {
@@ -64,6 +100,20 @@ Result<void> publish(const FolderLock& held, const std::string& number, bool has
   if (held.stands()) return {};
   removeSherd(to);
   return outputGone(output);
+}
+
+std::vector<std::string> filesOfOthers(const fs::path& output) {
+  std::vector<std::string> others;
+  std::error_code failed;
+  for (fs::recursive_directory_iterator at(output, failed), end; !failed && at != end;
+       at.increment(failed)) {
+    const fs::path file = at->path().lexically_relative(output);
+    const fs::file_type type = at->symlink_status(failed).type();
+    const bool is_ours = type == fs::file_type::regular && isOfARun(output, file);
+    if (type != fs::file_type::directory && !is_ours) others.push_back(file.generic_string());
+  }
+  std::sort(others.begin(), others.end());
+  return others;
 }
 
 void removeStaleSherds(const fs::path& output, const std::set<std::string>& numbers) {

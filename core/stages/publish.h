@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/result.h"
 #include "files/folder_lock.h"
@@ -14,5 +15,10 @@ Result<void> publish(const FolderLock& held, const std::string& number, bool has
 
 /// Takes away what an earlier run left in OUT/sherds of others than these.
 void removeStaleSherds(const std::filesystem::path& output, const std::set<std::string>& numbers);
+
+/// Files below OUT that no run writes, by their paths in it, in order: of a stage those that its
+/// stage.json does not name. What people decided and painted there is theirs and none of these.
+/// Links are not followed, and count as such files.
+std::vector<std::string> filesOfOthers(const std::filesystem::path& output);
 
 }  // namespace ostraka::stages

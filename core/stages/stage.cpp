@@ -24,7 +24,7 @@ constexpr const char* kProgram =
 constexpr const char* kWhole = "stage.json";
 constexpr const char* kBegun = "begun.json";  // from before the first file until the stage is whole
 
-// Names (relative) and SHA-256 of all files of a stage but its records, in the order of their names.
+// Names (relative) and SHA-256 of all files of a stage but its records, in the order of names.
 Result<ordered_json> hashesOf(const fs::path& folder) {
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))

@@ -34,8 +34,8 @@ using StageWork = std::function<Result<StageNotes>(const std::filesystem::path&)
 /// changed. `work` writes its files into the folder it is given, which is empty but for begun.json;
 /// stage.json is written last, so that a run killed at any moment leaves the stage either whole or
 /// to be done again. A folder that neither of the two marks as this stage's is a person's and stays
-/// as it is: UnusableInput. Where the folder is gone that was held (FolderLock::stands) nothing is left in its place:
-/// outputGone (output_folder.h).
+/// as it is: UnusableInput. Where the folder is gone that was held (FolderLock::stands) nothing is
+/// left in its place: outputGone (output_folder.h).
 Result<StageRecord> runStage(const FolderLock& work_folder, const std::string& name,
                              const nlohmann::ordered_json& key, const StageWork& work,
                              Progress& progress);

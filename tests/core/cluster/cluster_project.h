@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
@@ -54,7 +55,15 @@ class ClusterProject : public catalogue::SmallProject {
     const std::string number = catalogue::Batches(catalogue()).get(row)->number;
     const int shade = static_cast<int>(row.value % 200);
     for (const char* side : {"front", "back"}) photograph(number, side, shade);
-    const catalogue::ResultFolder results(folder_.path() / "prepared" / number, 3);
+    const fs::path prepared = folder_.path() / "prepared" / number;
+    const catalogue::ResultFolder results(prepared, 3);
+    for (const char* stage : {"scans_front", "scans_back"}) {
+      nlohmann::ordered_json files;
+      for (const fs::directory_entry& file : fs::directory_iterator(prepared / "work" / stage))
+        files[file.path().filename().string()] = sha256(textOf(file.path()));
+      put(prepared / "work" / stage / "stage.json",
+          nlohmann::ordered_json({{"files", files}}).dump());
+    }
     EXPECT_TRUE(catalogue::Batches(catalogue()).setState(row, records::BatchState::Queued, anna));
     return row;
   }

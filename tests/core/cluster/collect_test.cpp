@@ -5,6 +5,7 @@
 #include "decisions/decisions.h"
 #include "fake_cluster.h"
 #include "intake/computed_again.h"
+#include "stages/run_log.h"
 
 namespace ostraka::cluster {
 namespace {
@@ -292,7 +293,7 @@ TEST_F(TakePlace, DecisionsTakenMeanwhileStay) {
   put(results() / "mask_strokes.json", "my strokes");
   put(results() / "report.json", "the old one");
   put(incoming() / "decisions.json", "those of the day before");
-  const Result<void> taken = takePlace(*project_, "B0001", incoming());
+  const Result<void> taken = takePlace(*project_, "B0001", incoming(), quiet);
   ASSERT_TRUE(taken) << taken.error().sentence();
   EXPECT_EQ(textOf(results() / "decisions.json"), "mine");
   EXPECT_EQ(textOf(results() / "mask_strokes.json"), "my strokes");
@@ -300,10 +301,28 @@ TEST_F(TakePlace, DecisionsTakenMeanwhileStay) {
   EXPECT_FALSE(fs::exists(incoming()));
 }
 
+TEST_F(TakePlace, FilesThatNoRunWroteStayOnTheClusterAndAreNamed) {
+  put(incoming() / "open me.desktop", "[Desktop Entry]");
+  put(incoming() / "sherds/01/notes.txt", "of another user");
+  put(incoming() / "work/scans_front/f999.ply", "named by no record");
+  stages::WarningsKept notes(quiet);
+  const Result<void> taken = takePlace(*project_, "B0001", incoming(), notes);
+  ASSERT_TRUE(taken) << taken.error().sentence();
+  ASSERT_EQ(notes.warnings.size(), 1u);
+  for (const char* file :
+       {"open me.desktop", "sherds/01/notes.txt", "work/scans_front/f999.ply"}) {
+    EXPECT_FALSE(fs::exists(results() / file)) << file;
+    EXPECT_THAT(notes.warnings[0].english(), HasSubstr(file));
+  }
+  for (const char* file :
+       {"pairs.json", "report.html", "sherds/01/model.ply", "work/scans_front/f001.ply"})
+    EXPECT_TRUE(fs::exists(results() / file)) << file;
+}
+
 TEST_F(TakePlace, FilesOfAClusterAreThoseOfStrangers) {
   put(results() / "report.json", "the old one");
   const auto refused = [&](const std::string& what) {
-    const Result<void> taken = takePlace(*project_, "B0001", incoming());
+    const Result<void> taken = takePlace(*project_, "B0001", incoming(), quiet);
     EXPECT_FALSE(taken) << what;
     EXPECT_EQ(textOf(results() / "report.json"), "the old one") << what;
   };

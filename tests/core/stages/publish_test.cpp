@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "files/files.h"
@@ -23,6 +24,27 @@ TEST(Publish, RemovesOfStaleSherdsOnlyWhatTheProgramWrote) {
   EXPECT_FALSE(fs::exists(sherds / "03/merged.ply"));
   EXPECT_TRUE(fs::exists(sherds / "03/note.txt")) << "a person's";
   EXPECT_TRUE(fs::exists(sherds / "anna/model.ply")) << "no sherd's number";
+  fs::remove_all(out);
+}
+
+TEST(Publish, TellsFilesThatNoRunWritesFromThoseOfARun) {
+  std::string pattern = (fs::temp_directory_path() / "ostraka_publish_XXXXXX").string();
+  const fs::path out = ::mkdtemp(pattern.data());
+  ASSERT_TRUE(writeFileAtomically(out / "work/rig/stage.json",
+                                  R"({"stage": "rig", "files": {"rig.json": "", "a/b.txt": ""}})"));
+  for (const char* name :
+       {"report.json", "log.txt", "decisions.json", "unpaired/f001.ply", "sherds/01/model.ply",
+        "work/batch.json", "work/rig/rig.json", "work/rig/a/b.txt"})
+    ASSERT_TRUE(writeFileAtomically(out / name, "x")) << name;
+  EXPECT_EQ(filesOfOthers(out), std::vector<std::string>());
+  std::vector<std::string> others = {"a.desktop",        "sherds/01/x.txt", "sherds/anna/model.ply",
+                                     "unpaired/x.sh",    "work/notes.txt",  "work/rig/c.txt",
+                                     "work/pairs/a.json"};
+  for (const std::string& name : others) ASSERT_TRUE(writeFileAtomically(out / name, "x"));
+  fs::create_symlink("/etc/passwd", out / "pairs.json");
+  others.push_back("pairs.json");
+  std::sort(others.begin(), others.end());
+  EXPECT_EQ(filesOfOthers(out), others);
   fs::remove_all(out);
 }
 

@@ -295,7 +295,8 @@ class ReadingBack {
     std::string model, preview;
     for (const metadata::SherdFile& file : record.files) {
       records::FileRecord f;
-      f.path = valueOrThrow(catalogue::importPlace("imported/" + name_ + "/" + file.path, {})).text();
+      f.path =
+          valueOrThrow(catalogue::importPlace("imported/" + name_ + "/" + file.path, {})).text();
       const archive::BagFile verified =
           valueOrThrow(metadata::verifiedFile(bag_, file.path, file.sha256, file.bytes));
       f.sha256 = verified.sha256;

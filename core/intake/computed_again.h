@@ -22,9 +22,9 @@ Result<void> queueAgain(catalogue::Catalogue& catalogue, const std::string& batc
                         const records::Provenance& provenance);
 
 /// `ostraka process` is about to write into OUT. Where that is PROJECT/results/NUMBER and the
-/// results of that batch were entered, the batch is queued again, so that what the run replaces does
-/// not count as damaged until it is entered, and a warning says how to enter it. Not on a network
-/// share, where the nodes of a cluster must leave the catalogue alone. Errors: those of
+/// results of that batch were entered, the batch is queued again, so that what the run replaces
+/// does not count as damaged until it is entered, and a warning says how to enter it. Not on a
+/// network share, where the nodes of a cluster must leave the catalogue alone. Errors: those of
 /// Project::open.
 Result<void> queueOwnerOf(const std::filesystem::path& output, Progress& progress);
 

@@ -296,7 +296,8 @@ class Entering {
     records::FileRecord file;
     file.id = text(f, "id");
     file.path =
-        valueOrThrow(catalogue::importPlace(here(text(f, "path")), read.numbers.at(number_))).text();
+        valueOrThrow(catalogue::importPlace(here(text(f, "path")), read.numbers.at(number_)))
+            .text();
     const std::int64_t bytes = wholeIn(f.at("bytes"), "bytes", 0, INT64_MAX);
     const archive::BagFile verified =
         valueOrThrow(verifiedFile(bag_, text(f, "at"), text(f, "sha256"), bytes));

@@ -144,15 +144,22 @@ void leaveGoneOutput(const fs::path& output) {
     fs::remove(folder, ignored);  // only what is empty
 }
 
+bool isUnpairedScan(const std::string& name) {
+  const std::size_t digits = name.find_first_not_of("0123456789", 1);
+  return (name.starts_with('f') || name.starts_with('b')) && digits > 3 &&
+         digits != std::string::npos && name.substr(digits) == ".ply";
+}
+
 void withdrawResults(const fs::path& output) {
   std::error_code ignored;
   for (const char* name : {"report.json", "report.html", "pairs.json"})
     fs::remove(output / name, ignored);
   std::vector<fs::path> scans;  // people may have put other files beside them
   for (const fs::directory_entry& entry : fs::directory_iterator(output / "unpaired", ignored)) {
-    const fs::path name = entry.path().filename();
-    const bool partial = name.string().starts_with('.') && name.extension() == ".partial";
-    if (name.extension() == ".ply" || partial) scans.push_back(entry.path());
+    const std::string name = entry.path().filename().string();
+    const bool partial = name.starts_with('.') && name.ends_with(".partial") &&
+                         isUnpairedScan(name.substr(1, name.find(".ply") + 3));
+    if (isUnpairedScan(name) || partial) scans.push_back(entry.path());
   }
   for (const fs::path& scan : scans) fs::remove(scan, ignored);
   fs::remove(output / "unpaired", ignored);  // only if it is empty

@@ -30,6 +30,9 @@ Error outputGone(const std::filesystem::path& output);
 /// there.
 void leaveGoneOutput(const std::filesystem::path& output);
 
+/// Whether a run writes a file of this name into OUT/unpaired: f001.ply, b012.ply.
+bool isUnpairedScan(const std::string& name);
+
 /// What an earlier run left on top must not look whole while this one may change it.
 void withdrawResults(const std::filesystem::path& output);
 

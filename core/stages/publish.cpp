@@ -42,16 +42,10 @@ bool isSherdNumber(const std::string& name) {
   return name.size() >= 2 && name.find_first_not_of("0123456789") == std::string::npos;
 }
 
-constexpr std::string_view kFilesOfOut[] = {"report.json",
-                                            "report.html",
-                                            "pairs.json",
-                                            "log.txt",
-                                            "work/batch.json",
-                                            "work/scans.json",
-                                            "work/lock",
-                                            "work/more_candidates.json",
-                                            batch::kDecisionsFile,
-                                            batch::kMaskStrokesFile};
+constexpr std::string_view kFilesOfOut[] = {
+    "report.json",         "report.html",          "pairs.json", "log.txt",
+    "work/batch.json",     "work/scans.json",      "work/lock",  "work/more_candidates.json",
+    batch::kDecisionsFile, batch::kMaskStrokesFile};
 
 bool isOfAStage(const fs::path& stage, const std::string& file) {
   if (file == "stage.json" || file == "begun.json") return true;
@@ -65,7 +59,7 @@ bool isOfARun(const fs::path& output, const fs::path& file) {
       std::end(kFilesOfOut))
     return true;
   const std::vector<fs::path> parts(file.begin(), file.end());
-  if (parts.size() == 2) return parts[0] == "unpaired" && parts[1].extension() == ".ply";
+  if (parts.size() == 2) return parts[0] == "unpaired" && isUnpairedScan(parts[1].string());
   if (parts.size() < 3) return false;
   if (parts[0] == "sherds")
     return parts.size() == 3 && isSherdNumber(parts[1].string()) && isOfASherd(parts[2].string());

@@ -15,8 +15,8 @@ constexpr std::size_t kMostRows = limits::kTableRows.most,
                       kMostField = limits::kTableFieldBytes.most;
 constexpr std::string_view kBom = kUtf8Mark;
 // The wide ones of East Asian keyboards (U+FF1D, FF0B, FF0D, FF20) begin formulas, too.
-constexpr std::string_view kFormulaStarts[] = {
-    "=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠"};
+constexpr std::string_view kFormulaStarts[] = {"=",  "+",  "-",  "@",  "\t", "\r",
+                                               "\n", "＝", "＋", "－", "＠"};
 
 bool isFormula(std::string_view text) {
   return std::any_of(std::begin(kFormulaStarts), std::end(kFormulaStarts),

@@ -65,8 +65,7 @@ TEST(RecordedPlaces, AreThoseOfTheFilesOwnBatch) {
         "results/B0005/work/scans_front/f001.ply", "results/B0001/decisions.json",
         "results/B0001/mask_strokes.json", "results/B0001/work/lock",
         "results/B0001/work/stage.json", "results/B0001/work/scans_front/.f.ply",
-        "models/B0001/.hidden", "imported/a/b.desktop",
-        "catalogue.sqlite", "backups/a/b.png"})
+        "models/B0001/.hidden", "imported/a/b.desktop", "catalogue.sqlite", "backups/a/b.png"})
     EXPECT_FALSE(isRecordedPlace(path, "B0001")) << path;
   EXPECT_FALSE(isRecordedPlace("batches/B0001/front/x.jpg", {}));
   EXPECT_TRUE(isRecordedPlace("imported/out/models/A-1.ply", {}));
@@ -88,9 +87,9 @@ TEST(RecordedPaths, AreThoseOfAnyBatchAndNeverWhatSteersTheProgram) {
 }
 
 TEST(PlacesOfFiles, AreAllInABatchsFolderButLocksAndWhatIsUnfinished) {
-  for (const char* path :
-       {"batches/B0001/notes.txt", "results/B0001/decisions.json", "results/B0001/work/rig/rig.json",
-        "models/B0001/a/model.ply", "imported/out/models/A-1.ply"})
+  for (const char* path : {"batches/B0001/notes.txt", "results/B0001/decisions.json",
+                           "results/B0001/work/rig/rig.json", "models/B0001/a/model.ply",
+                           "imported/out/models/A-1.ply"})
     EXPECT_TRUE(isPlaceOfFiles(path)) << path;
   for (const char* path :
        {"catalogue.sqlite", "backups/a/b.png", "batches/notes.txt", "results/B0001/work/lock",

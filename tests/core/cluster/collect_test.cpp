@@ -309,8 +309,7 @@ TEST_F(TakePlace, FilesThatNoRunWroteStayOnTheClusterAndAreNamed) {
   const Result<void> taken = takePlace(*project_, "B0001", incoming(), notes);
   ASSERT_TRUE(taken) << taken.error().sentence();
   ASSERT_EQ(notes.warnings.size(), 1u);
-  for (const char* file :
-       {"open me.desktop", "sherds/01/notes.txt", "work/scans_front/f999.ply"}) {
+  for (const char* file : {"open me.desktop", "sherds/01/notes.txt", "work/scans_front/f999.ply"}) {
     EXPECT_FALSE(fs::exists(results() / file)) << file;
     EXPECT_THAT(notes.warnings[0].english(), HasSubstr(file));
   }

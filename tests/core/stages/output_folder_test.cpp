@@ -113,6 +113,23 @@ TEST_F(OutputFolder, WithALinkInPlaceOfAFolderIsRefused) {
   }
 }
 
+TEST_F(OutputFolder, IsClearedOfAnEarlierRunsResultsAndOfNothingElse) {
+  const std::vector<std::string> ours = {"report.json",
+                                         "report.html",
+                                         "pairs.json",
+                                         "unpaired/f001.ply",
+                                         "unpaired/b1234.ply",
+                                         "unpaired/.f002.ply.0123456789ab.partial"},
+                                 others = {"unpaired/mine.ply", "unpaired/front.ply",
+                                           "unpaired/f01.ply", "unpaired/.mine.partial"};
+  std::vector<std::string> all = ours;
+  all.insert(all.end(), others.begin(), others.end());
+  const fs::path out = outputWith(all);
+  withdrawResults(out);
+  for (const std::string& name : ours) EXPECT_FALSE(fs::exists(out / name)) << name;
+  for (const std::string& name : others) EXPECT_TRUE(fs::exists(out / name)) << name;
+}
+
 TEST_F(OutputFolder, ThatAnotherRunHoldsIsNamedAsThePersonChoseIt) {
   const fs::path output = outputWith({});
   const auto first = claimOutput(output, "scans");

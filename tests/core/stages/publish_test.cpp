@@ -38,7 +38,7 @@ TEST(Publish, TellsFilesThatNoRunWritesFromThoseOfARun) {
     ASSERT_TRUE(writeFileAtomically(out / name, "x")) << name;
   EXPECT_EQ(filesOfOthers(out), std::vector<std::string>());
   std::vector<std::string> others = {"a.desktop",        "sherds/01/x.txt", "sherds/anna/model.ply",
-                                     "unpaired/x.sh",    "work/notes.txt",  "work/rig/c.txt",
+                                     "unpaired/x.ply",   "work/notes.txt",  "work/rig/c.txt",
                                      "work/pairs/a.json"};
   for (const std::string& name : others) ASSERT_TRUE(writeFileAtomically(out / name, "x"));
   fs::create_symlink("/etc/passwd", out / "pairs.json");

@@ -211,7 +211,7 @@ class QueueScreenTest : public QObject {
   void aReportThatMayRunScriptsIsToldOfAndOneOfOursOpens() {
     addBatch(records::BatchState::Done);
     const auto file = session_->folder() / "results/B0001/report.html";
-    QVERIFY(writeFileAtomically(file, "<html><script>alert(1)</script></html>"));
+    QVERIFY(writeFileAtomically(file, "<html><script>alert(1)</script></html>").has_value());
     screen_->openProject(*session_);
     QSignalSpy said(screen_.get(), &Screen::said);
     QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "take");
@@ -219,7 +219,8 @@ class QueueScreenTest : public QObject {
     QCOMPARE(said.count(), 1);
     QVERIFY2(said[0][0].toString().contains("not opened"), qPrintable(said[0][0].toString()));
     QVERIFY(opened_.isEmpty());
-    QVERIFY(writeFileAtomically(file, std::string(kReportHead) + "<title>B0001</title></html>"));
+    const std::string ours = std::string(kReportHead) + "<title>B0001</title></html>";
+    QVERIFY(writeFileAtomically(file, ours).has_value());
     QTest::keyClick(child<QListView>("queueList"), Qt::Key_O);
     QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
     QCOMPARE(said.count(), 1);

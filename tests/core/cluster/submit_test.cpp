@@ -2,11 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
-#include "cluster/place.h"
 #include "fake_cluster.h"
-#include "files/json.h"
 
 namespace ostraka::cluster {
 namespace {
@@ -120,15 +116,6 @@ TEST_F(Submit, WithoutSlurmOneSentenceSaysWhatToDo) {
   EXPECT_THAT(refused.error().sentence(), HasSubstr("--host USER@LOGIN:/FOLDER"));
 }
 
-TEST_F(Submit, AHostIsReadAsAHostAndNothingElse) {
-  for (const char* host : {"login", "login:", "login:folder", "-oProxyCommand=x:/f", ":/f",
-                           "login:/f;rm", "lo gin:/f", "login:/f g", "login:/$(id)"})
-    EXPECT_FALSE(Place::of(project_->folder(), host)) << host;
-  const Result<Place> place = Place::of(project_->folder(), "anna@login.uni-x.de:/scratch/anna");
-  ASSERT_TRUE(place) << place.error().sentence();
-  EXPECT_EQ(place->name(), "anna@login.uni-x.de:/scratch/anna");
-}
-
 // Two jobs of one batch would write into the same folder.
 TEST_F(Submit, ABatchThatIsPhotographedAgainIsSubmittedAnewOnceItsJobHasEnded) {
   queuedBatch();
@@ -145,83 +132,6 @@ TEST_F(Submit, ABatchThatIsPhotographedAgainIsSubmittedAnewOnceItsJobHasEnded) {
   EXPECT_NE(readTasks(project_->folder())->of("B0001")->job, job);
   EXPECT_TRUE(submitAll()->warnings.empty()) << "these photographs are on the cluster now";
   EXPECT_EQ(submissions(), 2);
-}
-
-TEST_F(Submit, NoHostThatAProjectBringsIsContacted) {
-  queuedBatch();
-  submitting.access.host = "anna@login:" + (folder_.path() / "there").string();
-  std::vector<std::string> contacted;
-  submitting.access.contacting = [&](const std::string& host) { contacted.push_back(host); };
-  put(fault() / "down", "");
-  EXPECT_FALSE(submitAll());
-  EXPECT_THAT(contacted, ElementsAre(submitting.access.host));
-
-  const std::string named = submitting.access.host, strange = "evil@attacker.example:/x";
-  submitting.access = {};
-  fs::remove(fault() / "down");
-  Tasks tasks;
-  tasks.host = strange;
-  tasks.tasks = {{"B0001", "ostraka-0123456789ab", 1, 2000, 30, {}, false}};
-  ASSERT_TRUE(writeTasks(project_->folder(), tasks));
-  for (const auto& refused : {submitAll().error(), status(project_->folder(), {}, {}).error(),
-                              collect(*project_, {}, quiet, {}).error()}) {
-    EXPECT_EQ(refused.code, ErrorCode::UnusableInput);
-    EXPECT_THAT(refused.sentence().english(), HasSubstr(strange));
-  }
-  EXPECT_FALSE(fs::exists(fault() / "logins"));
-  // Without tasks there it is of no account: the host is the one that was named here.
-  Tasks none;
-  none.host = strange;
-  const Result<Place> place = reach(catalogue(), project_->folder(), {}, none);
-  ASSERT_TRUE(place) << place.error().sentence();
-  EXPECT_EQ(place->name(), named);
-}
-
-TEST_F(Submit, AHostIsRememberedForItsProjectAlone) {
-  Tasks none;
-  const std::string host = "anna@login:/dig";
-  ASSERT_TRUE(reach(catalogue(), project_->folder(), {host, {}}, none));
-  records::ProjectRecord record;
-  record.code = "OTHER";
-  const auto other = upkeep::Project::create(folder_.path() / "other", record);
-  ASSERT_TRUE(other);
-  Tasks of_other;
-  const Result<Place> here = reach(other->catalogue(), other->folder(), {}, of_other);
-  ASSERT_TRUE(here) << here.error().sentence();
-  EXPECT_FALSE(here->isRemote());
-  EXPECT_THAT(of_other.host, testing::IsEmpty());
-}
-
-TEST_F(Submit, AListOfTasksWithNumbersThatNoJobHasIsRefused) {
-  queuedBatch();
-  ASSERT_TRUE(submitAll());
-  const fs::path file = clusterFolder(project_->folder()) / "tasks.json";
-  const Result<nlohmann::json> good = readJson(file);
-  ASSERT_TRUE(good);
-  for (const auto& [key, value] :
-       {std::pair("task", "4294967297"), std::pair("task", "1.5"), std::pair("task", "0"),
-        std::pair("memory_mb", "-5"), std::pair("memory_mb", "2000000000"),
-        std::pair("minutes", "1e99"), std::pair("minutes", "true"), std::pair("collected", "1"),
-        std::pair("photographs", "1")}) {
-    nlohmann::json changed = *good;
-    changed["tasks"][0][key] = nlohmann::json::parse(value);
-    put(file, changed.dump());
-    EXPECT_FALSE(readTasks(project_->folder())) << key << " " << value;
-  }
-}
-
-TEST_F(Submit, AListOfTasksThatAnybodyChangedIsRefused) {
-  queuedBatch();
-  ASSERT_TRUE(submitAll());
-  const fs::path file = clusterFolder(project_->folder()) / "tasks.json";
-  const std::string text = textOf(file);
-  for (const auto& [from, to] : {std::pair("B0001", "../B01"), std::pair("ostraka-cluster/1", "x"),
-                                 std::pair("\"job\": \"ostraka-", "\"job\": \"../../../")}) {
-    std::string changed = text;
-    ASSERT_NE(changed.find(from), std::string::npos) << from;
-    put(file, changed.replace(changed.find(from), std::string(from).size(), to));
-    EXPECT_FALSE(readTasks(project_->folder())) << to;
-  }
 }
 
 }  // namespace

@@ -80,17 +80,6 @@ cv::Matx33d pixelFromPlate(const FlatScene& scene, int camera, double degrees) {
 
 }  // namespace
 
-double SimulatedClock::now_s() {
-  const std::lock_guard lock(guard_);
-  return now_s_;
-}
-
-bool SimulatedClock::sleep(double seconds, std::stop_token stop) {
-  const std::lock_guard lock(guard_);
-  now_s_ += std::max(0.0, seconds);
-  return !stop.stop_requested();
-}
-
 batch::Plate flatPlate() {
   batch::Plate plate;
   plate.dictionary = "DICT_4X4_100";

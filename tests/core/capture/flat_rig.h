@@ -10,21 +10,11 @@
 #include <vector>
 
 #include "capture/sequence.h"
+#include "tests/core/capture/simulated_clock.h"
 
 /// A rig of paper: quick pictures of a flat plate with real markers and painted sherds. Every
 /// exposure carries its camera and the true angle in the file, so that a test can tell whose it is.
 namespace ostraka::capture::testing {
-
-/// Time that passes only when somebody waits.
-class SimulatedClock final : public devices::Clock {
- public:
-  double now_s() override;
-  bool sleep(double seconds, std::stop_token stop) override;
-
- private:
-  std::mutex guard_;
-  double now_s_ = 0;
-};
 
 struct FlatSherd {
   double x_mm = 0, y_mm = 0, radius_mm = 12;

@@ -59,15 +59,17 @@ std::string nextId(const std::vector<Scan>& scans, batch::Side side) {
 }
 
 bool join(std::vector<Scan>& scans, const std::vector<int>& pieces) {
-  std::size_t first = static_cast<std::size_t>(pieces.front());
-  PointCloud cloud = scans[first].cloud;
-  for (std::size_t i = 1; i < pieces.size(); ++i) {
-    if (pieces[i] == pieces.front()) return false;
-    cloud = together(cloud, scans[static_cast<std::size_t>(pieces[i])].cloud);
-  }
-  scans[first] = made(scans[first].id, std::move(cloud));
   std::vector<int> gone(pieces.begin() + 1, pieces.end());
   std::sort(gone.rbegin(), gone.rend());
+  // Two that were meant may lie in one scan by now.
+  if (std::adjacent_find(gone.begin(), gone.end()) != gone.end() ||
+      std::find(gone.begin(), gone.end(), pieces.front()) != gone.end())
+    return false;
+  Scan& first = scans[static_cast<std::size_t>(pieces.front())];
+  PointCloud cloud = first.cloud;
+  for (std::size_t i = 1; i < pieces.size(); ++i)
+    cloud = together(cloud, scans[static_cast<std::size_t>(pieces[i])].cloud);
+  first = made(first.id, std::move(cloud));
   for (const int i : gone) scans.erase(scans.begin() + i);
   return true;
 }

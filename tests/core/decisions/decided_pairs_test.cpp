@@ -325,42 +325,6 @@ TEST_F(DecidedPairs, AnIsolatedDecisionIsRegisteredFromItsPose) {
   EXPECT_GT(given->uncertainty_mm, 0.3) << "as far as the fractures' own place lies from it";
 }
 
-TEST_F(DecidedPairs, PiecesAreCutAndJoinedAgain) {
-  const Result<PointCloud> cloud = readPlyCloud(out_.output / "work" / out_.table.front_files[2]);
-  ASSERT_TRUE(cloud.has_value());
-  const scan::Scan whole{"f003", *cloud, {}, Eigen::Vector3d::UnitZ()};
-  const ScanRef ref = refOf(whole, Side::Front);
-  PairDecision cut = about(DecisionKind::Split, ref);
-  cut.cut_mm = {ref.place_mm - Eigen::Vector2d(0, 50), ref.place_mm + Eigen::Vector2d(0, 50)};
-  const EditedPieces two = editedPieces({whole}, Side::Front, {cut});
-  ASSERT_EQ(two.scans.size(), 2u);
-  EXPECT_EQ(two.scans[0].id, "f003");
-  EXPECT_EQ(two.scans[1].id, "f004") << "the next free number";
-  EXPECT_EQ(two.scans[0].cloud.size() + two.scans[1].cloud.size(), cloud->size());
-  EXPECT_LT(refOf(two.scans[0], Side::Front).place_mm.x(), ref.place_mm.x()) << "left of the line";
-  EXPECT_FALSE(two.scans[1].fracture.empty());
-
-  PairDecision join = about(DecisionKind::Join, refOf(two.scans[0], Side::Front));
-  join.id = kSecond;
-  join.scans.push_back(refOf(two.scans[1], Side::Front));
-  const EditedPieces one = editedPieces({whole}, Side::Front, {cut, join});
-  ASSERT_EQ(one.scans.size(), 1u);
-  EXPECT_EQ(one.scans[0].cloud.size(), cloud->size());
-  EXPECT_TRUE(one.warnings.empty());
-
-  cut.cut_mm = {ref.place_mm + Eigen::Vector2d(90, -50), ref.place_mm + Eigen::Vector2d(90, 50)};
-  PairDecision earlier = join;
-  for (ScanRef& scan : earlier.scans) scan.photographs = "first";
-  const EditedPieces again = editedPieces(two.scans, Side::Front, {earlier}, "second");
-  EXPECT_EQ(again.scans.size(), 2u) << "the side was photographed again";
-  ASSERT_EQ(again.warnings.size(), 1u);
-  EXPECT_NE(again.warnings[0].english().find("decide again"), std::string::npos);
-
-  const EditedPieces beside = editedPieces({whole}, Side::Front, {cut});
-  EXPECT_EQ(beside.scans.size(), 1u);
-  EXPECT_EQ(beside.warnings.size(), 1u);
-}
-
 // Two fronts take the first back. Who decides for one of them leaves the other without a back.
 TEST_F(DecidedPairs, OfThePapersPairingHaveNoProbability) {
   CandidateTable table = out_.table;

@@ -224,32 +224,11 @@ TEST_F(ProjectFolder, AFolderWithoutACatalogueAndAFileThatIsNoneAreRefused) {
       << opened.error().what;
 }
 
-TEST_F(ProjectFolder, ADamagedCatalogueIsNoticed) {
-  for (int i = 0; i < 50; ++i) draft(context12);
-  ASSERT_TRUE(catalogue().checkIntegrity());
-  catalogue().database().script("DELETE FROM sherd_text WHERE rowid = 3");
-  const Result<void> checked = catalogue().checkIntegrity();
-  ASSERT_FALSE(checked);
-  EXPECT_NE(checked.error().what.english().find("catalogue repair"), std::string::npos);
-}
-
 TEST_F(ProjectFolder, AnotherThreadsConnectionSeesWhatWasSaved) {
   const Result<catalogue::Catalogue> other = Project::connect(project_->folder());
   ASSERT_TRUE(other) << other.error().sentence();
   const store::SherdRow sherd = numbered(context12);
   EXPECT_EQ(sherds::Sherds(*other).get(sherd)->number, "ARM1-T3-0012-0001");
-}
-
-TEST_F(ProjectFolder, SeveralActsAreOneTransaction) {
-  const Result<void> done = catalogue().together([&]() -> Result<void> {
-    draft(context12);
-    if (auto set = catalogue::Settings(catalogue()).setValue("a", "1"); !set) return set;
-    return Error{ErrorCode::Cancelled, "stop", {}};
-  });
-  ASSERT_FALSE(done);
-  EXPECT_EQ(done.error().code, ErrorCode::Cancelled);
-  EXPECT_EQ(*catalogue::Settings(catalogue()).value("a"), "");
-  EXPECT_TRUE(found("").empty());
 }
 
 TEST_F(ProjectFolder, ANewProjectsWordsHaveLabelsThatAreToldApart) {

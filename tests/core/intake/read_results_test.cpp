@@ -1,3 +1,5 @@
+#include "intake/read_results.h"
+
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -158,6 +160,21 @@ TEST_F(DamagedResults, AreRefusedWhereAModelIsGone) {
   EXPECT_EQ(entered.error().code, ErrorCode::Missing);
   EXPECT_THAT(entered.error().where, testing::HasSubstr("sherds/02/model.ply"));
   EXPECT_TRUE(sherds().empty()) << "nothing is entered by halves";
+}
+
+TEST(PathsOfResults, AreThoseWithinTheProject) {
+  EXPECT_EQ(relativeTo("/digs/a", "/digs/a/results/B0001/report.json"),
+            "results/B0001/report.json");
+  EXPECT_EQ(relativeTo("/digs/a", "/digs/a/results/../batches/x.png"), "batches/x.png");
+  for (const char* outside : {"/digs/b/report.json", "/digs/a/../b", "/digs/abc/x"})
+    EXPECT_THROW(relativeTo("/digs/a", outside), store::Refused) << outside;
+}
+
+TEST(PathsOfResults, TellWhatKindOfFileLiesThere) {
+  EXPECT_EQ(mediaTypeOf("a/model.glb"), "model/gltf-binary");
+  EXPECT_EQ(mediaTypeOf("preview.png"), "image/png");
+  EXPECT_EQ(mediaTypeOf("report.json"), "application/json");
+  EXPECT_EQ(mediaTypeOf("model.ply"), "application/octet-stream");
 }
 
 }  // namespace

@@ -216,28 +216,5 @@ TEST(Drawing, ShowsBothViewsBesideEachOtherInAPictureOfTheirOwn) {
   EXPECT_NEAR(both.size_mm().y(), seen.sizes().y() + 2, 2 * 25.4 / both.dpi);  // 1 mm around
 }
 
-TEST(Plates, HoldAllDrawingsInTheirOrderWithoutOverlap) {
-  SherdDrawing one;
-  one.box = Eigen::AlignedBox2d(Eigen::Vector2d(-5, -10), Eigen::Vector2d(75, 50));
-  SheetOptions options;
-  options.layout = SheetOptions::Layout::Plates;
-  // 80 x 60 on A4 with 186 x 251 mm of room: two in a row, three rows.
-  const std::vector<Page> pages = layOut(std::vector<SherdDrawing>(7, one), 1, options);
-  ASSERT_EQ(pages.size(), 2U);
-  ASSERT_EQ(pages[0].layers.size(), 7U);  // the foot and six
-  ASSERT_EQ(pages[1].layers.size(), 2U);
-  EXPECT_EQ(pages[0].layers[2].at - pages[0].layers[1].at, Eigen::Vector2d(88, 0));
-  EXPECT_EQ(pages[0].layers[3].at - pages[0].layers[1].at, Eigen::Vector2d(0, 68));
-}
-
-TEST(Plates, GiveLargeDrawingsTheRoomTheyNeed) {
-  SherdDrawing large;
-  large.box = Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(390, 100));
-  const std::vector<Page> a3 = layOut({large}, 1, {});
-  EXPECT_EQ(a3[0].width_mm, 420);
-  large.box = Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(600, 100));
-  EXPECT_GT(layOut({large}, 1, {})[0].width_mm, 600);
-}
-
 }  // namespace
 }  // namespace ostraka::drawing

@@ -6,40 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "drawing/revolution.h"
 #include "true_rim.h"
 
 namespace ostraka::drawing {
 namespace {
 
 using vessels::SherdPart;
-
-// A sector of a cone's wall and a ring on top of it, about an axis that stands off and leans.
-std::vector<ProfilePoint> cone(const Eigen::Isometry3d& model_from_axis) {
-  std::vector<ProfilePoint> points;
-  for (double turn = -0.4; turn <= 0.4; turn += 0.02)
-    for (double z = -40; z <= 0; z += 1) {
-      const double r = 80 + 0.3 * z;
-      points.push_back(
-          {model_from_axis * Eigen::Vector3d(r * std::cos(turn), r * std::sin(turn), z), 0, 3, 1});
-    }
-  return points;
-}
-
-TEST(Revolution, FindsTheAxisOfAConeFromASectorOfIt) {
-  Eigen::Isometry3d model_from_axis(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
-  model_from_axis.translation() = Eigen::Vector3d(10, -20, 30);
-  const Eigen::Isometry3d start = Revolution::moved(model_from_axis.inverse(), {0.1, -0.08, 9, -7});
-  const Revolution::Fit fit = Revolution(cone(model_from_axis), start).solve(100);
-  // The axis as found, seen from the true one: along z through the origin.
-  const Eigen::Isometry3d true_from_found =
-      model_from_axis.inverse() * fit.axis_from_model.inverse();
-  EXPECT_LT(true_from_found.linear().col(2).head<2>().norm(), 2e-3);
-  const Eigen::Vector3d through = true_from_found.translation(),
-                        along = true_from_found.linear().col(2);
-  const Eigen::Vector3d at_rim = through - through.z() / along.z() * along;
-  EXPECT_LT(at_rim.head<2>().norm(), 0.1);
-}
 
 struct Outcome {
   std::vector<double> errors;

@@ -6,35 +6,14 @@
 #include <fstream>
 
 #include "files/files.h"
-#include "tests/core/catalogue/small_project.h"
-#include "tests/core/exchange/mended_bag.h"
+#include "tests/core/archive/written_bag.h"
 
 namespace ostraka::archive {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Bag : public ::testing::Test {
- protected:
-  Bag() : target(folder.path() / "out bag") {
-    std::ofstream(folder.path() / "photo.jpg") << "JPEG";
-  }
-  void write() {
-    Result<BagWriter> bag = BagWriter::begin(target);
-    ASSERT_TRUE(bag) << bag.error().sentence();
-    ASSERT_TRUE(bag->add("sherds.csv", "a,b\r\n"));
-    ASSERT_TRUE(bag->addFile("photographs/É 1.jpg", folder.path() / "photo.jpg", {}));
-    ASSERT_TRUE(bag->finish({{"External-Description", "two\nlines"}}));
-  }
-  Result<std::vector<BagFile>> check() { return checkBag(target, quiet, {}); }
-  std::string why() {
-    const auto checked = check();
-    return checked ? "accepted" : checked.error().sentence().english();
-  }
-  catalogue::TemporaryFolder folder;
-  fs::path target;
-  QuietProgress quiet;
-};
+using Bag = WrittenBag;
 
 TEST_F(Bag, IsWholeForUsAndForTheWorld) {
   write();
@@ -125,31 +104,6 @@ TEST_F(Bag, ARefusedNameIsNamedAndItsTwinToo) {
   EXPECT_EQ(twin.error().where, "front/A.jpg");
   EXPECT_NE(twin.error().what.english().find("front/a.jpg"), std::string::npos);
   EXPECT_EQ(bag->add("front/\xFF.jpg", "3").error().where, "front/\xFF.jpg");
-}
-
-TEST_F(Bag, AChangedAMissingAndAnUnlistedFileAreNoticed) {
-  write();
-  std::ofstream(target / "data" / "sherds.csv") << "a,c\r\n";
-  EXPECT_NE(why().find("sherds.csv: This file has changed"), std::string::npos) << why();
-  fs::remove(target / "data" / "sherds.csv");
-  EXPECT_NE(why().find("missing"), std::string::npos) << why();
-  std::ofstream(target / "data" / "sherds.csv") << "a,b\r\n";
-  EXPECT_EQ(why(), "accepted");
-  std::ofstream(target / "data" / "more.txt") << "x";
-  EXPECT_NE(why().find("more.txt: This file is not in the manifest"), std::string::npos) << why();
-  fs::remove(target / "data" / "more.txt");
-  std::ofstream(target / "bag-info.txt") << "x";
-  EXPECT_NE(why().find("bag-info.txt: This file has changed"), std::string::npos) << why();
-}
-
-TEST_F(Bag, ManifestsThatPointOutsideAreRefused) {
-  write();
-  exchange::MendedBag bag(target);
-  bag.list("../../secret", "x");
-  bag.mend();
-  EXPECT_NE(why().find("outside the folder"), std::string::npos) << why();
-  fs::remove_all(target / "bagit.txt");
-  EXPECT_NE(why().find("Not an Ostraka export"), std::string::npos) << why();
 }
 
 }  // namespace

@@ -3,11 +3,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <set>
 
 #include "base/median.h"
 #include "base/message.h"
@@ -34,7 +34,10 @@ constexpr double kLeastNoise = 0.01;
 // Less than a step of L* on a mid grey, which nobody sees.
 constexpr double kMostUncertain = 0.03;
 constexpr int kLightRounds = 15, kLightHalvings = 12;
-constexpr Index kTerms = 8;  // beside the mean, which is 1 while it is sought
+constexpr int kGroups = 10, kNoGroup = -1, kRoundsWithout = 4;
+constexpr int kLeastSherds = 6;     // fewer tell little of how sherds differ
+constexpr double kPlace_mm = 10.0;  // an error of the model's normals does not reach farther
+constexpr Index kTerms = 8;         // beside the mean, which is 1 while it is sought
 
 double linearLight(double level) {
   const double v = level / 255;
@@ -60,6 +63,7 @@ struct Channel {
     double log_light = 0, weight = 0;
   };
   std::vector<std::vector<One>> points;
+  std::vector<int> groups;  // of the points, for the jackknife
   Index photographs = 0;
 
   Terms8 light = Terms8::Zero();
@@ -68,8 +72,9 @@ struct Channel {
   double total = 0;         // of the weights
   std::vector<double> off;  // of each sample from its point's mean, before the step
 
-  // One step. usual_off: beyond it a sample is a highlight or a shadow, of logarithms.
-  void step(double usual_off);
+  // One step. usual_off: beyond it a sample is a highlight or a shadow, of logarithms. without:
+  // a group that takes no part.
+  void step(double usual_off, int without = kNoGroup);
   double leastOf(const Terms8& of) const {
     double least = INFINITY;
     for (const std::vector<One>& point : points)
@@ -78,7 +83,7 @@ struct Channel {
   }
 };
 
-void Channel::step(double usual_off) {
+void Channel::step(double usual_off, int without) {
   const Index all = kTerms + photographs;
   information = MatrixXd::Zero(all, all);
   VectorXd towards = VectorXd::Zero(all);
@@ -86,7 +91,9 @@ void Channel::step(double usual_off) {
   off.clear();
   std::vector<double> weights, residuals;
   VectorXd sum(all);
-  for (const std::vector<One>& point : points) {
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const std::vector<One>& point = points[p];
+    if (groups[p] == without) continue;
     weights.clear();
     residuals.clear();
     for (const One& s : point) {
@@ -148,16 +155,37 @@ void Channel::step(double usual_off) {
   }
 }
 
-Channel channelOf(const std::vector<const LitPoint*>& points, Index channel) {
+// Of each point: groups whose errors have little to do with each other's.
+std::vector<int> groupsOf(const std::vector<LitPoint>& points) {
+  std::map<int, int> sherds;
+  for (const LitPoint& point : points) sherds.try_emplace(point.sherd, 0);
+  int count = 0;
+  for (auto& sherd : sherds) sherd.second = count++;
+  std::vector<int> groups;
+  for (const LitPoint& point : points) {
+    int group = sherds.at(point.sherd);
+    if (count < kLeastSherds)
+      // Neighbouring places, and those of both faces, are in unlike groups.
+      for (Index k = 0; k < 3; ++k)
+        group += (3 + 2 * static_cast<int>(k)) *
+                 static_cast<int>(std::floor(point.place[k] / kPlace_mm));
+    groups.push_back((group % kGroups + kGroups) % kGroups);
+  }
+  return groups;
+}
+
+Channel channelOf(const std::vector<LitPoint>& points, const std::vector<int>& groups,
+                  Index channel) {
   Channel of;
   std::map<int, Index> photographs;
-  for (const LitPoint* point : points)
-    for (const LitPoint::Sample& s : point->samples) photographs.try_emplace(s.photograph, 0);
+  for (const LitPoint& point : points)
+    for (const LitPoint::Sample& s : point.samples) photographs.try_emplace(s.photograph, 0);
   for (auto& named : photographs) named.second = of.photographs++;
-  for (const LitPoint* point : points) {
-    if (point->samples.size() < 2) continue;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].samples.size() < 2) continue;
     of.points.emplace_back();
-    for (const LitPoint::Sample& s : point->samples)
+    of.groups.push_back(groups[i]);
+    for (const LitPoint::Sample& s : points[i].samples)
       of.points.back().push_back({photographs.at(s.photograph), shape(s.normal),
                                   std::log(std::max(s.light[channel], 1e-6)), s.weight});
   }
@@ -171,75 +199,71 @@ Terms8 slopeBeside(const Channel& channel, const Terms8& terms) {
   return terms / (1 + channel.light.dot(terms)) - up / (1 + channel.light.dot(up));
 }
 
-// What noise leaves unknown of it.
-double formalUncertainty(const Channel& channel, double noise) {
+using Matrix8 = Eigen::Matrix<double, kTerms, kTerms>;
+
+// What the samples tell of the terms, exposures and albedos being unknown.
+Matrix8 informationOn(const Channel& channel) {
   const Index photographs = channel.photographs;
   const MatrixXd& all = channel.information;
   const MatrixXd shared = all.topRightCorner(kTerms, photographs);
-  Eigen::Matrix<double, kTerms, kTerms> own =
-      all.topLeftCorner(kTerms, kTerms) -
-      shared * all.bottomRightCorner(photographs, photographs).ldlt().solve(shared.transpose());
-  own /= channel.total;
-  own.diagonal().array() += 1e-9;
-  const Eigen::Matrix<double, kTerms, kTerms> covariance =
-      own.inverse() * (noise * noise / static_cast<double>(channel.off.size()));
+  return all.topLeftCorner(kTerms, kTerms) -
+         shared * all.bottomRightCorner(photographs, photographs).ldlt().solve(shared.transpose());
+}
+
+// Of the logarithm of the light on what the samples show, for an error of the terms.
+double rmsOver(const Channel& channel, const Matrix8& squared_error) {
   double sum = 0, count = 0;
   for (const std::vector<Channel::One>& point : channel.points)
     for (const Channel::One& s : point) {
       const Terms8 slope = slopeBeside(channel, s.terms);
-      sum += slope.dot(covariance * slope);
+      sum += slope.dot(squared_error * slope);
       ++count;
     }
-  return std::sqrt(std::max(0.0, sum / count));
+  const double mean = sum / count;
+  return mean >= 0 ? std::sqrt(mean) : INFINITY;  // no error is known of what cannot be solved
 }
 
-struct Fit {
-  LightFit found;
-  std::array<Channel, 3> channels;
-};
+double uncertaintyOf(const Channel& channel, double noise) {
+  Matrix8 own = informationOn(channel);
+  own.diagonal().array() += 1e-9 * channel.total;  // nothing is known where this is all
+  const Terms8 pull =
+      kEvenLight * channel.total * own.ldlt().solve(channel.light);  // to even light
+  const Matrix8 bias = pull * pull.transpose();
+  const Matrix8 independent =
+      own.inverse() * (noise * noise * channel.total / static_cast<double>(channel.off.size()));
+  Matrix8 jackknife = Matrix8::Zero();
+  const std::set<int> groups(channel.groups.begin(), channel.groups.end());
+  if (groups.size() < 2) return INFINITY;
+  for (const int group : groups) {
+    Channel without = channel;
+    for (int round = 0; round < kRoundsWithout; ++round) without.step(kUsualOff, group);
+    const Terms8 change = without.light - channel.light;
+    jackknife += change * change.transpose();
+  }
+  const auto count = static_cast<double>(groups.size());
+  jackknife *= (count - 1) / count;
+  return std::max(rmsOver(channel, independent + bias), rmsOver(channel, jackknife + bias));
+}
 
-Fit fitTo(const std::vector<const LitPoint*>& points) {
-  Fit fit;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto column = static_cast<Index>(k);
-    Channel& channel = fit.channels[k] = channelOf(points, column);
+LightFit fitTo(const std::vector<LitPoint>& points) {
+  LightFit found;
+  const std::vector<int> groups = groupsOf(points);
+  for (Index k = 0; k < 3; ++k) {
+    Channel channel = channelOf(points, groups, k);
     if (channel.points.empty()) {
-      fit.found.uncertainty = INFINITY;
-      return fit;
+      found.uncertainty = INFINITY;
+      return found;
     }
     for (int round = 0; round < kLightRounds; ++round)
       channel.step(round == 0 ? INFINITY : kUsualOff);
     const double noise = std::max(kLeastNoise, 1.4826 * medianOf(channel.off));
-    fit.found.residual = std::max(fit.found.residual, noise);
-    fit.found.uncertainty = std::max(fit.found.uncertainty, formalUncertainty(channel, noise));
+    found.residual = std::max(found.residual, noise);
+    found.uncertainty = std::max(found.uncertainty, uncertaintyOf(channel, noise));
     const double up = 1 + channel.light.dot(shape(Vector3d::UnitZ()));
-    fit.found.light.coefficients(0, column) = 1 / up;
-    fit.found.light.coefficients.col(column).tail<kTerms>() = channel.light / up;
+    found.light.coefficients(0, k) = 1 / up;
+    found.light.coefficients.col(k).tail<kTerms>() = channel.light / up;
   }
-  return fit;
-}
-
-// Of the logarithms of two lights on what the samples show, RMS over them and the channels.
-double apartOn(const Light& one, const Light& other, const std::vector<LitPoint>& points) {
-  double sum = 0, count = 0;
-  for (const LitPoint& point : points)
-    for (const LitPoint::Sample& s : point.samples) {
-      sum += (one.on(s.normal).array() / other.on(s.normal).array()).log().square().sum();
-      count += 3;
-    }
-  return count > 0 ? std::sqrt(sum / count) : INFINITY;
-}
-
-// Every other sherd; of a single one every other point.
-std::vector<const LitPoint*> halfOf(const std::vector<LitPoint>& points, std::size_t which) {
-  const bool is_one = std::all_of(points.begin(), points.end(), [&](const LitPoint& point) {
-    return point.sherd == points.front().sherd;
-  });
-  std::vector<const LitPoint*> half;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (((is_one ? i : static_cast<std::size_t>(points[i].sherd)) % 2) == which)
-      half.push_back(&points[i]);
-  return half;
+  return found;
 }
 
 }  // namespace
@@ -305,7 +329,7 @@ std::vector<LitPoint> litPoints(const TriangleMesh& mesh, const std::vector<View
   });
   std::vector<LitPoint> points;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    LitPoint point{sherd, {}};
+    LitPoint point{sherd, {}, mesh.vertices[vertices[i]].cast<double>()};
     for (const auto& of_view : shown)
       if (of_view[i]) point.samples.push_back(*of_view[i]);
     if (point.samples.size() >= 2) points.push_back(std::move(point));
@@ -314,14 +338,7 @@ std::vector<LitPoint> litPoints(const TriangleMesh& mesh, const std::vector<View
 }
 
 Result<LightFit> lightOf(const std::vector<LitPoint>& points) {
-  std::vector<const LitPoint*> all;
-  for (const LitPoint& point : points) all.push_back(&point);
-  LightFit found = fitTo(all).found;
-  if (std::isfinite(found.uncertainty)) {
-    const LightFit one = fitTo(halfOf(points, 0)).found, other = fitTo(halfOf(points, 1)).found;
-    if (std::isfinite(one.uncertainty) && std::isfinite(other.uncertainty))
-      found.uncertainty = std::max(found.uncertainty, apartOn(one.light, other.light, points) / 2);
-  }
+  LightFit found = fitTo(points);
   if (!(found.uncertainty <= kMostUncertain))
     return Error::notEnough(message(
         "The photographs do not tell the light from the sherds' own colours, so textures stay as "

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <random>
 
 #include "texture/bake.h"
 #include "turned_light.h"
@@ -27,7 +28,7 @@ Sphere sphere(const Light& light, Seen seen) {
     const Vector3d normal(std::sqrt(1 - z * z) * std::cos(around),
                           std::sqrt(1 - z * z) * std::sin(around), z);
     made.albedos.push_back(0.3 * (1 + 0.5 * std::sin(3 * normal.x()) + 0.3 * z));
-    made.points.push_back({i % 4, {}});
+    made.points.push_back({i % 4, {}, 20 * normal});
     int photograph = -1;
     for (const Side side : {Side::Front, Side::Back})
       for (const double elevation : {0.5, 1.0})
@@ -114,6 +115,102 @@ TEST(LightOverSherds, IsRefusedWhereNothingTurnsBelowIt) {
       s.light = point.samples.front().light;
     }
   EXPECT_EQ(lightOf(still.points).error().code, ErrorCode::NotEnough);
+}
+
+// Sherds below a light of chance: ellipsoids whose clay is rougher than their models, so that all
+// samples of a point share its normal's error, and neighbours some of it; shadows of places, noise.
+struct Scene {
+  Light light;
+  std::vector<LitPoint> points;
+};
+
+Scene sceneOf(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto even = [&random] { return static_cast<double>(random()) / 4294967296.0; };
+  const auto about = [&even](double spread) {
+    return spread * (even() + even() + even() + even() - 2) * std::sqrt(3.0);
+  };
+  Scene scene;
+  Light::Terms terms;
+  double least = 0;
+  while (least < 0.3) {  // a light that can be: nowhere dark
+    terms << 1, about(0.2), about(0.2), 0.15 + 0.3 * even(), about(0.06), about(0.06), about(0.06),
+        about(0.06), about(0.06);
+    terms /= terms.dot(Light::terms(Vector3d::UnitZ()));
+    least = INFINITY;
+    for (int i = 0; i < 400; ++i) {
+      const double z = 1 - (2 * i + 1) / 400.0, r = std::sqrt(1 - z * z), around = 2.399963 * i;
+      const Vector3d normal(r * std::cos(around), r * std::sin(around), z);
+      least = std::min(least, terms.dot(Light::terms(normal)));
+    }
+  }
+  scene.light.coefficients.colwise() = terms;
+  const int sherds = 1 + static_cast<int>(seed % 8);
+  std::vector<double> exposures;
+  for (int i = 0; i < 32; ++i) exposures.push_back(std::exp(about(0.1)));
+  for (int i = 0; i < 320; ++i) {
+    const int sherd = i % sherds;
+    const double flat = 6 + 3 * (sherd % 3), lean = 0.7 * sherd;
+    const double z = 1 - (2 * (i / sherds) + 1) / std::ceil(320.0 / sherds), around = 2.399963 * i;
+    const double r = std::sqrt(std::max(0.0, 1 - z * z));
+    const Vector3d at(20 * r * std::cos(around), 15 * r * std::sin(around), flat * z);
+    const Vector3d smooth = Vector3d(at.x() / 400, at.y() / 225, at.z() / (flat * flat));
+    const Vector3d rough(std::sin(1.3 * at.y() + lean), std::sin(1.1 * at.x() + 2 * lean), 0);
+    const Vector3d model = smooth.normalized(),
+                   truth = (model + 0.05 * rough + 0.02 * Vector3d(about(1), about(1), about(1)))
+                               .normalized();
+    const double albedo = 0.2 + 0.2 * even();
+    const bool is_shaded = even() < 0.05;
+    scene.points.push_back({sherd, {}, at});
+    int photograph = -1;
+    for (const Side side : {Side::Front, Side::Back})
+      for (const double elevation : {0.5, 1.0})
+        for (int stop = 0; stop < 8; ++stop) {
+          ++photograph;
+          const Eigen::Matrix3d turn =
+              lightFromMesh(side, stop * M_PI / 4) *
+              Eigen::AngleAxisd(lean, Vector3d::UnitZ()).toRotationMatrix();
+          const double cosine =
+              (turn * model).dot(Vector3d(std::cos(elevation), 0, std::sin(elevation)));
+          if (cosine < 0.3) continue;
+          const double level = albedo * exposures[static_cast<std::size_t>(photograph)] *
+                               scene.light.on(turn * truth)[0] * std::exp(about(0.03)) *
+                               (is_shaded && stop < 3 ? 0.7 : 1.0);
+          scene.points.back().samples.push_back(
+              {photograph, turn * model, Vector3d::Constant(level), cosine});
+        }
+  }
+  return scene;
+}
+
+TEST(LightOverSherds, IsAsUncertainAsItSays) {
+  double within = 0, count = 0, errors = 0, stated = 0;
+  int known = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Scene scene = sceneOf(seed);
+    const Result<LightFit> found = lightOf(scene.points);
+    if (!found) continue;
+    ++known;
+    double squares = 0, samples = 0;
+    for (const LitPoint& point : scene.points)
+      for (const LitPoint::Sample& s : point.samples) {
+        const double off =
+            std::abs(std::log(found->light.on(s.normal)[0] / scene.light.on(s.normal)[0]));
+        within += off < 2 * found->uncertainty ? 1 : 0;
+        squares += off * off;
+        ++samples;
+      }
+    count += samples;
+    errors += squares / samples;
+    stated += found->uncertainty * found->uncertainty;
+    std::printf("seed %u sherds %u true %.4f stated %.4f\n", seed, 1 + seed % 8,
+                std::sqrt(squares / samples), found->uncertainty);
+  }
+  std::printf("known %d within %.4f rms true %.4f stated %.4f\n", known, within / count,
+              std::sqrt(errors / known), std::sqrt(stated / known));
+  EXPECT_GE(known, 12);
+  EXPECT_GE(within / count, 0.85) << "of 95 %";
+  EXPECT_LT(std::sqrt(stated / errors), 2) << "nor far more uncertain than it is";
 }
 
 TEST(LightOverSherds, IsTakenFromALevelInLinearLight) {

@@ -93,6 +93,16 @@ int addNormals(Buffer& buffer, const TriangleMesh& mesh) {
   return buffer.close(begin, kArrayBuffer, kFloat, mesh.normals.size(), "VEC3");
 }
 
+int addTangents(Buffer& buffer, const std::vector<Eigen::Vector3f>& tangents) {
+  const std::size_t begin = buffer.bytes.size();
+  for (const Eigen::Vector3f& v : tangents) {
+    const Eigen::Vector3f tangent = yUp(v);
+    for (int k = 0; k < 3; ++k) appendBytes(buffer.bytes, tangent[k]);
+    appendBytes(buffer.bytes, 1.0f);  // right-handed
+  }
+  return buffer.close(begin, kArrayBuffer, kFloat, tangents.size(), "VEC4");
+}
+
 int addColors(Buffer& buffer, const TriangleMesh& mesh) {
   const std::size_t begin = buffer.bytes.size();
   for (const Color& c : mesh.colors) {
@@ -140,6 +150,7 @@ ordered_json describe(const GlbExtras& extras) {
   if (!extras.number.empty()) about["number"] = extras.number;
   about["unit"] = "m";
   if (extras.filled_percent >= 0) about["filled_pct"] = extras.filled_percent;
+  if (!extras.texture.empty()) about["texture"] = extras.texture;
   if (const auto munsell = parseJson(extras.munsell, {})) about["munsell"] = *munsell;
   return about;
 }
@@ -175,6 +186,12 @@ std::string joined(const ordered_json& root, std::string binary) {
   return file;
 }
 
+// The number of a PNG among the file's images.
+std::size_t addPng(Buffer& buffer, const std::string& png, ordered_json& root) {
+  root["images"].push_back({{"bufferView", buffer.addImage(png)}, {"mimeType", "image/png"}});
+  return root["images"].size() - 1;
+}
+
 void addTexture(Buffer& buffer, const GlbTexture& texture, ordered_json& root) {
   root["images"] = ordered_json::array(
       {{{"bufferView", buffer.addImage(texture.jpeg)}, {"mimeType", "image/jpeg"}}});
@@ -183,10 +200,12 @@ void addTexture(Buffer& buffer, const GlbTexture& texture, ordered_json& root) {
       {{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 33071}, {"wrapT", 33071}}});
   root["textures"] = ordered_json::array({{{"sampler", 0}, {"source", 0}}});
   root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-  if (texture.seen_png.empty()) return;
-  root["images"].push_back(
-      {{"bufferView", buffer.addImage(texture.seen_png)}, {"mimeType", "image/png"}});
-  root["nodes"][0]["extras"]["ostraka"]["seen_image"] = 1;
+  if (!texture.seen_png.empty())
+    root["nodes"][0]["extras"]["ostraka"]["seen_image"] = addPng(buffer, texture.seen_png, root);
+  if (texture.normals_png.empty()) return;
+  const std::size_t normals = addPng(buffer, texture.normals_png, root);
+  root["textures"].push_back({{"sampler", 0}, {"source", normals}});
+  root["materials"][0]["normalTexture"] = {{"index", 1}};
 }
 
 Result<std::string> formatted(const TriangleMesh& mesh, const GlbTexture* texture,
@@ -194,9 +213,14 @@ Result<std::string> formatted(const TriangleMesh& mesh, const GlbTexture* textur
   if (const Result<void> good = checkFaces(mesh); !good) return good.error();
   if (texture != nullptr && texture->uv.size() != mesh.vertices.size())
     return Error::unusable(message("Not every vertex has a place in the texture."));
+  const bool has_relief = texture != nullptr && !texture->normals_png.empty();
+  if (has_relief && (texture->tangents.size() != mesh.vertices.size() ||
+                     mesh.normals.size() != mesh.vertices.size()))
+    return Error::unusable(message("Not every vertex has a place in the texture."));
   Buffer buffer;
   ordered_json attributes = {{"POSITION", addPositions(buffer, mesh)}};
   if (mesh.normals.size() == mesh.vertices.size()) attributes["NORMAL"] = addNormals(buffer, mesh);
+  if (has_relief) attributes["TANGENT"] = addTangents(buffer, texture->tangents);
   if (texture != nullptr)
     attributes["TEXCOORD_0"] = addPlaces(buffer, texture->uv);
   else if (mesh.colors.size() == mesh.vertices.size())

@@ -205,9 +205,20 @@ class GlbReader {
   std::string_view binary_;
 };
 
+// A stranger's file may hold anything there.
+GlbExtras extrasOf(const json& root) {
+  const json& about = memberOf(memberOf(entryOf(root, "nodes", 0u), "extras"), "ostraka");
+  GlbExtras extras;
+  if (const json& munsell = memberOf(about, "munsell"); munsell.is_object())
+    extras.munsell = munsell.dump();
+  if (const json& texture = memberOf(about, "texture"); texture == "photo" || texture == "albedo")
+    extras.texture = texture.get<std::string>();
+  return extras;
+}
+
 }  // namespace
 
-std::string munsellInGlb(const std::filesystem::path& path) {
+GlbExtras extrasInGlb(const std::filesystem::path& path) {
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(path, unknown)) return {};  // a pipe would never end
   std::ifstream file(path, std::ios::binary);
@@ -222,9 +233,7 @@ std::string munsellInGlb(const std::filesystem::path& path) {
   if (!file.read(text.data(), static_cast<std::streamsize>(size))) return {};
   const Result<json> root = parseJson(text, path.string());
   if (!root) return {};
-  const json& munsell =
-      memberOf(memberOf(memberOf(entryOf(*root, "nodes", 0u), "extras"), "ostraka"), "munsell");
-  return munsell.is_object() ? munsell.dump() : std::string();
+  return extrasOf(*root);
 }
 
 Result<std::optional<TexturedModel>> parseTexturedGlb(std::string_view bytes,
@@ -241,6 +250,7 @@ Result<std::optional<TexturedModel>> parseTexturedGlb(std::string_view bytes,
   model.texture.jpeg = reader.image(reader.picture());
   if (model.texture.jpeg.empty()) return noTexture(where);
   if (!reader.seenImage().is_null()) model.texture.seen_png = reader.image(reader.seenImage());
+  model.extras = extrasOf(*root);
   return std::optional(std::move(model));
 }
 

@@ -10,7 +10,7 @@
 #include "base/median.h"
 #include "base/parallel.h"
 #include "cloud/nearest.h"
-#include "evaluate/surface.h"
+#include "evaluate/samples.h"
 
 namespace ostraka::evaluate {
 namespace {

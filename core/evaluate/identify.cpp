@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "evaluate/surface.h"
+#include "cloud/surface.h"
 
 namespace ostraka::evaluate {
 namespace {

@@ -8,7 +8,8 @@
 
 #include "base/median.h"
 #include "cloud/nearest.h"
-#include "evaluate/surface.h"
+#include "cloud/surface.h"
+#include "evaluate/samples.h"
 #include "pairing/assignment.h"
 
 namespace ostraka::evaluate {

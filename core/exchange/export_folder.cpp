@@ -26,6 +26,7 @@
 #include "records/words.h"
 #include "store/database.h"
 #include "store/values.h"
+#include "texture/relief.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -154,7 +155,7 @@ class Exporting {
           bag_.add(file.to, valueOrThrow(labelledTexturedPly(mesh, *photographs, label, picture))));
     }
     if (file.form == Form::Glb && photographs != nullptr) {
-      bytes = valueOrThrow(glbOf(*photographs, sherd));
+      bytes = valueOrThrow(glbOf(*photographs, sherd, processedExtras(project_, sherd)));
     } else if (light != nullptr) {
       bytes = file.form == Form::Glb ? valueOrThrow(glbOf(*light, sherd))
                                      : formatPly(*light, "plate_front");
@@ -182,6 +183,8 @@ class Exporting {
         auto made = retextured(*light, **read);
         if (made) {
           photographs_ = std::move(*made);
+          if (options_.forms.contains(Form::Glb))
+            photographs_->relief = texture::reliefOf(*photographs_, full_, 0);
           shrinkPhotographs(*photographs_, unlabelledBytes(options_));
         } else {
           why = made.error();
@@ -222,12 +225,12 @@ class Exporting {
                                 const std::string& where) {
     if (lighter_of_ == sherd.row) return lighter_;
     lighter_of_ = sherd.row;
-    PlyContents model = valueOrThrow(parsePly(ply, where));
-    Result<LighterModel> made = lighterModel(model.mesh, surfaceBytes(options_));
+    full_ = valueOrThrow(parsePly(ply, where)).mesh;
+    Result<LighterModel> made = lighterModel(full_, surfaceBytes(options_));
     if (made) return lighter_ = std::move(*made);
     exported_.warnings.push_back(
         message("%1 is exported in full detail: %2", where, made.error().sentence()));
-    return lighter_ = LighterModel{std::move(model.mesh)};
+    return lighter_ = LighterModel{full_};
   }
 
   void name(store::SherdRow sherd, const std::string& role, const std::string& to,
@@ -326,7 +329,8 @@ class Exporting {
     for (const records::SherdRecord& sherd : sherds) {
       stopIfAsked();
       const std::string text =
-          valueOrThrow(metadata::sherdJson(catalogue_, sherd, files_[sherd.row], options_.program));
+          valueOrThrow(metadata::sherdJson(catalogue_, sherd, files_[sherd.row],
+                                           processedExtras(project_, sherd), options_.program));
       valueOrThrow(bag_.add("sherds/" + slugOf(sherd) + ".json", text));
     }
   }
@@ -343,6 +347,7 @@ class Exporting {
   std::int64_t done_ = 0, total_ = 0;
   store::SherdRow lighter_of_, photographs_of_, picture_of_;
   std::optional<texture::TexturedMesh> photographs_;
+  TriangleMesh full_;  // what lighter_ was made from
   LighterModel lighter_;
   std::map<store::SherdRow, std::vector<metadata::SherdFile>> files_;
   FilesOfSherds named_;

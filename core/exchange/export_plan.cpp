@@ -1,10 +1,12 @@
 #include "exchange/export_plan.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "base/message.h"
 #include "catalogue/files.h"
 #include "cloud/glb.h"
+#include "colour/munsell_proposals.h"
 #include "exchange/drawn_sherds.h"
 #include "exchange/model_files.h"
 #include "records/sherd.h"
@@ -173,11 +175,19 @@ Result<std::string> glbOf(const TriangleMesh& mesh, const records::SherdRecord& 
   return formatGlb(mesh, extrasOf(sherd));
 }
 
-Result<std::string> glbOf(const texture::TexturedMesh& model, const records::SherdRecord& sherd) {
-  return formatGlb(
-      model.mesh,
-      {model.uv, texture::asJpeg(model.texture.picture), texture::asPng(model.texture.seen)},
-      extrasOf(sherd));
+Result<std::string> glbOf(const texture::TexturedMesh& model, const records::SherdRecord& sherd,
+                          const GlbExtras& processed) {
+  GlbExtras extras = extrasOf(sherd);
+  extras.munsell = processed.munsell;
+  return texture::formatGlb(model, extras);
+}
+
+GlbExtras processedExtras(const fs::path& project, const records::SherdRecord& sherd) {
+  if (sherd.model_path.empty()) return {};
+  GlbExtras extras = extrasInGlb((project / sherd.model_path).replace_extension(".glb"));
+  const auto proposals = colour::parseMunsellProposals(extras.munsell);
+  extras.munsell = proposals ? colour::toJson(*proposals).dump() : std::string();
+  return extras;
 }
 
 Result<std::string> labelled(Form form, const std::string& bytes, const ModelLabel& label,

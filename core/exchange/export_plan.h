@@ -107,7 +107,11 @@ Result<DrawnSheets> sheetsOf(const catalogue::Catalogue& catalogue,
                              const std::string& title);
 /// A model as GLB.
 Result<std::string> glbOf(const TriangleMesh& mesh, const records::SherdRecord& sherd);
-Result<std::string> glbOf(const texture::TexturedMesh& model, const records::SherdRecord& sherd);
+Result<std::string> glbOf(const texture::TexturedMesh& model, const records::SherdRecord& sherd,
+                          const GlbExtras& processed);
+/// What `process` left in the GLB beside a sherd's model: its texture's kind and, where they are
+/// such, proposals for Munsell colours; empty where there is none.
+GlbExtras processedExtras(const std::filesystem::path& project, const records::SherdRecord& sherd);
 /// A model in one of its forms, labelled. bytes: a GLB for that form, a PLY for the others.
 Result<std::string> labelled(Form form, const std::string& bytes, const ModelLabel& label,
                              const std::string& where);

@@ -11,6 +11,7 @@
 #include "metadata/sherd_json.h"
 #include "records/sherd.h"
 #include "store/database.h"
+#include "texture/relief.h"
 
 namespace ostraka::exchange {
 namespace {
@@ -141,7 +142,7 @@ class Sizing {
         lighter = std::move(*made);
     const std::string plain = lighter ? formatPly(lighter->mesh, "plate_front") : *bytes;
     const std::optional<texture::TexturedMesh> textured =
-        texturedOf(file.sherd, lighter ? &lighter->mesh : nullptr);
+        texturedOf(file.sherd, lighter ? &lighter->mesh : nullptr, read->mesh);
     Shares shares{{".ply", static_cast<double>(plain.size()) / of}};
     const auto share = [&](const char* ending, std::size_t size) {
       shares[ending] = static_cast<double>(size) / of;
@@ -166,15 +167,15 @@ class Sizing {
       if (const auto obj = labelled(Form::Obj, plain, {}, ply.string())) share(".obj", obj->size());
     }
     if (options_.forms.contains(Form::Glb))
-      if (const auto glb = lighter && textured ? glbOf(*textured, {})
+      if (const auto glb = lighter && textured ? glbOf(*textured, {}, {})
                                                : glbOf(lighter ? lighter->mesh : read->mesh, {}))
         share(".glb", glb->size());
     return shares;
   }
 
   // On the mesh that will be exported; nothing where there are none.
-  std::optional<texture::TexturedMesh> texturedOf(store::SherdRow row,
-                                                  const TriangleMesh* light) const {
+  std::optional<texture::TexturedMesh> texturedOf(store::SherdRow row, const TriangleMesh* light,
+                                                  const TriangleMesh& full) const {
     const auto sherd = std::find_if(sherds_.begin(), sherds_.end(),
                                     [&](const auto& record) { return record.row == row; });
     if (sherd == sherds_.end()) return std::nullopt;
@@ -182,6 +183,7 @@ class Sizing {
     if (!read || !*read || light == nullptr) return read ? std::move(*read) : std::nullopt;
     auto made = retextured(*light, **read);
     if (!made) return std::nullopt;
+    if (options_.forms.contains(Form::Glb)) made->relief = texture::reliefOf(*made, full, 0);
     shrinkPhotographs(*made, unlabelledBytes(options_));
     return std::move(*made);
   }
@@ -234,7 +236,8 @@ class Sizing {
       some.push_back(sherd.row);
       if (!options_.forms.contains(Form::Json)) continue;
       const std::string text = valueOrThrow(
-          metadata::sherdJson(catalogue_, sherd, of_sherds_[sherd.row], options_.program));
+          metadata::sherdJson(catalogue_, sherd, of_sherds_[sherd.row],
+                              processedExtras(plan_.project(), sherd), options_.program));
       record_bytes += static_cast<std::int64_t>(text.size());
     }
     if (options_.forms.contains(Form::Json))

@@ -6,7 +6,7 @@
 
 #include "base/message.h"
 #include "cloud/glb.h"
-#include "evaluate/surface.h"
+#include "cloud/surface.h"
 #include "model/model.h"
 #include "texture/atlas.h"
 #include "texture/charts.h"
@@ -21,7 +21,7 @@ constexpr int kAttempts = 10;        // each begins with what the one before it 
 constexpr std::size_t kOneIn = 1000;
 
 // Measures of LighterModel, from one surface to the other.
-void measure(const TriangleMesh& from, const evaluate::Surface& to, LighterModel& lighter) {
+void measure(const TriangleMesh& from, const Surface& to, LighterModel& lighter) {
   std::vector<double> off_mm;
   off_mm.reserve(from.vertices.size());
   for (const Eigen::Vector3f& vertex : from.vertices)
@@ -51,7 +51,7 @@ double texelEdge_mm(const texture::TexturedMesh& model) {
 }
 
 // Where a point in the plane of one of the model's triangles lies in its picture.
-Eigen::Vector2f placeOf(const texture::TexturedMesh& model, const evaluate::SurfacePoint& at) {
+Eigen::Vector2f placeOf(const texture::TexturedMesh& model, const SurfacePoint& at) {
   const auto& t = model.mesh.triangles[static_cast<std::size_t>(at.triangle)];
   const auto corner = [&](std::size_t k) {
     return model.mesh.vertices[static_cast<std::size_t>(t[k])].cast<double>().eval();
@@ -90,29 +90,35 @@ Result<LighterModel> lighterModel(const TriangleMesh& model, std::size_t most_by
     lighter.mesh = std::move(*mesh);
   }
   if (lighter.mesh.triangles.size() == model.triangles.size()) return lighter;
-  measure(model, evaluate::Surface(lighter.mesh), lighter);
-  measure(lighter.mesh, evaluate::Surface(model), lighter);
+  measure(model, Surface(lighter.mesh), lighter);
+  measure(lighter.mesh, Surface(model), lighter);
   return lighter;
 }
 
 void shrinkPhotographs(texture::TexturedMesh& model, std::size_t most_bytes) {
   const texture::Texture whole = model.texture;
   const double whole_texel_mm = model.texel_mm;
+  const cv::Mat3b whole_relief = model.relief;
   double scale = 1;
   for (int attempt = 0; attempt < kAttempts; ++attempt) {
-    const GlbTexture page{model.uv, texture::asJpeg(model.texture.picture),
-                          texture::asPng(model.texture.seen)};
+    const GlbTexture page = texture::filesOf(model);
     const Result<std::string> glb = formatGlb(model.mesh, page, {});
     if (!glb || glb->size() <= most_bytes) return;
-    const auto pictures = static_cast<double>(page.jpeg.size() + page.seen_png.size());
+    const auto pictures =
+        static_cast<double>(page.jpeg.size() + page.seen_png.size() + page.normals_png.size());
     const double room =
         static_cast<double>(most_bytes) - static_cast<double>(glb->size()) + pictures;
     // A picture half as wide takes more than a fourth: what is left is denser.
     scale *= std::clamp(std::sqrt(std::max(0.0, 0.9 * room / pictures)), 0.25, 0.95);
-    const cv::Size size(std::max(1, cvRound(scale * whole.picture.cols)),
-                        std::max(1, cvRound(scale * whole.picture.rows)));
+    const auto sizeOf = [scale](const cv::Mat& of) {
+      return cv::Size(std::max(1, cvRound(scale * of.cols)), std::max(1, cvRound(scale * of.rows)));
+    };
+    const cv::Size size = sizeOf(whole.picture);
     cv::resize(whole.picture, model.texture.picture, size, 0, 0, cv::INTER_AREA);
     cv::resize(whole.seen, model.texture.seen, size, 0, 0, cv::INTER_NEAREST);
+    // A mean of normals is shorter than one: readers bring it to unit length, as they have to.
+    if (!whole_relief.empty())
+      cv::resize(whole_relief, model.relief, sizeOf(whole_relief), 0, 0, cv::INTER_AREA);
     model.texel_mm = whole_texel_mm / scale;
   }
 }
@@ -126,7 +132,7 @@ CornerPlaces placesOn(const TriangleMesh& mesh, const texture::TexturedMesh& mod
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
     middles.push_back(
         (corners[cornerOf(f, 0)] + corners[cornerOf(f, 1)] + corners[cornerOf(f, 2)]) / 3);
-  const evaluate::Surface surface(model.mesh);
+  const Surface surface(model.mesh);
   const auto at_corners = surface.closest(corners, 0), at_middles = surface.closest(middles, 0);
   const Eigen::Array2f page(static_cast<float>(model.texture.picture.cols),
                             static_cast<float>(model.texture.picture.rows));
@@ -137,7 +143,7 @@ CornerPlaces placesOn(const TriangleMesh& mesh, const texture::TexturedMesh& mod
   for (std::size_t f = 0; f < places.size(); ++f) {
     const Eigen::Vector2f middle = placeOf(model, at_middles[f]);
     for (std::size_t k = 0; k < 3; ++k) {
-      evaluate::SurfacePoint beside = at_middles[f];
+      SurfacePoint beside = at_middles[f];
       beside.point = corners[cornerOf(f, k)];
       const Eigen::Vector2f continued = placeOf(model, beside),
                             own = placeOf(model, at_corners[cornerOf(f, k)]);
@@ -171,10 +177,11 @@ Result<texture::TexturedMesh> retextured(TriangleMesh mesh, const texture::Textu
       on_page.emplace_back(x, y);
       on_mesh.push_back(point.cast<double>());
     }
-  const auto nearest = evaluate::Surface(model.mesh).closest(on_mesh, 0);
+  const auto nearest = Surface(model.mesh).closest(on_mesh, 0);
   cv::Mat3f page(texels.face.size(), cv::Vec3f(0, 0, 0));
   cv::Mat1b on_chart(texels.face.size(), uchar{0});
   texture::TexturedMesh made;
+  made.texture.lit = model.texture.lit;
   made.texture.seen = cv::Mat1b(texels.face.size(), uchar{0});
   std::size_t seen = 0;
   for (std::size_t i = 0; i < nearest.size(); ++i) {

@@ -26,7 +26,7 @@ Result<texture::TexturedMesh> retextured(TriangleMesh mesh, const texture::Textu
 /// triangle across the border of two charts, all in the one that its middle lies in.
 CornerPlaces placesOn(const TriangleMesh& mesh, const texture::TexturedMesh& model);
 
-/// Its photographs in so few texels that its GLB takes at most so many bytes.
+/// Its photographs and its relief in so few texels that its GLB takes at most so many bytes.
 void shrinkPhotographs(texture::TexturedMesh& model, std::size_t most_bytes);
 
 }  // namespace ostraka::exchange

@@ -63,7 +63,9 @@ constexpr Part kParts[] = {
     {"contexts.csv", "where the sherds were found"},
     {"columns.csv", "meanings of the columns of both tables"},
     {"sherds.ods", "sherds, contexts and their columns as one spreadsheet"},
-    {"sherds/", "one JSON record per sherd (format ostraka-sherd/1, terms in context.jsonld)"},
+    {"sherds/",
+     "one JSON record per sherd (format ostraka-sherd/1, terms in context.jsonld);\n"
+     "                 what photographs alone propose, as Munsell colours, is under proposals"},
     {"models/",
      "closed surfaces; a model that was simplified further than this list says\n"
      "                 states its deviation in its file"},
@@ -72,8 +74,8 @@ constexpr Part kParts[] = {
      "                 where there are any"},
     {"models/*.glb",
      "in metres with y up, simplified (nearly all of it by less than 0.05 mm), with\n"
-     "                 the photographs as texture and a mask of the texels that were filled\n"
-     "                 in, or coloured where there are none"},
+     "                 the photographs as texture, a mask of the texels that were filled in\n"
+     "                 and a normal map of the finer relief, or coloured where there are none"},
     {"models/*.obj",
      "in mm with z up, the surface of the GLB with its photographs as MTL and PNG,\n"
      "                 or coloured where there are none"},

@@ -102,7 +102,7 @@ const std::set<std::string> kKnown = {
     "@context",     "format",      "id",          "number",  "state",
     "void_reason",  "provenience", "description", "dating",  "measurements",
     "digitisation", "pairing",     "files",       "licence", "rights_holder",
-    "processing",   "extra"};
+    "processing",   "proposals",   "extra"};
 
 // The fields in the order of the table above, nested as it says.
 void putTexts(ordered_json& out, const SherdRecord& sherd) {
@@ -138,7 +138,8 @@ ordered_json filesJson(const std::vector<SherdFile>& files) {
 }  // namespace
 
 Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& sherd,
-                              const std::vector<SherdFile>& files, const std::string& program) {
+                              const std::vector<SherdFile>& files, const GlbExtras& model,
+                              const std::string& program) {
   return catalogue.database().asResult([&] {
     const auto project = valueOrThrow(catalogue::Settings(catalogue).project());
     ordered_json out = {
@@ -162,10 +163,13 @@ Result<std::string> sherdJson(const Catalogue& catalogue, const SherdRecord& she
     }
     put(out, "digitisation", std::move(digitisation));
     put(out, "pairing", pairingOf(catalogue, sherd));
+    if (const ordered_json munsell = orderedJsonOrDiscarded(model.munsell); munsell.is_object())
+      out["proposals"] = {{"munsell", munsell}};
     out["files"] = filesJson(files);
     put(out, "licence", project.licence);
     put(out, "rights_holder", project.rights_holder);
     out["processing"] = {{"program", used_program}};
+    put(out["processing"], "texture", model.texture);
     const ordered_json extra = orderedJsonOrDiscarded(sherd.extra_json);
     if (extra.is_object() && !extra.empty()) out["extra"] = extra;
     return valueOrThrow(jsonText(out, sherd.number.empty() ? sherd.id : sherd.number)) + "\n";

@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "catalogue/catalogue.h"
+#include "cloud/glb.h"
 #include "records/sherd.h"
 #include "tables/import_table.h"
 
@@ -16,10 +17,13 @@ struct SherdFile {
   std::int64_t bytes = 0;
 };
 
-/// The record of one sherd (format ostraka-sherd/1), keys in a fixed order, LF at the end.
+/// The record of one sherd (format ostraka-sherd/1), keys in a fixed order, LF at the end. model:
+/// what `process` left in its GLB. Its texture's kind stands in `processing`, Munsell colours in
+/// `proposals`, apart from those that a person entered; parseSherdJson reads neither.
 Result<std::string> sherdJson(const catalogue::Catalogue& catalogue,
                               const records::SherdRecord& sherd,
-                              const std::vector<SherdFile>& files, const std::string& program);
+                              const std::vector<SherdFile>& files, const GlbExtras& model,
+                              const std::string& program);
 
 struct ReadSherdJson {
   tables::ImportRow row;

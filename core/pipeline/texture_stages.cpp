@@ -9,6 +9,7 @@
 #include "model/preview.h"
 #include "pipeline/sherd_models.h"
 #include "texture/light_frames.h"
+#include "texture/relief.h"
 #include "texture/sherd_colours.h"
 #include "texture/texture.h"
 
@@ -65,13 +66,15 @@ Result<stages::StageNotes> makeTexture(const Run& run, const fs::path& folder,
   const Result<TriangleMesh> simplified = model::decimated(model->mesh, kGlbDeviation_mm);
   if (!simplified) return simplified.error();
   stages::StageNotes notes;
-  const auto textured = texturedOf(run, *simplified, sherd, light, notes);
+  auto textured = texturedOf(run, *simplified, sherd, light, notes);
   if (!textured) return textured.error();
   GlbExtras extras{
       sherd.id, sherd.number, {}, 100 * sherd.model.notes.figures.value("filled_share", 0.0)};
   if (*textured) {
     notes.figures["munsell"] = colour::toJson(texture::munsellOf(**textured, run.colours.value));
     extras.munsell = notes.figures["munsell"].dump();
+    notes.figures["texture"] = texture::nameOf((*textured)->texture);
+    (*textured)->relief = texture::reliefOf(**textured, model->mesh, run.options.threads);
   }
   // Without photographs with the colours of the scan's points.
   const Result<std::string> glb =

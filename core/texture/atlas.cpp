@@ -65,6 +65,33 @@ Atlas smallest(const std::vector<Chart>& charts, double texel_mm) {
   return *best;
 }
 
+// Texels as one triangle after the other takes them.
+struct Laying {
+  explicit Laying(cv::Size page)
+      : texels{cv::Mat1i(page, -1), cv::Mat_<cv::Vec2f>(page, cv::Vec2f(0, 0))},
+        outside(page, INFINITY) {}
+
+  // t: on the page.
+  void add(const std::array<Eigen::Vector2d, 3>& t, int face) {
+    const double longest =
+        std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    // A weight of -s lies s heights outside, the least of which stands on the longest edge.
+    const double height = std::abs(crossOf(t)) / std::max(longest, 1e-9);
+    if (height < 1e-6) return;
+    forEachInside(t, outside.cols, outside.rows, std::min(0.7 / height, 20.0),
+                  [&](int x, int y, const Eigen::Vector3d& w) {
+                    const auto off = static_cast<float>(std::max(0.0, -w.minCoeff()) * height);
+                    if (off >= outside(y, x)) return;
+                    outside(y, x) = off;
+                    texels.face(y, x) = face;
+                    texels.weights(y, x) = {static_cast<float>(w[0]), static_cast<float>(w[1])};
+                  });
+  }
+
+  Texels texels;
+  cv::Mat1f outside;  // how far, in texels
+};
+
 }  // namespace
 
 Eigen::Vector2d Atlas::onPage(const Chart& chart, std::size_t index,
@@ -84,29 +111,29 @@ Atlas packed(const std::vector<Chart>& charts, double texel_mm, int most_texels)
 }
 
 Texels texelsOf(const std::vector<Chart>& charts, const Atlas& atlas) {
-  Texels texels{cv::Mat1i(atlas.height, atlas.width, -1),
-                cv::Mat_<cv::Vec2f>(atlas.height, atlas.width, cv::Vec2f(0, 0))};
-  cv::Mat1f outside(atlas.height, atlas.width, INFINITY);  // how far, in texels
+  Laying laying({atlas.width, atlas.height});
   for (std::size_t c = 0; c < charts.size(); ++c)
     for (std::size_t i = 0; i < charts[c].faces.size(); ++i) {
       std::array<Eigen::Vector2d, 3> t;
       for (std::size_t k = 0; k < 3; ++k)
         t[k] = atlas.onPage(charts[c], c, charts[c].corners[i][k]);
-      const double longest =
-          std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-      // A weight of -s lies s heights outside, the least of which stands on the longest edge.
-      const double height = std::abs(crossOf(t)) / std::max(longest, 1e-9);
-      if (height < 1e-6) continue;
-      forEachInside(t, atlas.width, atlas.height, std::min(0.7 / height, 20.0),
-                    [&](int x, int y, const Eigen::Vector3d& w) {
-                      const auto off = static_cast<float>(std::max(0.0, -w.minCoeff()) * height);
-                      if (off >= outside(y, x)) return;
-                      outside(y, x) = off;
-                      texels.face(y, x) = charts[c].faces[i];
-                      texels.weights(y, x) = {static_cast<float>(w[0]), static_cast<float>(w[1])};
-                    });
+      laying.add(t, charts[c].faces[i]);
     }
-  return texels;
+  return std::move(laying.texels);
+}
+
+Texels texelsOf(const TriangleMesh& mesh, const std::vector<Eigen::Vector2f>& uv, cv::Size page) {
+  Laying laying(page);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    std::array<Eigen::Vector2d, 3> t;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto v = static_cast<std::size_t>(mesh.triangles[f][k]);
+      t[k] = {static_cast<double>(uv[v].x()) * page.width - 0.5,
+              static_cast<double>(uv[v].y()) * page.height - 0.5};
+    }
+    laying.add(t, static_cast<int>(f));
+  }
+  return std::move(laying.texels);
 }
 
 UnwrappedMesh unwrapped(const TriangleMesh& mesh, const std::vector<Chart>& charts,

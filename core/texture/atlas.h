@@ -32,7 +32,6 @@ struct Texels {
 /// A texel whose centre lies up to 0.7 of a texel outside its face counts as the face's: what is
 /// drawn between two texels takes from both.
 Texels texelsOf(const std::vector<Chart>& charts, const Atlas& atlas);
-
 /// The mesh with a place on the page for each vertex: vertices on the border of two charts are
 /// there once for each.
 struct UnwrappedMesh {
@@ -41,5 +40,7 @@ struct UnwrappedMesh {
 };
 UnwrappedMesh unwrapped(const TriangleMesh& mesh, const std::vector<Chart>& charts,
                         const Atlas& atlas);
+/// The same of a mesh that is unwrapped, on a page of any size.
+Texels texelsOf(const TriangleMesh& mesh, const std::vector<Eigen::Vector2f>& uv, cv::Size page);
 
 }  // namespace ostraka::texture

@@ -331,6 +331,7 @@ Result<Texture> bake(const TriangleMesh& mesh, const std::vector<Chart>& charts,
   if (stop.stop_requested()) return Error::cancelled();
   baking.choose();
   Texture texture = baking.drawn(seamsOf(mesh, charts, atlas));
+  texture.lit = !light;
   progress.report(3, 3);
   return texture;
 }

@@ -19,6 +19,7 @@ struct Texture {
   cv::Mat3b picture;      ///< BGR, sRGB; also filled where no chart lies
   cv::Mat1b seen;         ///< 255: from photographs; 0: filled in from what is around, or no chart
   double seen_share = 0;  ///< of the charts' texels
+  bool lit = true;        ///< false: without the light that fell on the sherd
 };
 
 /// Photographs onto the charts in two frequency bands (Burt, Adelson, A multiresolution spline, ACM

@@ -11,6 +11,7 @@
 #include "files/files.h"
 #include "model/model.h"
 #include "model/preview.h"
+#include "texture/relief.h"
 
 namespace ostraka::texture {
 namespace {
@@ -57,6 +58,7 @@ Result<TexturedMesh> opened(const TexturedModel& model, const std::string& where
   TexturedMesh opened{model.mesh, model.texture.uv, {}, 0};
   opened.texture.picture = *picture;
   opened.texture.seen = cv::Mat1b(picture->size(), 255);
+  opened.texture.lit = model.extras.texture != "albedo";
   if (model.texture.seen_png.empty()) return opened;
   const Result<cv::Mat> seen = decoded(model.texture.seen_png, where);
   if (!seen) return seen.error();
@@ -116,9 +118,22 @@ std::vector<Color> vertexColours(const TexturedMesh& model) {
   return colours;
 }
 
+GlbTexture filesOf(const TexturedMesh& model) {
+  GlbTexture files{model.uv, asJpeg(model.texture.picture), asPng(model.texture.seen)};
+  if (model.relief.empty()) return files;
+  files.normals_png = asPng(model.relief);
+  files.tangents = tangentsOf(model.mesh, model.uv);
+  return files;
+}
+
+std::string nameOf(const Texture& texture) {
+  return texture.lit ? "photo" : "albedo";
+}
+
 Result<std::string> formatGlb(const TexturedMesh& model, const GlbExtras& extras) {
-  return ostraka::formatGlb(
-      model.mesh, {model.uv, asJpeg(model.texture.picture), asPng(model.texture.seen)}, extras);
+  GlbExtras named = extras;
+  named.texture = nameOf(model.texture);
+  return ostraka::formatGlb(model.mesh, filesOf(model), named);
 }
 
 std::string previewOf(const TexturedMesh& model) {

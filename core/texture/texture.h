@@ -25,6 +25,7 @@ struct TexturedMesh {
   std::vector<Eigen::Vector2f> uv;  ///< per vertex, 0..1 from the page's top left corner
   Texture texture;
   double texel_mm = 0;
+  cv::Mat3b relief{};  ///< reliefOf a fuller mesh (relief.h), or empty
 };
 
 /// mesh: closed, outward, mm. A texel is as large as a pixel of the photograph that
@@ -57,7 +58,11 @@ Eigen::Vector3d colourAt(const TexturedMesh& model, const std::array<int, 3>& tr
 /// The picture's colour at each vertex, for what shows no pictures.
 std::vector<Color> vertexColours(const TexturedMesh& model);
 
-/// As a GLB with its picture and the mask of what was seen. Errors: those of formatGlb.
+/// What formatGlb takes: the picture, the mask of what was seen, the relief.
+GlbTexture filesOf(const TexturedMesh& model);
+/// Of a texture, as `process --texture` and GlbExtras call it: "photo", or "albedo" without light.
+std::string nameOf(const Texture& texture);
+/// As a GLB with them and with this name. Errors: those of formatGlb.
 Result<std::string> formatGlb(const TexturedMesh& model, const GlbExtras& extras);
 /// A PNG file of model::renderPreview, each pixel by its texel.
 std::string previewOf(const TexturedMesh& model);

@@ -183,7 +183,7 @@ void SherdDetails::readProposals(const std::filesystem::path& project,
   reading_ = jobs.start(
       makeJob([file](Progress&, std::stop_token) {
         return Result<colour::MunsellProposals>(
-            colour::parseMunsellProposals(munsellInGlb(file)).value_or(colour::MunsellProposals()));
+            colour::parseMunsellProposals(extrasInGlb(file).munsell).value_or(colour::MunsellProposals()));
       }),
       this);
   connect(reading_, &JobHandle::finished, this, [this, sherd](const JobOutcome& outcome) {

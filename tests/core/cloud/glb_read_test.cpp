@@ -72,7 +72,7 @@ TEST(GlbRead, ProposedMunsellColoursAreReadFromTheHeadAlone) {
   const std::string whole = *formatGlb(paintedTetrahedron(), kPainting, extras);
   const auto read = [&](const std::string& bytes) {
     std::ofstream(file, std::ios::binary) << bytes;
-    return munsellInGlb(file);
+    return extrasInGlb(file).munsell;
   };
   EXPECT_EQ(read(whole), extras.munsell);
   EXPECT_EQ(read(whole.substr(0, whole.size() - 50)), extras.munsell) << "the picture is not read";
@@ -80,9 +80,9 @@ TEST(GlbRead, ProposedMunsellColoursAreReadFromTheHeadAlone) {
   EXPECT_EQ(read(whole.substr(0, 100)), "");
   EXPECT_EQ(read(""), "");
   std::filesystem::remove(file);
-  EXPECT_EQ(munsellInGlb(file), "");
+  EXPECT_EQ(extrasInGlb(file).munsell, "");
   ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
-  EXPECT_EQ(munsellInGlb(file), "") << "nobody writes into the pipe";
+  EXPECT_EQ(extrasInGlb(file).munsell, "") << "nobody writes into the pipe";
   std::filesystem::remove(file);
 }
 

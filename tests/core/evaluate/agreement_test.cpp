@@ -13,7 +13,7 @@
 #include "evaluate/cloud.h"
 #include "evaluate/model.h"
 #include "evaluate/pairs.h"
-#include "evaluate/surface.h"
+#include "evaluate/samples.h"
 #include "evaluate/truth.h"
 #include "files/json.h"
 

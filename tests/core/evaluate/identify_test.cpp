@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "box.h"
-#include "evaluate/surface.h"
+#include "evaluate/samples.h"
 
 namespace ostraka::evaluate {
 namespace {

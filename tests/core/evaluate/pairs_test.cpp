@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "box.h"
-#include "evaluate/surface.h"
+#include "evaluate/samples.h"
 
 namespace ostraka::evaluate {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cloud/glb.h"
-#include "evaluate/surface.h"
+#include "cloud/surface.h"
 #include "model/model.h"
 #include "texture/atlas.h"
 #include "texture/charts.h"
@@ -55,7 +55,7 @@ TEST(LighterModel, TakesNoMoreThanItMayAndStatesHowFarOffItIs) {
     EXPECT_LE(lighter->mesh.triangles.size(), before) << most;
     before = lighter->mesh.triangles.size();
     EXPECT_LT(before, ball.triangles.size());
-    const evaluate::Surface whole(ball), light(lighter->mesh);
+    const Surface whole(ball), light(lighter->mesh);
     std::vector<double> off;
     for (const Eigen::Vector3f& v : ball.vertices)
       off.push_back(light.closest(v.cast<double>()).distance_mm);

@@ -24,5 +24,14 @@ TEST(SherdJson, RecordsOfStrangersAreReadWithCare) {
   EXPECT_EQ(own->row.values.at("extra.mine"), R"({"a":1})") << "unknown keys survive";
 }
 
+TEST(SherdJson, AProposalIsNoEntry) {
+  const Result<ReadSherdJson> read = parseSherdJson(
+      R"({"format":"ostraka-sherd/1","id":"x","proposals":{"munsell":{"out":"5YR 5/4"}},)"
+      R"("processing":{"program":"ostraka 1","texture":"albedo"}})",
+      "x");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->row.values.size(), 1u) << "the id alone";
+}
+
 }  // namespace
 }  // namespace ostraka::metadata

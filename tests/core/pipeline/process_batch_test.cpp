@@ -53,20 +53,22 @@ TEST_F(ProcessBatch, TurnsPhotographsIntoWholeSherdsWithTheirReports) {
     EXPECT_LT(wall, 11.0);
     EXPECT_GT(sherd.at("figures").at("texture_seen_share").get<double>(), 0.97);
     const nlohmann::json& munsell = sherd.at("figures").at("munsell");
+    EXPECT_EQ(sherd.at("figures").at("texture"), "photo");
     EXPECT_TRUE(munsell.at("chart").is_null());
     for (const char* part : {"out", "in", "core"})  // clay lies among the chips
       EXPECT_LT(munsell.at(part).at("ciede2000").get<double>(), 6) << munsell;
     EXPECT_TRUE(colour::parseMunsellProposals(munsell.dump())) << munsell;
     EXPECT_NE(munsell.at("out").at("side"), munsell.at("in").at("side"));
-    EXPECT_EQ(
-        nlohmann::json::parse(munsellInGlb(folder_ / "out" / "sherds" /
-                                           sherd.at("number").get<std::string>() / "model.glb")),
-        munsell);
+    EXPECT_EQ(nlohmann::json::parse(extrasInGlb(folder_ / "out" / "sherds" /
+                                                sherd.at("number").get<std::string>() / "model.glb")
+                                        .munsell),
+              munsell);
   }
   EXPECT_NE(html->find("Rough: there is no usable colour chart"), std::string::npos);
   for (const char* number : {"01", "02"}) {
     const Result<std::string> glb = readFile(folder_ / "out" / "sherds" / number / "model.glb");
     EXPECT_NE(glb->find("baseColorTexture"), std::string::npos);
+    EXPECT_NE(glb->find(R"("texture":"photo")"), std::string::npos);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cloud/glb.h"
 #include "files/files.h"
 #include "files/json.h"
 #include "small_batch.h"
@@ -41,6 +42,7 @@ TEST_F(ProcessBatch, MakesOnlyTexturesAnewWithoutTheirLight) {
     for (const char* name : {"front.ply", "back.ply", "model.ply"})
       EXPECT_EQ(after.at(folder + name), before.at(folder + name)) << name;
     EXPECT_EQ(after.at(folder + "model.glb") != before.at(folder + "model.glb"), is_known);
+    EXPECT_EQ(extrasInGlb(out / folder / "model.glb").texture, is_known ? "albedo" : "photo");
   }
   ASSERT_TRUE(process(out, 1, quiet).has_value());
   EXPECT_EQ(results(out), before) << "as photographed again";

@@ -1,4 +1,4 @@
-#include "evaluate/surface.h"
+#include "cloud/surface.h"
 
 #include <gtest/gtest.h>
 
@@ -6,13 +6,13 @@
 #include <limits>
 #include <random>
 
-#include "box.h"
+#include "tests/core/evaluate/box.h"
 
-namespace ostraka::evaluate {
+namespace ostraka {
 namespace {
 
 TEST(Surface, MeasuresDistancesToABoxOverFaceEdgeCornerAndFromWithin) {
-  const Surface surface(boxMesh(50, 40, 6, 20));
+  const Surface surface(evaluate::boxMesh(50, 40, 6, 20));
   EXPECT_NEAR(surface.closest({25, 20, 7.5}).distance_mm, 1.5, 1e-9);  // over the upper face
   EXPECT_NEAR(surface.closest({-3, -4, 3}).distance_mm, 5.0, 1e-9);    // off an edge: 3, 4, 5
   EXPECT_NEAR(surface.closest({-2, -3, -6}).distance_mm, 7.0, 1e-9);   // off a corner: 2, 3, 6
@@ -59,7 +59,7 @@ TEST(Surface, GivesFiniteDistancesForTrianglesWithoutArea) {
 }
 
 TEST(Surface, AnswersTheSameForAnyNumberOfThreads) {
-  const Surface surface(boxMesh(5, 4, 3, 7));
+  const Surface surface(evaluate::boxMesh(5, 4, 3, 7));
   std::vector<Eigen::Vector3d> queries;
   for (int i = 0; i < 5000; ++i) queries.emplace_back(i % 13 - 4, i % 17 - 6, i % 7 - 2);
   const auto one = surface.closest(queries, 1);
@@ -70,27 +70,5 @@ TEST(Surface, AnswersTheSameForAnyNumberOfThreads) {
   }
 }
 
-TEST(AreaSamples, LieOnTheMeshOnePerSquareOfTheSpacing) {
-  const TriangleMesh box = boxMesh(50, 40, 6, 3);
-  const double area = 2 * (50 * 40 + 50 * 6 + 40 * 6);
-  const SurfaceSamples samples = areaSamples(box, 0.5, 1);
-  EXPECT_NEAR(static_cast<double>(samples.points.size()), area / 0.25, 2.0);
-  std::size_t upper = 0;
-  for (std::size_t i = 0; i < samples.points.size(); ++i) {
-    const Eigen::Vector3d& p = samples.points[i];
-    const double off = std::min({std::abs(p.x()), std::abs(p.x() - 50), std::abs(p.y()),
-                                 std::abs(p.y() - 40), std::abs(p.z()), std::abs(p.z() - 6)});
-    ASSERT_LT(off, 1e-5);
-    upper += samples.normals[i].z() > 0.99;
-  }
-  // Slices of equal area leave at most one sample's doubt at each of a side's ends.
-  EXPECT_NEAR(static_cast<double>(upper), 50 * 40 / 0.25, 20);
-}
-
-TEST(AreaSamples, AreNeverFewerThanTwoThousandNorMoreThanAsked) {
-  EXPECT_EQ(areaSamples(boxMesh(1, 1, 1), 1.0, 1).points.size(), 2000u);
-  EXPECT_EQ(areaSamples(boxMesh(50, 50, 50), 0.1, 1, 3000).points.size(), 3000u);
-}
-
 }  // namespace
-}  // namespace ostraka::evaluate
+}  // namespace ostraka

@@ -1,24 +1,12 @@
 #pragma once
 #include <Eigen/Core>
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "cloud/point_cloud.h"
 
-namespace ostraka::evaluate {
-
-/// Points on a mesh, each with the outward unit normal of its triangle.
-struct SurfaceSamples {
-  std::vector<Eigen::Vector3d> points;
-  std::vector<Eigen::Vector3d> normals;
-};
-
-/// Uniform by area, one per spacing_mm^2, at least 2000 and at most most_samples: one sample in
-/// each of n equal slices of the area summed over the triangles. The mesh must have triangles.
-SurfaceSamples areaSamples(const TriangleMesh& mesh, double spacing_mm, std::uint64_t seed,
-                           std::size_t most_samples = 400'000);
+namespace ostraka {
 
 /// The point of triangle abc nearest to p (regions of Voronoi; Ericson, Real-Time Collision
 /// Detection, 5.1.5).
@@ -53,4 +41,4 @@ class Surface {
   std::vector<Node> nodes_;
 };
 
-}  // namespace ostraka::evaluate
+}  // namespace ostraka

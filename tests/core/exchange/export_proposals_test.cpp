@@ -15,7 +15,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using ExportOfProposals = ExportedProject;
+class ExportOfProposals : public ExportedProject {
+ protected:
+  // A sherd's model with other bytes, as if they had been entered.
+  void giveModel(store::SherdRow sherd, const char* ending, const std::string& bytes) {
+    const auto files = *catalogue::Files(catalogue()).of(sherd);
+    for (records::FileRecord file : files) {
+      if (!file.path.ends_with(ending)) continue;
+      put(project_->folder() / file.path, bytes);
+      file.sha256 = sha256(bytes);
+      file.bytes = static_cast<std::int64_t>(bytes.size());
+      EXPECT_TRUE(catalogue::Files(catalogue()).save(file, anna));
+    }
+  }
+};
 
 TEST_F(ExportOfProposals, NamesThemApartFromWhatWasEnteredAndInNoTable) {
   const TriangleMesh shell = closedShell();
@@ -28,9 +41,8 @@ TEST_F(ExportOfProposals, NamesThemApartFromWhatWasEnteredAndInNoTable) {
   GlbExtras extras;
   extras.munsell = colour::toJson(proposals).dump();
   extras.texture = "albedo";
-  enter(catalogue(), project_->folder(), rows[0], "model.ply", formatPly(shell, "a"), anna);
-  enter(catalogue(), project_->folder(), rows[0], ".glb", *formatGlb(shell, photographs, extras),
-        anna);
+  giveModel(rows[0], "model.ply", formatPly(shell, "a"));
+  giveModel(rows[0], "model.glb", *formatGlb(shell, photographs, extras));
   for (const std::size_t most : {0, 60'000}) {  // half of what the shell takes
     ExportOptions options;
     options.target = folder_.path() / (most > 0 ? "light" : "whole");

@@ -189,7 +189,7 @@ TEST(Relief, IsLeftOutWhereItAddsNothing) {
   const TriangleMesh smooth = block({2, 2, 2}, 0.08f, [](const Vector3f& p) -> Vector3f {
     return 10 * (p - Vector3f::UnitZ()).normalized();
   });
-  const TexturedMesh light = grey(*model::decimated(smooth, 0.015), 0.3);
+  const TexturedMesh light = grey(*model::decimated(smooth, 0.01), 0.3);
   ASSERT_LT(light.mesh.triangles.size(), smooth.triangles.size());
   EXPECT_TRUE(reliefOf(light, smooth, 1).empty()) << "normals of a ball, within a degree";
   EXPECT_EQ(formatGlb(light, {})->find("normalTexture"), std::string::npos);

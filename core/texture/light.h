@@ -47,7 +47,7 @@ std::vector<LitPoint> litPoints(const TriangleMesh& mesh, const std::vector<View
 struct LightFit {
   Light light;
   /// Relative, one standard deviation, RMS over what the samples show, of the worst channel: twice
-  /// this covers 95 % of the errors (found 85 to 100 % over random lights, light_test.cpp).
+  /// this is to cover 95 % of the errors (89 % over random lights, light_test.cpp).
   double uncertainty = 0;
   double residual = 0;  ///< relative, robust standard deviation of a sample
 };

@@ -118,7 +118,8 @@ TEST(LightOverSherds, IsRefusedWhereNothingTurnsBelowIt) {
 }
 
 // Sherds below a light of chance: ellipsoids whose clay is rougher than their models, so that all
-// samples of a point share its normal's error, and neighbours some of it; shadows of places, noise.
+// samples of a point share its normal's error, and neighbours some of it; shadows, noise. Some
+// lights leave sides so dark that nine terms do not hold.
 struct Scene {
   Light light;
   std::vector<LitPoint> points;
@@ -132,19 +133,9 @@ Scene sceneOf(unsigned seed) {
   };
   Scene scene;
   Light::Terms terms;
-  double least = 0;
-  while (least < 0.3) {  // a light that can be: nowhere dark
-    terms << 1, about(0.2), about(0.2), 0.15 + 0.3 * even(), about(0.06), about(0.06), about(0.06),
-        about(0.06), about(0.06);
-    terms /= terms.dot(Light::terms(Vector3d::UnitZ()));
-    least = INFINITY;
-    for (int i = 0; i < 400; ++i) {
-      const double z = 1 - (2 * i + 1) / 400.0, r = std::sqrt(1 - z * z), around = 2.399963 * i;
-      const Vector3d normal(r * std::cos(around), r * std::sin(around), z);
-      least = std::min(least, terms.dot(Light::terms(normal)));
-    }
-  }
-  scene.light.coefficients.colwise() = terms;
+  terms << 1, about(0.2), about(0.2), 0.15 + 0.3 * even(), about(0.06), about(0.06), about(0.06),
+      about(0.06), about(0.06);
+  scene.light.coefficients.colwise() = terms / terms.dot(Light::terms(Vector3d::UnitZ()));
   const int sherds = 1 + static_cast<int>(seed % 8);
   std::vector<double> exposures;
   for (int i = 0; i < 32; ++i) exposures.push_back(std::exp(about(0.1)));
@@ -186,7 +177,7 @@ Scene sceneOf(unsigned seed) {
 TEST(LightOverSherds, IsAsUncertainAsItSays) {
   double within = 0, count = 0, errors = 0, stated = 0;
   int known = 0;
-  for (unsigned seed = 1; seed <= 20; ++seed) {
+  for (unsigned seed = 1; seed <= 24; ++seed) {
     const Scene scene = sceneOf(seed);
     const Result<LightFit> found = lightOf(scene.points);
     if (!found) continue;
@@ -203,12 +194,8 @@ TEST(LightOverSherds, IsAsUncertainAsItSays) {
     count += samples;
     errors += squares / samples;
     stated += found->uncertainty * found->uncertainty;
-    std::printf("seed %u sherds %u true %.4f stated %.4f\n", seed, 1 + seed % 8,
-                std::sqrt(squares / samples), found->uncertainty);
   }
-  std::printf("known %d within %.4f rms true %.4f stated %.4f\n", known, within / count,
-              std::sqrt(errors / known), std::sqrt(stated / known));
-  EXPECT_GE(known, 12);
+  EXPECT_GE(known, 16);
   EXPECT_GE(within / count, 0.85) << "of 95 %";
   EXPECT_LT(std::sqrt(stated / errors), 2) << "nor far more uncertain than it is";
 }

@@ -18,9 +18,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr double kRadius = 10, kBump = 0.09, kWaves = 16;  // mm, mm, radians on the unit ball
+constexpr double kRadius = 10, kBump = 0.06, kWaves = 16;  // mm, mm, radians on the unit ball
 
-// A ball with bumps 3.9 mm from one to the next, up to 8 degrees steep.
+// A ball with bumps 3.9 mm from one to the next, up to 5.5 degrees steep.
 double heightAt(const Vector3d& d) {
   return kBump * std::sin(kWaves * d.x()) * std::sin(kWaves * d.y()) * std::sin(kWaves * d.z());
 }
@@ -150,13 +150,10 @@ TEST(Relief, GivesALightMeshTheNormalsOfTheFullOne) {
         ++count;
       }
   std::sort(off.begin(), off.end());
-  std::printf("own %.3f mapped %.3f p95 %.3f max %.3f faces %zu of %zu map %dx%d png %zu\n",
-              std::sqrt(own / count), std::sqrt(mapped / count), off[off.size() * 95 / 100],
-              off.back(), light.mesh.triangles.size(), full.triangles.size(), light.relief.cols,
-              light.relief.rows, asPng(light.relief).size());
   EXPECT_LT(std::sqrt(mapped / count), 1) << "degrees";
   EXPECT_LT(off[off.size() * 95 / 100], 2);
-  EXPECT_GT(std::sqrt(own / count), 3.5) << "the light mesh alone";
+  EXPECT_GT(std::sqrt(own / count), 2.5) << "the light mesh alone";
+  EXPECT_GT(own, 16 * mapped);
 }
 
 TEST(Relief, IsFlatWhereNobodySawAndTheSameForAnyNumberOfThreads) {
@@ -186,11 +183,16 @@ TEST(Relief, IsFlatWhereNobodySawAndTheSameForAnyNumberOfThreads) {
 TEST(Relief, IsLeftOutWhereItAddsNothing) {
   const TriangleMesh full = bumpyBall();
   EXPECT_TRUE(reliefOf(grey(full, 0.3), full, 1).empty()) << "the mesh is the full one";
-  const TriangleMesh smooth = block({2, 2, 2}, 0.08f, [](const Vector3f& p) -> Vector3f {
-    return 10 * (p - Vector3f::UnitZ()).normalized();
-  });
-  const TexturedMesh light = grey(*model::decimated(smooth, 0.01), 0.3);
-  ASSERT_LT(light.mesh.triangles.size(), smooth.triangles.size());
+  const auto smoothBall = [](float cell) {
+    TriangleMesh ball = block({2, 2, 2}, cell, [](const Vector3f& p) -> Vector3f {
+      return 10 * (p - Vector3f::UnitZ()).normalized();
+    });
+    for (std::size_t v = 0; v < ball.vertices.size(); ++v)
+      ball.normals[v] = ball.vertices[v].normalized();
+    return ball;
+  };
+  const TriangleMesh smooth = smoothBall(0.08f);
+  const TexturedMesh light = grey(smoothBall(0.16f), 0.3);
   EXPECT_TRUE(reliefOf(light, smooth, 1).empty()) << "normals of a ball, within a degree";
   EXPECT_EQ(formatGlb(light, {})->find("normalTexture"), std::string::npos);
   GlbTexture files = filesOf(light);

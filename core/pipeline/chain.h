@@ -13,11 +13,11 @@
 #include "decisions/scan_folder.h"
 #include "files/folder_lock.h"
 #include "model/model.h"
-#include "pipeline/batch_inputs.h"
 #include "pipeline/process_batch.h"
 #include "rig/camera.h"
 #include "rig/rig.h"
 #include "rig/sheet_bend.h"
+#include "stages/batch_inputs.h"
 #include "stages/stage.h"
 
 namespace ostraka::pipeline {
@@ -35,7 +35,7 @@ struct Run {
   const batch::Batch& batch;
   const FolderLock& held;      ///< of OUT/work
   std::filesystem::path work;  ///< OUT/work
-  const BatchInputs& inputs;
+  const stages::BatchInputs& inputs;
   std::string batch_hash;  ///< names and contents of everything that is read from the batch
   std::array<std::string, 2> photographs;  ///< of fronts and backs: ScanRef::photographs
   const decisions::Decisions& decisions;   ///< of people, those that hold

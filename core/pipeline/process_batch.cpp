@@ -39,7 +39,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 Run runOf(const ProcessOptions& options, const batch::Batch& batch, const FolderLock& held,
-          const BatchInputs& inputs, const decisions::Decisions& holding, Progress& progress,
+          const stages::BatchInputs& inputs, const decisions::Decisions& holding, Progress& progress,
           std::stop_token stop) {
   const ordered_json& hashes = inputs.hashes();
   return {options,
@@ -443,7 +443,7 @@ Result<ProcessSummary> processBatch(const ProcessOptions& options, Progress& pro
   const Result<decisions::Decisions> decisions = decisions::readDecisions(options.output);
   if (!decisions) return decisions.error();
   const decisions::Decisions holding = decisions::standing(*decisions);
-  const BatchInputs inputs(*batch, options.threads);
+  const stages::BatchInputs inputs(*batch, options.threads);
   const Result<FolderLock> held = stages::claimOutput(options.output, *batch, inputs.hashes());
   if (!held) return held.error();
   stages::withdrawResults(options.output);
@@ -479,7 +479,7 @@ Result<ProcessSummary> processScans(const ProcessOptions& options, Progress& pro
   const Result<decisions::Decisions> decisions = decisions::readDecisions(options.output);
   if (!decisions) return decisions.error();
   const decisions::Decisions holding = decisions::standing(*decisions);
-  const BatchInputs inputs(batch, options.threads);
+  const stages::BatchInputs inputs(batch, options.threads);
   const Result<FolderLock> held = stages::claimOutput(options.output, batch, inputs.hashes());
   if (!held) return held.error();
   stages::withdrawResults(options.output);

@@ -17,7 +17,6 @@
 #include "stereo/hull.h"
 #include "stereo/patch_match.h"
 #include "stereo/same_light.h"
-#include "stereo/slant.h"
 #include "stereo/surface.h"
 #include "stereo/tiles.h"
 

@@ -1,5 +1,5 @@
 // Photographs that change while a batch is processed, as when a card is copied anew meanwhile.
-#include "pipeline/batch_inputs.h"
+#include "stages/batch_inputs.h"
 
 #include <gmock/gmock.h>
 
@@ -39,7 +39,7 @@ TEST_F(BatchInputsTest, AreTheSameWhileTheirBytesAreHoweverOftenTheyAreWritten) 
     write(folder / name, name);
     batch.shots.push_back({batch::Side::Front, 0, 0, folder / name, {}, 1, 1});
   }
-  const BatchInputs inputs(batch, 2);
+  const stages::BatchInputs inputs(batch, 2);
   EXPECT_EQ(inputs.hashes().at("back/a.jpg"), sha256("back/a.jpg"));
   EXPECT_TRUE(inputs.checkUnchanged().has_value());
   write(folder / "front/b.jpg", "front/b.jpg");

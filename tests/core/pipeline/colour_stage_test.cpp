@@ -42,7 +42,7 @@ class ColourStage : public testing::Test {
       write(file, colour::photographed(scenes[i], 2), ".png");
       batch.shots.push_back({batch::Side::Front, 0, static_cast<int>(i), file, {}, 1600, 1200});
     }
-    const BatchInputs inputs(batch, 2);
+    const stages::BatchInputs inputs(batch, 2);
     fs::create_directories(folder / "work");
     const Result<FolderLock> held = FolderLock::take(folder / "work");
     if (!held) return held.error();

@@ -1,4 +1,4 @@
-#include "stereo/slant.h"
+#include "stereo/surface.h"
 
 #include <gtest/gtest.h>
 

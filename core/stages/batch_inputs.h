@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "batch/batch.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::stages {
 
 /// All that is read from a batch, by its contents when a run began. A run reads the files again and
 /// again for hours, so what it makes of them is what the hashes say only while they stay the same.
@@ -41,4 +41,4 @@ class BatchInputs {
   nlohmann::ordered_json hashes_ = nlohmann::ordered_json::object();
 };
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::stages

@@ -1,4 +1,4 @@
-#include "pipeline/batch_inputs.h"
+#include "stages/batch_inputs.h"
 
 #include <sys/stat.h>
 
@@ -7,9 +7,8 @@
 #include "base/message.h"
 #include "base/parallel.h"
 #include "files/files.h"
-#include "pipeline/proposed_sheet.h"
 
-namespace ostraka::pipeline {
+namespace ostraka::stages {
 namespace {
 
 namespace fs = std::filesystem;
@@ -65,7 +64,7 @@ BatchInputs::BatchInputs(const batch::Batch& batch, int threads) {
   });
   for (const Input& input : inputs_)
     hashes_[input.file.lexically_proximate(batch.folder).generic_string()] = input.hash;
-  if (isProposed(batch)) hashes_["plate.json"] = hashOfPlate(*batch.plate);
+  if (batch.plate && batch.plate_file.empty()) hashes_["plate.json"] = hashOfPlate(*batch.plate);
 }
 
 Result<void> BatchInputs::checkUnchanged() const {
@@ -78,4 +77,4 @@ Result<void> BatchInputs::checkUnchanged() const {
   return {};
 }
 
-}  // namespace ostraka::pipeline
+}  // namespace ostraka::stages

@@ -65,8 +65,8 @@ class Exporting {
     draw(plan, project.title);
     views(plan);
     centres(sherds, plan.project());
-    records(sherds, rows);
-    exported_.without_model = withoutModel(sherds, with_model_, options_);
+    records(sherds, plan, rows);
+    exported_.without_model = plan.withoutModel(sherds, with_model_);
     for (const metadata::MetadataFile& file :
          valueOrThrow(metadata::metadataOf(catalogue_, sherds, project, options_.program,
                                            {bag_.files(), exported_.without_model})))
@@ -257,9 +257,9 @@ class Exporting {
       }
       for (const Message& remark : drawn->remarks)
         exported_.warnings.push_back(
-            message("Check the drawing of %1: %2", slugOf(*sherd), remark));
+            message("Check the drawing of %1: %2", plan.nameOf(*sherd), remark));
       const std::vector<Page>& pages = drawn->pages;
-      const std::string to = "drawings/" + slugOf(*sherd);
+      const std::string to = "drawings/" + plan.nameOf(*sherd);
       for (const auto& [path, bytes] :
            {std::pair(to + ".svg", formatSvg(pages.front(), sherd->number)),
             std::pair(to + ".pdf", formatPdf(pages, sherd->number))}) {
@@ -322,7 +322,7 @@ class Exporting {
       put("sherds.ods", tablesOds(catalogue_, rows, list, named_, options_.words));
   }
 
-  void records(const std::vector<records::SherdRecord>& sherds,
+  void records(const std::vector<records::SherdRecord>& sherds, const ExportPlan& plan,
                std::span<const store::SherdRow> rows) {
     tables(sherds, rows);
     if (!options_.forms.contains(Form::Json)) return;
@@ -331,7 +331,7 @@ class Exporting {
       const std::string text =
           valueOrThrow(metadata::sherdJson(catalogue_, sherd, files_[sherd.row],
                                            processedExtras(project_, sherd), options_.program));
-      valueOrThrow(bag_.add("sherds/" + slugOf(sherd) + ".json", text));
+      valueOrThrow(bag_.add("sherds/" + plan.nameOf(sherd) + ".json", text));
     }
   }
 

@@ -21,12 +21,33 @@ namespace fs = std::filesystem;
 using namespace catalogue;
 using store::valueOrThrow;
 
-std::string slugOf(const records::SherdRecord& sherd) {
-  if (!sherd.number.empty()) return store::slug(sherd.number);
+namespace {
+
+std::string draftName(const records::SherdRecord& sherd) {
   if (sherd.piece == 0 || sherd.batch_number.empty()) return store::slug("sherd-" + sherd.id);
   return store::slug(sherd.batch_number + (sherd.piece < 10 ? "-0" : "-") +
                      std::to_string(sherd.piece));
 }
+
+// Numbers are unlike each other, but a person may give one that is a draft's name.
+std::map<store::SherdRow, std::string> namesOf(std::span<const records::SherdRecord> sherds) {
+  constexpr std::size_t kIdLetters = 8;
+  std::map<store::SherdRow, std::string> names;
+  std::set<std::string> taken;
+  for (const records::SherdRecord& sherd : sherds)
+    if (!sherd.number.empty())
+      taken.insert(store::uniqueKey(names[sherd.row] = store::slug(sherd.number)));
+  for (const records::SherdRecord& sherd : sherds) {
+    if (!sherd.number.empty()) continue;
+    std::string name = draftName(sherd);
+    while (!taken.insert(store::uniqueKey(name)).second)
+      name += "-" + sherd.id.substr(0, kIdLetters);
+    names[sherd.row] = name;
+  }
+  return names;
+}
+
+}  // namespace
 
 bool isMadeAnew(const PlannedFile& file, const ExportOptions& options) {
   return isModel(file.form) && options.most_model_bytes > 0 && file.from.extension() == ".ply";
@@ -36,8 +57,16 @@ bool isModel(Form form) {
   return form == Form::Ply || form == Form::Glb || form == Form::Obj;
 }
 
-void ExportPlan::add(const records::SherdRecord& sherd) {
-  const std::string name = slugOf(sherd);
+void ExportPlan::add(std::span<const records::SherdRecord> sherds, const std::stop_token& stop) {
+  names_ = namesOf(sherds);
+  for (const records::SherdRecord& sherd : sherds) {
+    if (stop.stop_requested()) throw store::Refused(Error::cancelled());
+    addFiles(sherd);
+  }
+}
+
+void ExportPlan::addFiles(const records::SherdRecord& sherd) {
+  const std::string& name = nameOf(sherd);
   std::string glb;  // that goes out as it is
   const auto most = static_cast<std::int64_t>(unlabelledBytes(options_));
   for (const records::FileRecord& file : valueOrThrow(Files(catalogue_).of(sherd.row))) {
@@ -113,20 +142,17 @@ std::vector<records::SherdRecord> readAll(const Catalogue& catalogue,
                                           std::span<const store::SherdRow> rows, ExportPlan& plan,
                                           const std::stop_token& stop) {
   std::vector<records::SherdRecord> sherds = valueOrThrow(sherds::Sherds(catalogue).of(rows));
-  for (const records::SherdRecord& sherd : sherds) {
-    if (stop.stop_requested()) throw store::Refused(Error::cancelled());
-    plan.add(sherd);
-  }
+  plan.add(sherds, stop);
   return sherds;
 }
 
-std::vector<std::string> withoutModel(const std::vector<records::SherdRecord>& sherds,
-                                      const std::set<store::SherdRow>& with_model,
-                                      const ExportOptions& options) {
+std::vector<std::string> ExportPlan::withoutModel(
+    std::span<const records::SherdRecord> sherds,
+    const std::set<store::SherdRow>& with_model) const {
   std::vector<std::string> names;
-  if (std::any_of(options.forms.begin(), options.forms.end(), isModel))
+  if (std::any_of(options_.forms.begin(), options_.forms.end(), isModel))
     for (const records::SherdRecord& sherd : sherds)
-      if (!with_model.contains(sherd.row)) names.push_back(slugOf(sherd));
+      if (!with_model.contains(sherd.row)) names.push_back(nameOf(sherd));
   return names;
 }
 

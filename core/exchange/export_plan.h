@@ -1,6 +1,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
+#include <set>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -17,9 +18,6 @@
 
 namespace ostraka::exchange {
 
-/// A sherd's name in an export: its number, or its batch with its place on the batch's map:
-/// B0004-03.
-std::string slugOf(const records::SherdRecord& sherd);
 bool isModel(Form form);
 
 /// The scales that drawings are made at where the sheet decides.
@@ -52,7 +50,16 @@ class ExportPlan {
              const ExportOptions& options)
       : catalogue_(catalogue), project_(project), options_(options) {}
 
-  void add(const records::SherdRecord& sherd);  ///< throws Refused
+  /// Once. They outlive the plan. Throws Refused.
+  void add(std::span<const records::SherdRecord> sherds, const std::stop_token& stop);
+  /// Of one that was added: its number, or the batch of a draft with its place on the batch's map,
+  /// B0004-03, and the beginning of its id where another has that name on some system.
+  const std::string& nameOf(const records::SherdRecord& sherd) const {
+    return names_.at(sherd.row);
+  }
+  /// Names of those that have no model in an export that is to have models.
+  std::vector<std::string> withoutModel(std::span<const records::SherdRecord> sherds,
+                                        const std::set<store::SherdRow>& with_model) const;
   /// Those whose pictures, masks and poses are wanted.
   std::map<store::BatchRow, std::string> viewed() const;
   const std::vector<std::filesystem::path>& viewedPhotographs() const {
@@ -63,12 +70,13 @@ class ExportPlan {
   /// What the catalogue names is read within the project only, and through no link: anybody may
   /// have written it, and an export is handed on.
   Result<OpenFile> open(const PlannedFile& file) const;
-  /// To be drawn; the records outlive the plan.
+  /// To be drawn.
   const std::vector<const records::SherdRecord*>& drawn() const { return drawn_; }
   /// Not drawn, and why.
   const std::vector<Message>& notDrawn() const { return not_drawn_; }
 
  private:
+  void addFiles(const records::SherdRecord& sherd);
   void want(Form form, const records::SherdRecord& sherd, const char* role, const std::string& to,
             const std::string& from);
   void addDrawing(const records::SherdRecord& sherd, const std::string& name);
@@ -81,6 +89,7 @@ class ExportPlan {
   std::vector<const records::SherdRecord*> drawn_;
   std::vector<Message> not_drawn_;
   std::vector<std::filesystem::path> viewed_photographs_;
+  std::map<store::SherdRow, std::string> names_;
   std::map<store::BatchRow, std::string> batches_;
   std::map<std::string, std::string> hashes_;
 };
@@ -89,11 +98,6 @@ class ExportPlan {
 std::vector<records::SherdRecord> readAll(const catalogue::Catalogue& catalogue,
                                           std::span<const store::SherdRow> rows, ExportPlan& plan,
                                           const std::stop_token& stop);
-
-/// Names of those that have no model in an export that is to have models.
-std::vector<std::string> withoutModel(const std::vector<records::SherdRecord>& sherds,
-                                      const std::set<store::SherdRow>& with_model,
-                                      const ExportOptions& options);
 
 /// A sherd's drawing on its sheets.
 struct DrawnSheets {

@@ -93,7 +93,7 @@ class Sizing {
       if (isMadeAnew(file, options_)) lightened.insert(file.sherd);
     }
     size_.lightened = static_cast<int>(lightened.size());
-    size_.without_model = withoutModel(sherds_, with_model, options_);
+    size_.without_model = plan_.withoutModel(sherds_, with_model);
     const auto* middle =
         middleOf(models, [](const PlannedFile& file) { return bytesOf(file.from); });
     const Shares shares = middle == nullptr ? Shares() : sharesOf(*middle);
@@ -217,7 +217,7 @@ class Sizing {
       const auto pdf = static_cast<double>(formatPdf(sheets->pages, middle->number).size());
       for (std::size_t i = from; i < to; ++i) {
         const double share = order[i].first / size;
-        const std::string name = "drawings/" + slugOf(*order[i].second);
+        const std::string name = "drawings/" + plan_.nameOf(*order[i].second);
         const store::SherdRow row = order[i].second->row;
         add(name + ".svg", static_cast<std::int64_t>(svg * share), row, "drawing");
         add(name + ".pdf", static_cast<std::int64_t>(pdf * share), row, "drawing");
@@ -242,7 +242,7 @@ class Sizing {
     }
     if (options_.forms.contains(Form::Json))
       for (const records::SherdRecord& sherd : sherds_)
-        add("sherds/" + slugOf(sherd) + ".json",
+        add("sherds/" + plan_.nameOf(sherd) + ".json",
             record_bytes / static_cast<std::int64_t>(some.size()));
     tables(some);
   }

@@ -66,6 +66,19 @@ TEST_F(RefusedExport, NamesTheSherdsOfWhichItHasNoModel) {
               testing::Not(testing::HasSubstr("without a model")));
 }
 
+// Else one number would keep all sherds from being exported.
+TEST_F(RefusedExport, IsNotRefusedForANumberThatIsADraftsName) {
+  EXPECT_TRUE(set(rows[1], "number", ""));
+  EXPECT_TRUE(set(rows[0], "number", "b0001-02"));
+  const Result<Exported> exported = exportTo("out", {Form::Json, Form::Ply});
+  ASSERT_TRUE(exported) << exported.error().sentence();
+  const std::string draft = "B0001-02-" + sherds::Sherds(catalogue()).get(rows[1])->id.substr(0, 8);
+  for (const char* file : {"sherds/b0001-02.json", "models/b0001-02.ply"})
+    EXPECT_TRUE(fs::exists(folder_.path() / "out/data" / file)) << file;
+  for (const std::string& file : {"sherds/" + draft + ".json", "models/" + draft + ".ply"})
+    EXPECT_TRUE(fs::exists(folder_.path() / "out/data" / file)) << file;
+}
+
 TEST_F(RefusedExport, NamesTheValueThatNoFileCanHold) {
   catalogue().database().script("UPDATE sherd_measure SET weight = 9e999 WHERE sherd = 1");
   for (const Form form : {Form::Csv, Form::Ods}) {

@@ -10459,6 +10459,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Ordner auf dem Cluster enthält Dateien, die Ostraka nicht geschrieben hat (%1): %2. Sie bleiben dort.</translation>
     </message>
+    <message>
+      <source>The output folder contains the results of other scans, or of these before a file was changed, renamed, added or removed; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Ausgabeordner enthält die Ergebnisse anderer Scans oder dieser Scans, bevor eine Datei geändert, umbenannt, hinzugefügt oder entfernt wurde; einen anderen Ordner wählen.</translation>
+    </message>
+    <message>
+      <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Der Zeitraum endet, bevor er beginnt: %1 liegt vor %2; die frühere Datierung zuerst schreiben und Jahre v. Chr. mit einem Minuszeichen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10459,6 +10459,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ο φάκελος στη συστοιχία έχει αρχεία που δεν έγραψε το Ostraka (%1): %2. Έμειναν εκεί.</translation>
     </message>
+    <message>
+      <source>The output folder contains the results of other scans, or of these before a file was changed, renamed, added or removed; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο φάκελος εξόδου περιέχει τα αποτελέσματα άλλων σαρώσεων, ή αυτών πριν αλλάξει, μετονομαστεί, προστεθεί ή αφαιρεθεί κάποιο αρχείο· επιλέξτε άλλον φάκελο.</translation>
+    </message>
+    <message>
+      <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Το διάστημα τελειώνει πριν αρχίσει: το %1 προηγείται του %2· γράψτε πρώτα την παλαιότερη χρονολογία, και τα έτη π.Χ. με το σημείο μείον.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10459,6 +10459,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>La carpeta del clúster tiene archivos que Ostraka no escribió (%1): %2. Se han quedado allí.</translation>
     </message>
+    <message>
+      <source>The output folder contains the results of other scans, or of these before a file was changed, renamed, added or removed; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>La carpeta de salida contiene los resultados de otros escaneos, o de estos antes de que un archivo se cambiara, renombrara, añadiera o quitara; elija otra carpeta.</translation>
+    </message>
+    <message>
+      <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El intervalo termina antes de empezar: %1 es anterior a %2; escriba primero la fecha más antigua, y los años a. C. con un signo menos.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10459,6 +10459,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le dossier sur le cluster contient des fichiers qu’Ostraka n’a pas écrits (%1) : %2. Ils y sont restés.</translation>
     </message>
+    <message>
+      <source>The output folder contains the results of other scans, or of these before a file was changed, renamed, added or removed; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le dossier de sortie contient les résultats d’autres scans, ou de ceux-ci avant qu’un fichier n’ait été modifié, renommé, ajouté ou retiré ; choisissez un autre dossier.</translation>
+    </message>
+    <message>
+      <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>L’intervalle finit avant de commencer : %1 précède %2 ; écrivez d’abord la date la plus ancienne, et les années av. J.-C. avec un signe moins.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -10459,6 +10459,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Կլաստերի պանակում կան ֆայլեր, որոնք Ostraka-ն չի գրել (%1)՝ %2։ Դրանք մնացել են այնտեղ։</translation>
     </message>
+    <message>
+      <source>The output folder contains the results of other scans, or of these before a file was changed, renamed, added or removed; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Արդյունքների պանակում այլ սկանների կամ սրանց արդյունքներն են՝ նախքան որևէ ֆայլ կփոխվեր, կվերանվանվեր, կավելացվեր կամ կհեռացվեր. ընտրեք այլ պանակ։</translation>
+    </message>
+    <message>
+      <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Միջակայքն ավարտվում է սկսվելուց առաջ. %1-ը %2-ից վաղ է. նախ գրեք ավելի վաղ թվագրումը, իսկ մ. թ. ա. տարիները՝ մինուս նշանով։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

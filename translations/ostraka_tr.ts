@@ -10413,6 +10413,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kümedeki klasörde Ostraka’nın yazmadığı dosyalar var (%1): %2. Orada bırakıldılar.</translation>
     </message>
+    <message>
+      <source>The output folder contains the results of other scans, or of these before a file was changed, renamed, added or removed; choose another folder.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Çıktı klasöründe başka taramaların ya da bir dosya değişmeden, yeniden adlandırılmadan, eklenmeden veya çıkarılmadan önce bu taramaların sonuçları var; başka klasör seçin.</translation>
+    </message>
+    <message>
+      <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Aralık başlamadan bitiyor: %1, %2 tarihinden öncedir; önce eski tarihi, MÖ yılları da eksi işaretiyle yazın.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ToolRow</name>

@@ -1,6 +1,7 @@
 #include "store/values.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -54,6 +55,28 @@ bool isEdtfDate(std::string_view text) {
   return !looksLikeADay(day) || isDay(day);
 }
 
+enum class Bound { Earliest, Latest };
+
+// Year, month and day that a date has at the earliest or latest: what it leaves open may be any; a
+// season, which has no agreed months, is anywhere in its year.
+std::array<int, 3> boundOf(std::string_view date, Bound bound) {
+  const bool latest = bound == Bound::Latest, any_length = date.starts_with('Y');
+  if (any_length) date.remove_prefix(1);
+  const bool negative = date.starts_with('-');
+  if (negative) date.remove_prefix(1);
+  std::string year(date.substr(0, any_length ? date.find_first_of("?~%") : 4));
+  const std::string_view rest = date.substr(year.size());
+  std::replace(year.begin(), year.end(), 'X', latest == negative ? '0' : '9');
+  const auto part = [&](std::size_t at, int most) {
+    int value = 0;
+    if (at < rest.size()) std::from_chars(rest.data() + at, rest.data() + rest.size(), value);
+    const bool open = value == 0 || value > most;
+    return !open ? value : latest ? most : 1;
+  };
+  const int years = std::stoi(year);
+  return {negative ? -years : years, part(1, 12), part(4, 31)};
+}
+
 }  // namespace
 
 Result<std::string> checkedText(std::string_view text) {
@@ -86,6 +109,12 @@ Result<std::string> checkedEdtf(std::string_view typed) {
       return end.empty() || end == ".." || isEdtfDate(end);
     };
     good = isEnd(from) && isEnd(to) && (isEdtfDate(from) || isEdtfDate(to));
+    if (isEdtfDate(from) && isEdtfDate(to) &&
+        boundOf(to, Bound::Latest) < boundOf(from, Bound::Earliest))
+      return Error::unusable(message(
+          "The interval ends before it begins: %1 is earlier than %2; write the earlier date "
+          "first, and years BC with a minus sign.",
+          std::string(to), std::string(from)));
   }
   if (good) return text;
   return Error::unusable(message(

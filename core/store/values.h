@@ -18,7 +18,8 @@ Result<std::string> checkedText(std::string_view text);
 bool holdsSystemNames(std::string_view table);
 /// 2026-07-14, a day that exists.
 Result<std::string> checkedDay(std::string_view text);
-/// Extended Date/Time Format, level 1: years to days, ? ~ %, intervals with / and .., XX.
+/// Extended Date/Time Format, level 1: years to days, ? ~ %, intervals with / and .., XX. An
+/// interval may not end, at the latest, before it begins at the earliest.
 Result<std::string> checkedEdtf(std::string_view text);
 /// 10YR 3/1, N 4/0.
 Result<std::string> checkedMunsell(std::string_view text);

@@ -50,6 +50,21 @@ TEST(Values, AncientDatesAreWrittenInEdtf) {
     EXPECT_FALSE(checkedEdtf(date)) << date;
 }
 
+TEST(Values, AnIntervalOfDatesDoesNotEndBeforeItBegins) {
+  for (const char* interval :
+       {"-0300/-0100", "-0100/0100", "0300/0300", "9999/..", "../-0300", "9999/", "19XX/1905",
+        "1995/19XX", "-0550/-05XX", "-05XX/-0595", "2026-07-14/2026-07", "2026-07/2026-07-14",
+        "2026-XX-05/2026-01", "2026-24/2026-21", "2026-09/2026-21", "Y-12000~/-9999", "Y-12000/.."})
+    EXPECT_TRUE(checkedEdtf(interval)) << interval;
+  for (const char* interval : {"-0100/-0300", "0400~/0300?", "0100/-0100", "1950/18XX",
+                               "-04XX/-0501", "2026-07-14/2026-06", "2026-07-14/2026-07-13",
+                               "2026-21/2025-24", "-9999/Y-12000", "Y12000/9999%"})
+    EXPECT_FALSE(checkedEdtf(interval)) << interval;
+  EXPECT_EQ(checkedEdtf("0400~/0300?").error().sentence(),
+            "The interval ends before it begins: 0300? is earlier than 0400~; write the earlier "
+            "date first, and years BC with a minus sign.");
+}
+
 TEST(Values, MunsellColoursHaveHueValueAndChroma) {
   for (const char* colour : {"10YR 3/1", "7.5YR 5.5/4", "N 4/", "N 4/0", "5PB 3/2", "2.5Y 8/2"})
     EXPECT_TRUE(checkedMunsell(colour)) << colour;

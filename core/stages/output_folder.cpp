@@ -20,6 +20,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kBatchFile = "batch.json";  // in OUT/work, of process
 constexpr const char* kScansFile = "scans.json";  // in OUT/work, of register
+constexpr const char* kRegister = "register";
 constexpr std::string_view kFolders[] = {"work", "sherds", "unpaired"};
 
 std::string nameOf(const fs::path& file, const batch::Batch& batch) {
@@ -77,10 +78,9 @@ Result<void> mayUseOutput(const fs::path& output, const fs::path& file, const ba
   return {};
 }
 
-bool names(const fs::path& file, const std::string& scans_hash) {
+bool holds(const fs::path& file, const char* key, const std::string& value) {
   const Result<nlohmann::json> earlier = readJson(file);
-  return earlier && earlier->is_object() && earlier->contains("inputs_hash") &&
-         earlier->at("inputs_hash") == scans_hash;
+  return earlier && earlier->is_object() && earlier->contains(key) && earlier->at(key) == value;
 }
 
 // file: names what the results are of.
@@ -120,12 +120,15 @@ Result<FolderLock> claimOutput(const fs::path& output, const std::string& scans_
   if (const Result<void> own = checkNoLinkedFolder(output, kFolders, LinkedFolders::AndBelow); !own)
     return own.error();
   const fs::path file = output / "work" / kScansFile;
-  if (!isUntouched(output, PeoplesFiles::None) && !names(file, scans_hash) &&
-      !names(output / "report.json", scans_hash))
+  if (!isUntouched(output, PeoplesFiles::None) && !holds(file, "inputs_hash", scans_hash) &&
+      !holds(output / "report.json", "inputs_hash", scans_hash))
     return Error::unusable(
-        message("The output folder contains other files; choose a new or empty folder."),
+        holds(file, "command", kRegister)
+            ? message("The output folder contains the results of other scans, or of these before a "
+                      "file was changed, renamed, added or removed; choose another folder.")
+            : message("The output folder contains other files; choose a new or empty folder."),
         output.string());
-  return claimed(output, file, {{"command", "register"}, {"inputs_hash", scans_hash}});
+  return claimed(output, file, {{"command", kRegister}, {"inputs_hash", scans_hash}});
 }
 
 Error outputGone(const fs::path& output) {

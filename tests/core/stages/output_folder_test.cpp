@@ -68,6 +68,15 @@ TEST_F(OutputFolder, OfSomethingElseIsRefusedByARegistration) {
   }
 }
 
+TEST_F(OutputFolder, OfARegistrationIsKnownWhenAScanWasRenamed) {
+  ASSERT_TRUE(claimOutput(outputWith({"work/", "work/lock"}), "scans"));
+  ASSERT_TRUE(writeFileAtomically(folder / "out/report.html", "x"));
+  EXPECT_TRUE(claimOutput(folder / "out", "scans"));
+  const auto held = claimOutput(folder / "out", "renamed");
+  ASSERT_FALSE(held.has_value());
+  EXPECT_THAT(held.error().what, HasSubstr("the results of other scans"));
+}
+
 // Names alone prove no owner: a person's folders may have the same.
 TEST_F(OutputFolder, WithNamesOfAResultButNoMarkIsRefusedByABatch) {
   const std::vector<std::vector<std::string>> others = {

@@ -142,6 +142,8 @@ Result<Condition> conditionOf(Piece piece) {
   else if (measure) {
     if (const Result<double> number = store::parsedNumber(condition.value); !number)
       return Error::unusable(number.error().what, piece.text);
+    if (const Result<void> clear = store::readsOneWay(condition.value); !clear)
+      return Error::unusable(clear.error().what, piece.text);
   } else if (is_day) {
     if (const Result<std::string> day = store::checkedDay(firstDay(condition.value)); !day)
       return Error::unusable(day.error().what, piece.text);

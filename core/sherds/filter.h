@@ -27,9 +27,9 @@ struct Condition {
 /// short ones (below three letters) as whole place or term; name:word is a text that has the word
 /// in it (numbers and short words only whole), another field that equals it; name:"value" equality,
 /// name:* any value, name:"" none; extra.NAME:word or "Its name":word a custom field; < <= > >=
-/// compare numbers (12,5 and 12.5 mean the same) and days, months or
-/// years: entered>=2026-07-01 excavated:2025. The code of a sherd's label finds the sherd that
-/// carries it, though its number is another by now.
+/// compare numbers (12,5 and 12.5 mean the same; equality holds as far as digits are typed) and
+/// days, months or years: entered>=2026-07-01 excavated:2025. The code of a sherd's label finds the
+/// sherd that carries it, though its number is another by now.
 struct Filter {
   std::vector<Condition> conditions;
   std::string text() const;  ///< the line again

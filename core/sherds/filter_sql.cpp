@@ -185,8 +185,12 @@ std::string conditionSql(Query& query, const Condition& condition) {
   if (column->measure) {
     const std::string value =
         query.mark(store::numberText(store::valueOrThrow(store::parsedNumber(condition.value))));
-    return "m." + std::string(column->measure) + signOf(condition.is) + "CAST(" + value +
-           " AS REAL)";
+    const std::string measure = "m." + std::string(column->measure);
+    if (condition.is != Is::Equal)
+      return measure + signOf(condition.is) + "CAST(" + value + " AS REAL)";
+    // Tables and windows show a computed one rounded.
+    const std::string half = query.mark(store::numberText(store::halfStep(condition.value)));
+    return "abs(" + measure + " - CAST(" + value + " AS REAL)) <= CAST(" + half + " AS REAL)";
   }
   if (column->field.kind == records::FieldKind::Day) {
     // A month is compared with months, a year with years.

@@ -192,6 +192,49 @@ Result<double> parsedNumber(std::string_view typed) {
   return value;
 }
 
+namespace {
+
+// With a fourth digit behind the mark: what is offered can be read in one way.
+Error inTwoWays(const std::string& whole, char mark, const std::string& rest) {
+  const char decimal = mark == ',' ? '.' : ',';
+  return Error::unusable(message("'%1' can be read as %2 or as %3; write one of the two.",
+                                 whole + mark + rest, whole + rest, whole + decimal + rest + "0"));
+}
+
+}  // namespace
+
+Result<void> readsOneWay(std::string_view number, char mark) {
+  constexpr std::string_view kDigits = "0123456789";
+  // Of 1,250 ± 2,5 each; 1 250,125 has its thousands apart already.
+  for (std::size_t at = number.find(mark); at != std::string_view::npos;
+       at = number.find(mark, at + 1)) {
+    const std::size_t before = number.find_last_not_of(kDigits, at - (at > 0 ? 1 : 0));
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    const std::size_t end = std::min(number.find_first_not_of(kDigits, at + 1), number.size());
+    const std::string ahead = trimmed(number.substr(0, begin));
+    const std::string behind = trimmed(number.substr(end));
+    const bool alone =
+        (ahead.empty() || ahead.ends_with("±") || ahead.back() == '-' || ahead.back() == '+') &&
+        (behind.empty() || behind.starts_with("±") || behind.front() == '+');
+    const std::size_t digits = at - std::min(begin, at);
+    if (!alone || digits < 1 || digits > 3 || number[begin] == '0' || end - at != 4) continue;
+    return inTwoWays(std::string(number.substr(begin, digits)), mark,
+                     std::string(number.substr(at + 1, 3)));
+  }
+  return {};
+}
+
+double halfStep(std::string_view typed) {
+  const std::string number = trimmed(typed);
+  const std::size_t end = std::min(number.find_first_of("eE"), number.size());
+  const std::size_t mark = number.find_last_of(".,", end);
+  int power = 0;
+  if (const std::size_t digits = number.find_first_not_of("eE+", end); digits < number.size())
+    std::from_chars(number.data() + digits, number.data() + number.size(), power);
+  if (mark != std::string::npos) power -= static_cast<int>(end - mark) - 1;
+  return 0.5 * std::pow(10, power);
+}
+
 std::pair<std::string, std::optional<std::string>> splitPlusMinus(std::string_view text) {
   for (const std::string_view sign : {"\u00b1", "+-", "+/-"})
     if (const std::size_t at = text.find(sign); at != std::string_view::npos)

@@ -26,6 +26,12 @@ Result<std::string> checkedMunsell(std::string_view text);
 /// 12.5 or 12,5; finite. Groups of three digits, as in 1 204,5 or 1.204,5; of 1.204 alone, which is
 /// 1.204 here, readsOneWay says the doubt.
 Result<double> parsedNumber(std::string_view text);
+/// "1,250" is 1250 to those who write points and 1.25 to those who write commas. Errors: such a
+/// number; 0,125 and 12,5 and 1250,125 are read in one way.
+/// mark: ',' or '.', which may stand between thousands.
+Result<void> readsOneWay(std::string_view number, char mark = ',');
+/// Half a unit of a typed number's last digit: 0.05 for 12.5, 0.5 for 12, 500 for 1e3.
+double halfStep(std::string_view number);
 /// 12.5 ± 0.4, 12.5 +- 0.4 or 12.5+/-0.4 -> the trimmed text before the sign, and that behind it.
 std::pair<std::string, std::optional<std::string>> splitPlusMinus(std::string_view text);
 /// Shortest text that reads back as the same number, with a point.

@@ -28,7 +28,7 @@ void lookAtMarks(std::string_view number, MarksSeen& seen) {
     const bool last = number.find_last_of(kMarks) == number.rfind(kMarks[mark]);
     if (counts[mark] > 1 || !last)
       seen.thousands[mark] = true;
-    else if (counts[1 - mark] > 0 || readsOneWay(number, kMarks[mark]))
+    else if (counts[1 - mark] > 0 || store::readsOneWay(number, kMarks[mark]))
       seen.decimal[mark] = true;
   }
 }
@@ -119,7 +119,8 @@ NumberRemarks unclearNumbers(const CsvTable& table, const TableMapping& mapping)
       for (const std::size_t mark : {0u, 1u}) {
         const bool settled = seen.decimal[mark] && !seen.decimal[1 - mark] && !seen.thousands[mark];
         const std::string value = valueAndUnit(cellOf(row, i)).name;
-        const Result<void> clear = settled ? Result<void>() : readsOneWay(value, kMarks[mark]);
+        const Result<void> clear =
+            settled ? Result<void>() : store::readsOneWay(value, kMarks[mark]);
         if (!clear) unclear[row.line].emplace(field, clear.error().sentence());
       }
   }

@@ -238,36 +238,4 @@ std::string unguarded(std::string_view text) {
   return std::string(text);
 }
 
-namespace {
-
-// With a fourth digit behind the mark: what is offered can be read in one way.
-Error inTwoWays(const std::string& whole, char mark, const std::string& rest) {
-  const char decimal = mark == ',' ? '.' : ',';
-  return Error::unusable(message("'%1' can be read as %2 or as %3; write one of the two.",
-                                 whole + mark + rest, whole + rest, whole + decimal + rest + "0"));
-}
-
-}  // namespace
-
-Result<void> readsOneWay(std::string_view number, char mark) {
-  constexpr std::string_view kDigits = "0123456789";
-  // Of 1,250 ± 2,5 each; 1 250,125 has its thousands apart already.
-  for (std::size_t at = number.find(mark); at != std::string_view::npos;
-       at = number.find(mark, at + 1)) {
-    const std::size_t before = number.find_last_not_of(kDigits, at - (at > 0 ? 1 : 0));
-    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
-    const std::size_t end = std::min(number.find_first_not_of(kDigits, at + 1), number.size());
-    const std::string ahead = store::trimmed(number.substr(0, begin));
-    const std::string behind = store::trimmed(number.substr(end));
-    const bool alone =
-        (ahead.empty() || ahead.ends_with("±") || ahead.back() == '-' || ahead.back() == '+') &&
-        (behind.empty() || behind.starts_with("±") || behind.front() == '+');
-    const std::size_t digits = at - std::min(begin, at);
-    if (!alone || digits < 1 || digits > 3 || number[begin] == '0' || end - at != 4) continue;
-    return inTwoWays(std::string(number.substr(begin, digits)), mark,
-                     std::string(number.substr(at + 1, 3)));
-  }
-  return {};
-}
-
 }  // namespace ostraka::tables

@@ -40,9 +40,4 @@ std::string csvLine(const std::vector<std::string>& values, char separator = ','
 std::string guarded(std::string_view text);
 std::string unguarded(std::string_view text);
 
-/// "1,250" is 1250 to those who write points and 1.25 to those who write commas. Errors: such a
-/// number; 0,125 and 12,5 and 1250,125 are read in one way.
-/// mark: ',' or '.', which may stand between thousands.
-Result<void> readsOneWay(std::string_view number, char mark = ',');
-
 }  // namespace ostraka::tables

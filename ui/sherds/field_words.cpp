@@ -12,7 +12,6 @@
 #include "sherds/sherd_fields.h"
 #include "store/values.h"
 #include "tables/column_names.h"
-#include "tables/csv.h"
 #include "ui/frame/free_tr.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/term_words.h"
@@ -270,7 +269,7 @@ QString inTwoWays(const std::string& field, const QString& typed) {
   const std::string mark = QLocale().groupSeparator().toStdString();
   if (mark != "," && mark != ".") return {};
   if (!isNumber(field)) return {};
-  const auto clear = tables::readsOneWay(typed.toStdString(), mark.front());
+  const auto clear = store::readsOneWay(typed.toStdString(), mark.front());
   return clear ? QString() : wordsOf(clear.error().what);
 }
 

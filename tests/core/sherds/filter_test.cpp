@@ -99,6 +99,22 @@ TEST_F(Filters, NumbersAreCompared) {
   EXPECT_EQ(letters("thickness:12.5"), "c");
   EXPECT_EQ(letters("weight:*"), "b");
   EXPECT_EQ(letters("weight:\"\""), "acd");
+  const Result<Filter> two_ways = parseFilter("rim weight>1,250");
+  ASSERT_FALSE(two_ways);
+  EXPECT_EQ(two_ways.error().what,
+            "'1,250' can be read as 1250 or as 1.2500; write one of the two.");
+  EXPECT_EQ(two_ways.error().where, "weight>1,250");
+  EXPECT_TRUE(parseFilter("weight>1.250")) << "as tables are written";
+}
+
+TEST_F(Filters, ANumberIsEqualAsFarAsItsDigitsAreTyped) {
+  ASSERT_TRUE(
+      set(*Sherds(catalogue()).byNumber("ARM1-T3-0013-0002"), "thickness_mean_mm", "2.97296"));
+  for (const char* line : {"thickness=2.973", "thickness:2,97", "thickness=3.0", "thickness=3"})
+    EXPECT_EQ(letters(line), "d") << line;
+  for (const char* line : {"thickness=2.972", "thickness=2.9", "thickness=2.9730", "thickness=2"})
+    EXPECT_EQ(letters(line), "") << line;
+  EXPECT_EQ(letters("-thickness=3"), "abc");
 }
 
 TEST_F(Filters, DaysMonthsAndYearsAreCompared) {

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <clocale>
+#include <map>
 
 #include "base/limits.h"
 
@@ -38,6 +39,28 @@ TEST(Values, AnUncertaintyStandsBehindAnyOfThreeSigns) {
 
 TEST(Values, WhatIsTooLongForAColourIsNone) {
   EXPECT_FALSE(checkedMunsell(std::string(limits::kValueBytes.most, '5')));
+}
+
+TEST(Values, ANumberWithACommaBeforeThreeDigitsCanBeReadInTwoWays) {
+  EXPECT_EQ(readsOneWay("1.250", '.').error().sentence(),
+            "'1.250' can be read as 1250 or as 1,2500; write one of the two.");
+  EXPECT_TRUE(readsOneWay("1.2500", '.')) << "what is offered is read in one way";
+  EXPECT_TRUE(readsOneWay("1.250")) << "the comma stands between thousands";
+  EXPECT_TRUE(readsOneWay("1250,125", '.'));
+  EXPECT_EQ(readsOneWay("1,250").error().sentence(),
+            "'1,250' can be read as 1250 or as 1.2500; write one of the two.");
+  for (const char* two : {"+12,500", "100,000", "1,250 ± 3", "2 ± 1,250", "12,5 +- 1,250"})
+    EXPECT_FALSE(readsOneWay(two)) << two;
+  for (const char* one : {"", ",", ",250", "1,25", "12,5", "0,125", "1250,125", "1 250,125",
+                          "1.250", "1,250,000", "1,2505", "wide, 1"})
+    EXPECT_TRUE(readsOneWay(one)) << one;
+}
+
+TEST(Values, ANumberIsMeantToHalfAUnitOfItsLastDigit) {
+  const std::map<std::string, double> steps = {{"12", 0.5},         {"12,5", 0.05},
+                                               {" 2.973 ", 0.0005}, {"1.204,5", 0.05},
+                                               {"1e3", 500},        {"1.5E-2", 0.0005}};
+  for (const auto& [number, step] : steps) EXPECT_DOUBLE_EQ(halfStep(number), step) << number;
 }
 
 TEST(Values, AncientDatesAreWrittenInEdtf) {

@@ -97,21 +97,6 @@ TEST(Csv, FormulasAreDisarmedAndComeBack) {
   EXPECT_EQ(unguarded("''"), "''");
 }
 
-TEST(Csv, ANumberWithACommaBeforeThreeDigitsCanBeReadInTwoWays) {
-  EXPECT_EQ(readsOneWay("1.250", '.').error().sentence(),
-            "'1.250' can be read as 1250 or as 1,2500; write one of the two.");
-  EXPECT_TRUE(readsOneWay("1.2500", '.')) << "what is offered is read in one way";
-  EXPECT_TRUE(readsOneWay("1.250")) << "the comma stands between thousands";
-  EXPECT_TRUE(readsOneWay("1250,125", '.'));
-  EXPECT_EQ(readsOneWay("1,250").error().sentence(),
-            "'1,250' can be read as 1250 or as 1.2500; write one of the two.");
-  for (const char* two : {"+12,500", "100,000", "1,250 ± 3", "2 ± 1,250", "12,5 +- 1,250"})
-    EXPECT_FALSE(readsOneWay(two)) << two;
-  for (const char* one : {"", ",", ",250", "1,25", "12,5", "0,125", "1250,125", "1 250,125",
-                          "1.250", "1,250,000", "1,2505", "wide, 1"})
-    EXPECT_TRUE(readsOneWay(one)) << one;
-}
-
 TEST(Csv, AMarkInsideTheFirstQuotationIsNoPartOfTheName) {
   const Result<CsvTable> table = parseCsv("\"\xEF\xBB\xBFnumber\",part\r\n1,rim\r\n", "t");
   ASSERT_TRUE(table);

@@ -1,6 +1,7 @@
 #include "tables/csv.h"
 
 #include <algorithm>
+#include <regex>
 
 #include "base/limits.h"
 #include "base/message.h"
@@ -96,10 +97,19 @@ char separatorOf(std::string_view text) {
   return ",;\t"[most - std::begin(counts)];
 }
 
+// Excel's own first line, sep=; and nothing else.
+std::cmatch separatorLine(std::string_view text) {
+  static const std::regex kForm("\"?sep=([,;\t])\"?(\r\n?|\n|$)", std::regex::icase);
+  std::cmatch line;
+  std::regex_search(text.data(), text.data() + text.size(), line, kForm,
+                    std::regex_constants::match_continuous);
+  return line;
+}
+
 class Parser {
  public:
-  Parser(std::string_view text, char separator, const std::string& where)
-      : text_(text), separator_(separator), where_(where) {}
+  Parser(std::string_view text, char separator, int line, const std::string& where)
+      : text_(text), separator_(separator), where_(where), line_(line) {}
 
   Result<std::vector<CsvRow>> rows() {
     std::vector<CsvRow> all;
@@ -174,7 +184,7 @@ class Parser {
   char separator_;
   const std::string& where_;
   std::size_t at_ = 0;
-  int line_ = 1;
+  int line_;
 };
 
 }  // namespace
@@ -187,8 +197,12 @@ Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where) {
   const Result<std::string> text = decoded(bytes, where);
   if (!text) return text.error();
   CsvTable table;
-  table.separator = separatorOf(*text);
-  Result<std::vector<CsvRow>> rows = Parser(*text, table.separator, where).rows();
+  const std::cmatch named = separatorLine(*text);
+  const int line = named.empty() ? 1 : 2;
+  table.separator = named.empty() ? separatorOf(*text) : *named[1].first;
+  const auto length = named.empty() ? 0 : static_cast<std::size_t>(named.length());
+  Result<std::vector<CsvRow>> rows =
+      Parser(std::string_view(*text).substr(length), table.separator, line, where).rows();
   if (!rows) return rows.error();
   if (rows->empty())
     return Error::unusable(message("The table is empty; its first line must name the columns."),

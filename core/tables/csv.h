@@ -25,10 +25,10 @@ constexpr const char* kRemarkColumn = "Ostraka: ";
 constexpr const char* kUtf8Mark = "\xEF\xBB\xBF";
 
 /// RFC 4180. UTF-8 with or without BOM, UTF-16 with BOM; the separator (, ; or tabulator) is taken
-/// from the header; line ends CRLF, LF or CR; empty lines are left out. At most 1,000,000 rows,
-/// 1,000 columns and 1 MB a field. A vertical tab in a value is a line end. Columns are
-/// named without the guard against formulas; those with remarks of the program (kRemarkColumn) are
-/// left out. Errors name the line.
+/// from the header, or from a line before it, sep=; as Excel reads and writes it; line ends CRLF,
+/// LF or CR; empty lines are left out. At most 1,000,000 rows, 1,000 columns and 1 MB a field. A
+/// vertical tab in a value is a line end. Columns are named without the guard against formulas;
+/// those with remarks of the program (kRemarkColumn) are left out. Errors name the line.
 Result<CsvTable> parseCsv(std::string_view bytes, const std::string& where);
 
 /// CRLF; values with any separator, a quotation mark or a line end are quoted.

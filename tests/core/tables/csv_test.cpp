@@ -82,6 +82,21 @@ TEST(Csv, WhatIsNoTableIsRefusedWithItsLine) {
             std::string::npos);
 }
 
+TEST(Csv, ALineOfExcelBeforeTheHeaderNamesTheSeparator) {
+  for (const char* line : {"sep=;\r\n", "SEP=;\n", "\"sep=;\"\r", "\xEF\xBB\xBFsep=;\n"}) {
+    const Result<CsvTable> table = parseCsv(std::string(line) + "a,b;c\n1;2\n", "t.csv");
+    ASSERT_TRUE(table) << line;
+    EXPECT_EQ(table->separator, ';');
+    EXPECT_THAT(table->columns, ElementsAre("a,b", "c")) << line;
+    ASSERT_EQ(table->rows.size(), 1u);
+    EXPECT_EQ(table->rows[0].line, 3);
+    EXPECT_THAT(table->rows[0].values, ElementsAre("1", "2"));
+  }
+  EXPECT_THAT(parseCsv("sep=\t\na;b\tc\n", "t.csv")->columns, ElementsAre("a;b", "c"));
+  EXPECT_THAT(parseCsv("sep=;b\n1;2\n", "t.csv")->columns, ElementsAre("sep=", "b"));
+  EXPECT_FALSE(parseCsv("sep=;", "t.csv"));
+}
+
 TEST(Csv, FormulasAreDisarmedAndComeBack) {
   EXPECT_EQ(guarded("=1+1"), "'=1+1");
   EXPECT_EQ(guarded("'=1+1"), "''=1+1");

@@ -10210,21 +10210,6 @@
       <translation>Keine Spalte enthält die Nummern der Scherben, aber &apos;%1&apos; ist eine Spalte von Scherben; die Spalte der Nummern auswählen, oder &apos;%1&apos; weglassen, wenn dies eine Tabelle von Befunden ist.</translation>
     </message>
     <message>
-      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Die Nummer %1 unterscheidet sich von der vorhandenen Nummer %2 nur in führenden Nullen, Groß- und Kleinschreibung oder Satzzeichen; prüfen, welche gemeint ist.</translation>
-    </message>
-    <message>
-      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Neue Nummern unterscheiden sich von vorhandenen nur in führenden Nullen, Groß- und Kleinschreibung oder Satzzeichen: %1; auf Tippfehler prüfen.</translation>
-    </message>
-    <message>
-      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Eine Tabellenkalkulation hat diese Nummern möglicherweise verkürzt: %1; mit den Etiketten vergleichen und berichtigen.</translation>
-    </message>
-    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: nicht wiederhergestellt; gehört zu %2</translation>
@@ -10468,6 +10453,21 @@
       <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Zeitraum endet, bevor er beginnt: %1 liegt vor %2; die frühere Datierung zuerst schreiben und Jahre v. Chr. mit einem Minuszeichen.</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Die Nummer %1 unterscheidet sich von der vorhandenen Nummer %2 nur in Nullen, Groß- und Kleinschreibung oder Satzzeichen; prüfen, welche gemeint ist.</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Neue Nummern unterscheiden sich von vorhandenen nur in Nullen, Groß- und Kleinschreibung oder Satzzeichen: %1; auf Tippfehler prüfen.</translation>
+    </message>
+    <message>
+      <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Eine Tabellenkalkulation hat diese Nummern möglicherweise verkürzt oder in Daten umgewandelt: %1; mit den Etiketten vergleichen und berichtigen.</translation>
     </message>
 </context>
 <context>

@@ -10210,21 +10210,6 @@
       <translation>Καμία στήλη δεν έχει τους αριθμούς των οστράκων, αλλά η &apos;%1&apos; είναι στήλη οστράκων· επιλέξτε τη στήλη των αριθμών ή παραλείψτε την &apos;%1&apos;, αν αυτός είναι πίνακας πλαισίων.</translation>
     </message>
     <message>
-      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ο αριθμός %1 διαφέρει από τον υπάρχοντα αριθμό %2 μόνο στα αρχικά μηδενικά, στα πεζά ή κεφαλαία ή στα σημεία στίξης· ελέγξτε ποιος εννοείται.</translation>
-    </message>
-    <message>
-      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Νέοι αριθμοί διαφέρουν από υπάρχοντες μόνο στα αρχικά μηδενικά, στα πεζά ή κεφαλαία ή στα σημεία στίξης: %1· ελέγξτε για τυπογραφικά λάθη.</translation>
-    </message>
-    <message>
-      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Ένα λογιστικό φύλλο ίσως συντόμευσε αυτούς τους αριθμούς: %1· συγκρίνετέ τους με τις ετικέτες και διορθώστε τους.</translation>
-    </message>
-    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: δεν αποκαταστάθηκε· ανήκει στο %2</translation>
@@ -10468,6 +10453,21 @@
       <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το διάστημα τελειώνει πριν αρχίσει: το %1 προηγείται του %2· γράψτε πρώτα την παλαιότερη χρονολογία, και τα έτη π.Χ. με το σημείο μείον.</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ο αριθμός %1 διαφέρει από τον υπάρχοντα αριθμό %2 μόνο στα μηδενικά, στα πεζά ή κεφαλαία ή στα σημεία στίξης· ελέγξτε ποιος εννοείται.</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Νέοι αριθμοί διαφέρουν από υπάρχοντες μόνο στα μηδενικά, στα πεζά ή κεφαλαία ή στα σημεία στίξης: %1· ελέγξτε για τυπογραφικά λάθη.</translation>
+    </message>
+    <message>
+      <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Ένα λογιστικό φύλλο ίσως συντόμευσε αυτούς τους αριθμούς ή τους μετέτρεψε σε ημερομηνίες: %1· συγκρίνετέ τους με τις ετικέτες και διορθώστε τους.</translation>
     </message>
 </context>
 <context>

@@ -10210,21 +10210,6 @@
       <translation>Ninguna columna contiene los números de los fragmentos, pero &apos;%1&apos; es una columna de fragmentos; elija la columna de los números, u omita &apos;%1&apos; si esta es una tabla de contextos.</translation>
     </message>
     <message>
-      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>El número %1 se distingue del número existente %2 solo en los ceros a la izquierda, las mayúsculas o la puntuación; compruebe cuál es el correcto.</translation>
-    </message>
-    <message>
-      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Hay números nuevos que se distinguen de los existentes solo en los ceros a la izquierda, las mayúsculas o la puntuación: %1; compruebe si hay erratas.</translation>
-    </message>
-    <message>
-      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Es posible que una hoja de cálculo haya abreviado estos números: %1; compárelos con las etiquetas y corríjalos.</translation>
-    </message>
-    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: no restaurado; pertenece a %2</translation>
@@ -10468,6 +10453,21 @@
       <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El intervalo termina antes de empezar: %1 es anterior a %2; escriba primero la fecha más antigua, y los años a. C. con un signo menos.</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>El número %1 se distingue del número existente %2 solo en los ceros, las mayúsculas o la puntuación; compruebe cuál es el correcto.</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Hay números nuevos que se distinguen de los existentes solo en los ceros, las mayúsculas o la puntuación: %1; compruebe si hay erratas.</translation>
+    </message>
+    <message>
+      <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Es posible que una hoja de cálculo haya abreviado estos números o los haya convertido en fechas: %1; compárelos con las etiquetas y corríjalos.</translation>
     </message>
 </context>
 <context>

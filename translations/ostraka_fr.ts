@@ -10210,21 +10210,6 @@
       <translation>Aucune colonne ne contient les numéros des tessons, mais &apos;%1&apos; est une colonne de tessons ; choisissez la colonne des numéros, ou omettez &apos;%1&apos; si c’est un tableau de contextes.</translation>
     </message>
     <message>
-      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Le numéro %1 ne diffère du numéro existant %2 que par des zéros initiaux, la casse ou la ponctuation ; vérifiez lequel est voulu.</translation>
-    </message>
-    <message>
-      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>De nouveaux numéros ne diffèrent de numéros existants que par des zéros initiaux, la casse ou la ponctuation : %1 ; vérifiez les fautes de frappe.</translation>
-    </message>
-    <message>
-      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Un tableur a peut-être abrégé ces numéros : %1 ; comparez-les avec les étiquettes et corrigez-les.</translation>
-    </message>
-    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1 : non restauré ; appartient à %2</translation>
@@ -10468,6 +10453,21 @@
       <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>L’intervalle finit avant de commencer : %1 précède %2 ; écrivez d’abord la date la plus ancienne, et les années av. J.-C. avec un signe moins.</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Le numéro %1 ne diffère du numéro existant %2 que par des zéros, la casse ou la ponctuation ; vérifiez lequel est voulu.</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>De nouveaux numéros ne diffèrent de numéros existants que par des zéros, la casse ou la ponctuation : %1 ; vérifiez les fautes de frappe.</translation>
+    </message>
+    <message>
+      <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Un tableur a peut-être abrégé ces numéros ou les a changés en dates : %1 ; comparez-les avec les étiquettes et corrigez-les.</translation>
     </message>
 </context>
 <context>

@@ -10210,21 +10210,6 @@
       <translation>Ոչ մի սյունակ չունի բեկորների համարները, բայց &apos;%1&apos;-ը բեկորների սյունակ է. ընտրեք համարների սյունակը կամ բաց թողեք &apos;%1&apos;-ը, եթե սա համատեքստերի աղյուսակ է։</translation>
     </message>
     <message>
-      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 համարն առկա %2 համարից տարբերվում է միայն սկզբնական զրոներով, տառերի մեծությամբ կամ կետադրությամբ. ստուգեք, թե որն է նկատի առնված։</translation>
-    </message>
-    <message>
-      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նոր համարներն առկա համարներից տարբերվում են միայն սկզբնական զրոներով, տառերի մեծությամբ կամ կետադրությամբ՝ %1. ստուգեք վրիպակները։</translation>
-    </message>
-    <message>
-      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Աղյուսակային ծրագիրը հնարավոր է կրճատել է այս համարները՝ %1. համեմատեք դրանք պիտակների հետ և ուղղեք։</translation>
-    </message>
-    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1. չվերականգնվեց, պատկանում է՝ %2</translation>
@@ -10468,6 +10453,21 @@
       <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Միջակայքն ավարտվում է սկսվելուց առաջ. %1-ը %2-ից վաղ է. նախ գրեք ավելի վաղ թվագրումը, իսկ մ. թ. ա. տարիները՝ մինուս նշանով։</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 համարն առկա %2 համարից տարբերվում է միայն զրոներով, տառերի մեծությամբ կամ կետադրությամբ. ստուգեք, թե որն է նկատի առնված։</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Նոր համարներն առկա համարներից տարբերվում են միայն զրոներով, տառերի մեծությամբ կամ կետադրությամբ՝ %1. ստուգեք վրիպակները։</translation>
+    </message>
+    <message>
+      <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Աղյուսակային ծրագիրը հնարավոր է կրճատել է այս համարները կամ դարձրել ամսաթվեր՝ %1. համեմատեք դրանք պիտակների հետ և ուղղեք։</translation>
     </message>
 </context>
 <context>

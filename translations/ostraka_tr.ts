@@ -10164,21 +10164,6 @@
       <translation>Hiçbir sütunda parçaların numaraları yok, ama &apos;%1&apos; parçalara ait bir sütun; numara sütununu seçin ya da bu bir kontekst tablosuysa &apos;%1&apos; sütununu dışarıda bırakın.</translation>
     </message>
     <message>
-      <source>The number %1 differs from the existing number %2 only in leading zeros, letter case or punctuation; check which one is meant.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1 numarası var olan %2 numarasından yalnızca baştaki sıfırlarda, büyük-küçük harfte ya da noktalamada ayrılıyor; hangisinin kastedildiğini denetleyin.</translation>
-    </message>
-    <message>
-      <source>New numbers differ from existing ones only in leading zeros, letter case or punctuation: %1; check for typos.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Yeni numaralar var olanlardan yalnızca baştaki sıfırlarda, büyük-küçük harfte ya da noktalamada ayrılıyor: %1; yazım hatası olup olmadığını denetleyin.</translation>
-    </message>
-    <message>
-      <source>A spreadsheet may have shortened these numbers: %1; compare them with the labels and correct them.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Bir hesap tablosu bu numaraları kısaltmış olabilir: %1; etiketlerle karşılaştırın ve düzeltin.</translation>
-    </message>
-    <message>
         <source>%1: not restored; it belongs to %2</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>%1: geri getirilemedi; ait olduğu kayıt: %2</translation>
@@ -10422,6 +10407,21 @@
       <source>The interval ends before it begins: %1 is earlier than %2; write the earlier date first, and years BC with a minus sign.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aralık başlamadan bitiyor: %1, %2 tarihinden öncedir; önce eski tarihi, MÖ yılları da eksi işaretiyle yazın.</translation>
+    </message>
+    <message>
+      <source>The number %1 differs from the existing number %2 only in zeros, letter case or punctuation; check which one is meant.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1 numarası var olan %2 numarasından yalnızca sıfırlarda, büyük-küçük harfte ya da noktalamada ayrılıyor; hangisinin kastedildiğini denetleyin.</translation>
+    </message>
+    <message>
+      <source>New numbers differ from existing ones only in zeros, letter case or punctuation: %1; check for typos.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Yeni numaralar var olanlardan yalnızca sıfırlarda, büyük-küçük harfte ya da noktalamada ayrılıyor: %1; yazım hatası olup olmadığını denetleyin.</translation>
+    </message>
+    <message>
+      <source>A spreadsheet may have shortened these numbers or turned them into dates: %1; compare them with the labels and correct them.</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>Bir hesap tablosu bu numaraları kısaltmış ya da tarihe çevirmiş olabilir: %1; etiketlerle karşılaştırın ve düzeltin.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "sherds/numbers.h"
 
+#include <algorithm>
 #include <map>
 
 #include "base/message.h"
@@ -87,6 +88,13 @@ std::int64_t nextOf(store::Database& database, const std::string& counter, std::
           "?3",
           counter, first, last)
       .one<std::int64_t>();
+}
+
+// 12 of 12.0, which a spreadsheet makes of it.
+std::string withoutPointZero(const std::string& number) {
+  const std::size_t digits = std::min(number.find_first_not_of("0123456789"), number.size());
+  const std::string rest = number.substr(digits);
+  return digits > 0 && (rest == ".0" || rest == ",0") ? number.substr(0, digits) : number;
 }
 
 }  // namespace
@@ -193,13 +201,18 @@ Result<int> Numbers::next(const std::string& counter, int first, int last) const
 
 Result<std::vector<std::string>> Numbers::similar(store::SherdRow sherd,
                                                   const std::string& number) const {
+  const std::string whole = withoutPointZero(number);
   return database_->asResult([&] {
-    auto numbers = database_
-                       ->sql("SELECT number FROM sherd WHERE number_sort = ? AND row IS NOT ?",
-                             store::sortKey(number), sherd)
-                       .all<std::string>();
+    auto numbers =
+        database_
+            ->sql("SELECT number FROM sherd WHERE number_sort IN (?, ?, ?) AND row IS NOT ?",
+                  store::sortKey(number), store::sortKey(whole), store::sortKey(whole + ".0"),
+                  sherd)
+            .all<std::string>();
     std::erase_if(numbers, [&](const std::string& other) {
-      return store::uniqueKey(other) == store::uniqueKey(number);
+      return store::uniqueKey(other) == store::uniqueKey(number) ||
+             (store::sortKey(other) != store::sortKey(number) &&
+              store::sortKey(withoutPointZero(other)) != store::sortKey(whole));
     });
     return numbers;
   });
@@ -210,7 +223,7 @@ Result<Message> Numbers::doubt(store::SherdRow sherd, const std::string& number)
   if (!numbers) return numbers.error();
   if (number.empty() || numbers->empty()) return Message();
   return message(
-      "The number %1 differs from the existing number %2 only in leading zeros, letter case or "
+      "The number %1 differs from the existing number %2 only in zeros, letter case or "
       "punctuation; check which one is meant.",
       number, numbers->front());
 }

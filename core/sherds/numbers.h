@@ -24,7 +24,8 @@ class Numbers : public catalogue::Subject {
   /// reserved.
   Result<int> next(const std::string& counter, int first, int last) const;
   /// Of other sherds, those that people read as this one: they differ in leading zeros, letter case
-  /// or punctuation at most (store::sortKey). The number itself is none of them.
+  /// or punctuation at most (store::sortKey), or in being 12.0 for 12. The number itself is none of
+  /// them.
   Result<std::vector<std::string>> similar(store::SherdRow, const std::string& number) const;
   /// What to look at again before the sherd gets this number; empty: nothing.
   Result<Message> doubt(store::SherdRow, const std::string& number) const;

@@ -129,8 +129,8 @@ std::vector<ChangedValue> enterRow(Catalogue& catalogue, const BagPlace& place,
                                    const Values& values, const records::Provenance& provenance,
                                    Faults& faults, std::vector<std::string>& made) {
   Places known(catalogue);
-  const auto row = valueOrThrow(
-      known.contextAt(place.site, place.trench, place.context, provenance, made));
+  const auto row =
+      valueOrThrow(known.contextAt(place.site, place.trench, place.context, provenance, made));
   const records::ContextRecord found = valueOrThrow(known.context(row));
   records::ContextRecord context = found;
   values.text("kind", context.kind);

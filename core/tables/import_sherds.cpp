@@ -19,6 +19,7 @@
 #include "store/names.h"
 #include "store/values.h"
 #include "tables/column_meanings.h"
+#include "tables/damaged_number.h"
 #include "tables/import_table.h"
 #include "tables/portions.h"
 #include "tables/table_joins.h"
@@ -43,14 +44,6 @@ using store::valueOrThrow;
 std::string valueOf(const ImportRow& row, const std::string& name) {
   const auto found = row.values.find(name);
   return found == row.values.end() || found->second == kClear ? std::string() : found->second;
-}
-
-// 1.23E+05, as a spreadsheet writes what it takes for a large number; its digits are lost.
-bool isShortenedNumber(const std::string& text) {
-  const std::size_t power = text.find_first_of("Ee");
-  return power != std::string::npos && power > 0 && power + 2 < text.size() &&
-         text.find_first_not_of("0123456789.,") == power && text[power + 1] == '+' &&
-         text.find_first_not_of("0123456789", power + 2) == std::string::npos;
 }
 
 // A sentence a row: one that named all rows would make them grow with the square.
@@ -114,7 +107,7 @@ class Importing {
     }
     joins_.enteredAs(at, entered);
     if (const Result<void> noted = noteSimilarNumbers(); !noted) return noted;
-    if (fate != RowFate::Same) noteShortenedNumbers(rows_[at]);
+    if (fate != RowFate::Same) noteDamagedNumbers(rows_[at]);
     report_.add(row.line, fate);
     if (fate != RowFate::Changed) return {};
     if (const Result<void> told = tellChanges(entered); !told) return told;
@@ -127,14 +120,14 @@ class Importing {
   Result<void> tellWhatToCheck() {
     if (!similar_.empty())
       report_.warnings.push_back(
-          message("New numbers differ from existing ones only in leading zeros, letter case or "
+          message("New numbers differ from existing ones only in zeros, letter case or "
                   "punctuation: %1; check for typos.",
                   joined(similar_, ", ")));
-    if (!shortened_.empty())
+    if (!damaged_.empty())
       report_.warnings.push_back(
-          message("A spreadsheet may have shortened these numbers: %1; compare them with the "
-                  "labels and correct them.",
-                  joined(shortened_, ", ")));
+          message("A spreadsheet may have shortened these numbers or turned them into dates: %1; "
+                  "compare them with the labels and correct them.",
+                  joined(damaged_, ", ")));
     const Result<std::vector<std::string>> lost = joins_.lost(catalogue_);
     if (!lost) return lost.error();
     if (!lost->empty())
@@ -162,15 +155,15 @@ class Importing {
   }
 
   // Of the sherd and of its place, each once.
-  void noteShortenedNumbers(const ImportRow& row) {
+  void noteDamagedNumbers(const ImportRow& row) {
     constexpr std::size_t kMostNamed = 10;
     for (const auto& [name, value] : row.values) {
       const SherdField* field = sherds::sherdField(name);
       if (name != "number" && !(field && field->kind == FieldKind::Place)) continue;
-      if (!isShortenedNumber(value) || shortened_.size() > kMostNamed ||
-          std::find(shortened_.begin(), shortened_.end(), value) != shortened_.end())
+      if (!isDamagedNumber(value) || damaged_.size() > kMostNamed ||
+          std::find(damaged_.begin(), damaged_.end(), value) != damaged_.end())
         continue;
-      shortened_.push_back(shortened_.size() == kMostNamed ? "\u2026" : value);
+      damaged_.push_back(damaged_.size() == kMostNamed ? "\u2026" : value);
     }
   }
 
@@ -393,7 +386,7 @@ class Importing {
   ImportReport& report_;
   std::vector<FieldChange> done_, undo_;  ///< of the present row
   std::vector<std::string> similar_;      ///< numbers, each with the one that it resembles
-  std::vector<std::string> shortened_;
+  std::vector<std::string> damaged_;
   /// Of the rows that have this number or uuid.
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> lines_;
   std::map<std::string, store::PersonRow> persons_;

@@ -51,11 +51,18 @@ TEST_F(NumbersTest, ThatPeopleReadAsOneAreDoubted) {
   ASSERT_TRUE(set(a, "number", "K-0007"));
   EXPECT_THAT(*Numbers(catalogue()).similar(b, "k/7"), ElementsAre("K-0007"));
   EXPECT_EQ(*Numbers(catalogue()).doubt({}, "K 007"),
-            "The number K 007 differs from the existing number K-0007 only in leading zeros, "
+            "The number K 007 differs from the existing number K-0007 only in zeros, "
             "letter case or punctuation; check which one is meant.");
   EXPECT_THAT(*Numbers(catalogue()).similar(a, "k/7"), ElementsAre()) << "its own";
-  for (const char* other : {"K-0007", "k-0007", "K-70", "K-7a", ""})
+  for (const char* other : {"K-0007", "k-0007", "K-70", "K-7a", "K-7.0", ""})
     EXPECT_TRUE(Numbers(catalogue()).doubt(b, other)->empty()) << other;
+  // A spreadsheet that takes a number for one of a measure writes it so.
+  ASSERT_TRUE(set(a, "number", "12"));
+  for (const char* other : {"12.0", "12,0", "0012.0"})
+    EXPECT_THAT(*Numbers(catalogue()).similar(b, other), ElementsAre("12")) << other;
+  EXPECT_THAT(*Numbers(catalogue()).similar(b, "12/0"), ElementsAre());
+  ASSERT_TRUE(set(a, "number", "13.0"));
+  EXPECT_THAT(*Numbers(catalogue()).similar(b, "13"), ElementsAre("13.0"));
 }
 
 TEST_F(NumbersTest, HaveNoLettersThatNobodySees) {

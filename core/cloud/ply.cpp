@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 
 #include "base/limits.h"
@@ -280,6 +281,15 @@ float unit(double value, Type type) {
   return static_cast<float>(type == Type::F32 || type == Type::F64 ? value * 255.0 : value);
 }
 
+// A unit normal stays as it is, as far as floats tell: else each reading and writing of a file
+// would change its last bits.
+Eigen::Vector3f unitNormal(const Eigen::Vector3f& normal) {
+  if (std::abs(normal.squaredNorm() - 1) < 8 * std::numeric_limits<float>::epsilon()) return normal;
+  const float length = normal.norm();
+  return std::isfinite(length) && length > 1e-12f ? Eigen::Vector3f(normal / length)
+                                                  : Eigen::Vector3f::Zero();
+}
+
 // Vertices; new_index gets each vertex's place after dropping those that are not finite.
 bool readVertices(const Element& element, Values& values, PlyContents& out,
                   std::vector<int>& new_index) {
@@ -301,7 +311,6 @@ bool readVertices(const Element& element, Values& values, PlyContents& out,
                              static_cast<float>(row[at[2]]));
     };
     const Eigen::Vector3f point = vector(c.xyz);
-    Eigen::Vector3f normal = has_normals ? vector(c.normal) : Eigen::Vector3f::UnitZ();
     if (!point.allFinite() || point.cwiseAbs().maxCoeff() > 1e9f) {
       ++out.dropped_not_finite;
       new_index.push_back(-1);
@@ -309,12 +318,7 @@ bool readVertices(const Element& element, Values& values, PlyContents& out,
     }
     new_index.push_back(static_cast<int>(out.mesh.vertices.size()));
     out.mesh.vertices.push_back(point);
-    if (has_normals) {
-      const float length = normal.norm();
-      out.mesh.normals.push_back(std::isfinite(length) && length > 1e-12f
-                                     ? Eigen::Vector3f(normal / length)
-                                     : Eigen::Vector3f::Zero());
-    }
+    if (has_normals) out.mesh.normals.push_back(unitNormal(vector(c.normal)));
     if (has_colors) {
       Color color{};
       for (int k = 0; k < 3; ++k) {

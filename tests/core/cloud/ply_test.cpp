@@ -13,6 +13,27 @@ std::string bigEndian(float value) {
   return {raw[3], raw[2], raw[1], raw[0]};
 }
 
+TEST(Ply, NormalsStayAsTheyAreOnceTheyAreOfUnitLength) {
+  PointCloud cloud;
+  for (int i = 0; i < 400; ++i) {
+    cloud.points.emplace_back(static_cast<float>(i), 0, 0);
+    cloud.normals.emplace_back(std::sin(0.7f * i), std::cos(1.3f * i), std::sin(2.1f * i + 1));
+    if (i % 2 == 0) cloud.normals.back().normalize();
+  }
+  const auto normalsOf = [](const std::string& bytes) {
+    return parsePly(bytes, "x.ply")->mesh.normals;
+  };
+  const auto original = cloud.normals;
+  cloud.normals = normalsOf(formatPly(cloud, "model"));
+  for (std::size_t i = 0; i < original.size(); ++i) {
+    EXPECT_NEAR(cloud.normals[i].norm(), 1, 1e-6) << i;
+    if (i % 2 == 0) {
+      EXPECT_EQ(cloud.normals[i], original[i]) << "was of unit length: " << i;
+    }
+  }
+  EXPECT_EQ(normalsOf(formatPly(cloud, "model")), cloud.normals);
+}
+
 TEST(Ply, AsciiIsReadWithOddSpacingAndWindowsLines) {
   const auto read = parsePly(
       "ply\r\nformat ascii 1.0\r\nelement vertex 2\r\nproperty double x\r\nproperty float y\r\n"

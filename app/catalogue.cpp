@@ -197,7 +197,6 @@ int runArchive(const Options& options, Session& session) {
 }
 
 int runRestore(const Options& options, Session& session) {
-  session.progress.begin("restore", 1.0);
   const auto done =
       archive::restoreProject(options.other, options.output, session.progress, session.stop);
   if (!done) return fail(session, done.error());

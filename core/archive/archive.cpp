@@ -6,6 +6,7 @@
 #include "archive/bag_reader.h"
 #include "archive/bagit.h"
 #include "base/message.h"
+#include "catalogue/queue_pause.h"
 #include "files/checksum.h"
 #include "files/files.h"
 #include "files/folder_lock.h"
@@ -166,14 +167,15 @@ Result<void> unpack(const BagReader& bag, const fs::path& folder, Progress& prog
   return {};
 }
 
-Result<void> checkRestored(const fs::path& folder) {
+Result<void> completeRestored(const fs::path& folder) {
   for (const char* name : {"batches", "results", "backups"})
     if (Result<void> made = makeFolder(folder / name); !made) return made;
   // Anybody may have written it: what it says is read before any of it is run.
   if (Result<void> ours = store::checkSchema(folder / kCatalogue); !ours) return ours;
-  const Result<upkeep::Project> opened = upkeep::Project::open(folder);
+  Result<upkeep::Project> opened = upkeep::Project::open(folder);
   if (!opened) return opened.error();
-  return checkContent(opened->catalogue());
+  if (Result<void> good = checkContent(opened->catalogue()); !good) return good;
+  return catalogue::pauseRestoredQueue(opened->catalogue());
 }
 
 // For whoever finds the folder years later, perhaps without the program.
@@ -188,6 +190,7 @@ std::string readMeOf(const std::map<std::string, std::string>& info) {
          "or changed when the archive was made.\n\n"
          "To restore the project into a new folder, after all checksums are checked:\n\n"
          "    ostraka catalogue restore ARCHIVE --output FOLDER\n\n"
+         "or 'Restore an archive' on the start screen.\n\n"
          "Change nothing in here: an archive with a changed file is rejected. To check the files\n"
          "without Ostraka:\n\n"
          "    sha256sum -c manifest-sha256.txt tagmanifest-sha256.txt\n";
@@ -233,8 +236,10 @@ Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder,
     return Error::unusable(
         message("Restoring a project needs a new or empty folder; choose another name."),
         folder.string());
+  progress.begin("checksums", 0.5);
   const Result<BagReader> bag = BagReader::open(archive, progress, stop);
   if (!bag) return bag.error();
+  progress.begin("restore", 0.5);
   if (!bag->find("data/catalogue.sqlite"))
     return Error::unusable(
         message("Not an archive of a whole project; import it as an export instead."),
@@ -253,7 +258,7 @@ Result<Restored> restoreProject(const fs::path& archive, const fs::path& folder,
     Result<NewFolder> fresh = NewFolder::begin(folder);
     if (!fresh) return fresh.error();
     if (Result<void> copied = unpack(*bag, fresh->path(), progress, stop); !copied) return copied;
-    if (Result<void> whole = checkRestored(fresh->path()); !whole) return whole;
+    if (Result<void> whole = completeRestored(fresh->path()); !whole) return whole;
     return fresh->finish();
   }();
   if (!restored) {

@@ -40,9 +40,10 @@ struct Restored {
   std::vector<Message> damage;  ///< with which it was archived, a sentence a file
 };
 /// Into a new folder, after all hashes agreed; each file is hashed again as it is copied, and the
-/// catalogue is checked before the folder gets its name. Errors as BagReader::open, and
-/// UnusableInput for a catalogue that names places outside the project, has a journal beside it, or
-/// tables, triggers or values that Ostraka does not make; nothing stays.
+/// catalogue is checked before the folder gets its name. Its queue is paused where batches wait
+/// (catalogue/queue_pause.h). Reports two stages. Errors as BagReader::open, and UnusableInput for
+/// a catalogue that names places outside the project, has a journal beside it, or tables, triggers
+/// or values that Ostraka does not make; nothing stays.
 Result<Restored> restoreProject(const std::filesystem::path& archive,
                                 const std::filesystem::path& folder, Progress& progress,
                                 std::stop_token stop);

@@ -64,6 +64,7 @@ Result<BatchFigures> computed(const ComputeOptions& options, const fs::path& bat
   process.warnings = std::move(warnings);
   process.output = output;
   process.threads = options.threads;
+  process.estimated = options.estimated;
   process.dense = options.dense == "colmap"    ? pipeline::DenseMethod::Colmap
                   : options.dense == "openmvs" ? pipeline::DenseMethod::OpenMvs
                                                : pipeline::DenseMethod::Builtin;

@@ -17,6 +17,7 @@ struct ComputeOptions {
   std::string dense = "builtin";  ///< builtin, colmap or openmvs
   int threads = 0;                ///< 0: all
   bool draft = false;             ///< a quick look at coarser photographs; final models come later
+  std::function<void(double core_s)> estimated = {};  ///< as of pipeline::ProcessOptions
 };
 
 /// A batch of the project from photographs (or scans) to rows of the catalogue, going on from the

@@ -134,6 +134,7 @@ Result<Preflight> preflight(const batch::Batch& batch, const ProcessOptions& opt
                       "stop the program or become very slow.",
                       decimal(ahead.memory_mb / 1000, 1), decimal(free_memory_mb / 1000, 1)),
               message("Close other programs, or process a draft.")));
+  if (options.estimated) options.estimated(ahead.core_s);
   return ahead;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -46,6 +47,7 @@ struct ProcessOptions {
   registration::Boundary boundary = registration::Boundary::Strip;
   int threads = 0;  ///< 0: all that this process may use; the result does not depend on it
   std::vector<Message> warnings;  ///< what is known of the batch already; in the results, too
+  std::function<void(double core_s)> estimated = {};  ///< hears what it will take (Needs), if set
 
   Result<void> check() const;
 };

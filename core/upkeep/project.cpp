@@ -18,6 +18,7 @@
 #include "store/network_share.h"
 #include "store/partial_file.h"
 #include "store/schema_check.h"
+#include "upkeep/archived_project.h"
 #include "upkeep/backups.h"
 #include "upkeep/file_check.h"
 #include "upkeep/staged_files.h"
@@ -61,8 +62,10 @@ Result<catalogue::Catalogue> openCatalogue(const fs::path& folder,
   using Mode = store::Database::Mode;
   const fs::path file = folder / kFile;
   std::error_code code;
-  if (!fs::is_regular_file(file, code))
+  if (!fs::is_regular_file(file, code)) {
+    if (const Result<void> good = checkOutsideArchives(folder); !good) return good.error();
     return refused(message("Not an Ostraka project: this folder has no catalogue.sqlite."), folder);
+  }
   if (const Result<void> own =
           checkNoLinkedFolder(folder, kOwnFolders, LinkedFolders::OfTheseNames);
       !own)
@@ -112,14 +115,12 @@ bool isFree(const fs::path& folder) {
 }  // namespace
 
 Result<void> checkOutsideArchives(const fs::path& project) {
-  std::error_code code;
-  const fs::path folder = fs::weakly_canonical(project / kFile, code).parent_path();
-  if (folder.filename() != "data" || !fs::exists(folder.parent_path() / "bagit.txt", code))
-    return {};
+  const fs::path archive = archiveAt(project);
+  if (archive.empty()) return {};
   return refused(message("This project lies in the archive '%1', which any change would make "
                          "invalid; restore the archive to a new folder, and open that.",
-                         folder.parent_path().string()),
-                 folder);
+                         archive.string()),
+                 project);
 }
 
 Result<Project> Project::create(const fs::path& folder, const records::ProjectRecord& record,

@@ -447,6 +447,7 @@ Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress
                                      std::stop_token stop,
                                      const catalogue::Catalogue::Clock& clock) {
   const catalogue::Catalogue::Clock now = clock ? clock : systemTime;
+  if (Result<void> outside = checkOutsideArchives(project); !outside) return outside.error();
   // A catalogue that is gone is as one that is damaged all over.
   std::error_code code;
   const bool gone =
@@ -454,7 +455,6 @@ Result<RepairReport> repairCatalogue(const fs::path& project, Progress& progress
   if (!Project::isProject(project) && !(gone && !backupsOf(project, now()).empty()))
     return Error::unusable(message("Not an Ostraka project: this folder has no catalogue.sqlite."),
                            project.string());
-  if (Result<void> outside = checkOutsideArchives(project); !outside) return outside.error();
   store::PartialFile::removeLeftovers(project);
   return Repair(fs::absolute(project), progress, std::move(stop), now).run();
 }

@@ -123,6 +123,9 @@ void CaptureScreen::buildImport(QVBoxLayout* all) {
   connect(import_ask_, &ImportAsk::confirmed, this, &CaptureScreen::follow);
   connect(import_ask_, &ImportAsk::left, this, &CaptureScreen::follow);
   connect(import_ask_, &ImportAsk::left, this, &CaptureScreen::importLeft);
+  connect(importer_, &BatchImporter::started, this, &CaptureScreen::follow);
+  connect(importer_, &BatchImporter::progressed, this, &CaptureScreen::tellWork);
+  connect(importer_, &BatchImporter::ended, this, &CaptureScreen::follow);
   filled(all, {import_ask_, new ImportLine(importer_, this)});
 }
 
@@ -359,6 +362,7 @@ void CaptureScreen::follow() {
   const bool importing = import_ask_->isAsking();
   const bool rig_in_sight = !importing || wizard_->isShooting();
   rig_page_->setVisible(no_rig && rig_in_sight);
+  rig_page_->setImporting(importer_->isBusy());
   rig_page_->setCanKeep(wizard_->rig()->canRestore());
   rig_page_->setCanLeave(no_rig && rigChoice().kind != RigChoice::Kind::None);
   work_page_->setVisible(!no_rig && rig_in_sight);
@@ -395,10 +399,14 @@ void CaptureScreen::follow() {
 
 // On whatever screen the person waits.
 void CaptureScreen::tellWork() {
-  const bool shooting = wizard_->isShooting();
-  if (!shooting && !working_) return;
-  working_ = shooting;
-  if (!shooting) return emit working({}, -1);
+  const bool shooting = wizard_->isShooting(), importing = importer_->isBusy();
+  if (!shooting && !importing && !working_) return;
+  working_ = shooting || importing;
+  if (!working_) return emit working({}, -1);
+  if (!shooting)
+    return emit working(tr("%1, %2 %").arg(importer_->title()).arg(
+                            static_cast<int>(100 * importer_->fraction())),
+                        importer_->fraction());
   const PreparedPhotographs steps = wizard_->side()->steps(wizard_->rig()->source().stops);
   emit working(QStringLiteral("%1: %2").arg(text_.headline(), text_.button()),
                static_cast<double>(steps.done) / std::max(1, steps.total));

@@ -23,18 +23,18 @@ RigPage::RigPage(QWidget* parent)
       sherds_(named<QSpinBox>("virtualSherds", this)),
       width_(named<QComboBox>("virtualWidth", this)),
       near_duplicates_(named<QCheckBox>("virtualLookalikes", tr("Two of them look alike"), this)) {
-  auto* empty = new EmptyState(
-      QStringLiteral("turntable"), tr("What do you photograph with?"),
+  asks_ = tr("What do you photograph with?");
+  explains_ =
       tr("Import photographs taken by hand, or choose a rig file (RIG.json), which names your "
-         "cameras and your turntable. The virtual rig is for practice: its sherds are invented."),
-      this);
+         "cameras and your turntable. The virtual rig is for practice: its sherds are invented.");
+  auto* empty = empty_ = new EmptyState(QStringLiteral("turntable"), asks_, explains_, this);
   import_ = empty->addAct(tr("Import photographs…"), QStringLiteral("importPhotographsButton"));
   if (auto* big = qobject_cast<BigButton*>(import_)) big->setKeyHint(tr("Space"));
   connect(import_, &QAbstractButton::clicked, this, &RigPage::importPhotographs);
   connect(empty->addAct(tr("Choose a rig file…"), QStringLiteral("chooseRigFile")),
           &QPushButton::clicked, this, &RigPage::chooseFile);
-  connect(empty->addAct(tr("Import scans…"), QStringLiteral("importScansButton")),
-          &QPushButton::clicked, this, &RigPage::importScans);
+  scans_ = empty->addAct(tr("Import scans…"), QStringLiteral("importScansButton"));
+  connect(scans_, &QAbstractButton::clicked, this, &RigPage::importScans);
   connect(empty->addAct(tr("Use the virtual rig"), QStringLiteral("useVirtualRig")),
           &QPushButton::clicked, this, &RigPage::askForVirtual);
   keep_ = empty->addAct(tr("Keep current rig"), QStringLiteral("keepRig"));
@@ -69,6 +69,14 @@ RigPage::RigPage(QWidget* parent)
 void RigPage::goOn() {
   auto* button = qobject_cast<QAbstractButton*>(focusWidget());
   (button != nullptr && button->hasFocus() ? button : import_)->click();
+}
+
+void RigPage::setImporting(bool importing) {
+  empty_->setHeadline(importing ? tr("Importing") : asks_);
+  empty_->setWords(importing ? tr("The batch goes into the queue when all of its files are copied. "
+                                  "Meanwhile you can choose a rig.")
+                             : explains_);
+  for (QAbstractButton* button : {import_, scans_}) button->setEnabled(!importing);
 }
 
 void RigPage::setCanKeep(bool can) {

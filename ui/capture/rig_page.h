@@ -10,6 +10,7 @@ class QCheckBox;
 
 namespace ostraka::ui {
 
+class EmptyState;
 class MessagePanel;
 
 /// No rig yet: pictures that exist already, a rig file, or the virtual rig, which asks first.
@@ -19,6 +20,7 @@ class RigPage final : public QWidget {
  public:
   explicit RigPage(QWidget* parent = nullptr);
   void setChoice(const RigChoice& choice);
+  void setImporting(bool importing);  ///< photographs: one import at a time
   void setCanKeep(bool can);   ///< the rig that worked before
   void setCanLeave(bool can);  ///< the rig that the project has
   QAbstractButton* primary() const { return import_; }
@@ -43,7 +45,9 @@ class RigPage final : public QWidget {
   void chooseFile();
 
   RigChoice choice_;
-  QAbstractButton *import_ = nullptr, *keep_ = nullptr, *leave_ = nullptr;
+  EmptyState* empty_;
+  QString asks_, explains_;  ///< while nothing is imported
+  QAbstractButton *import_ = nullptr, *scans_ = nullptr, *keep_ = nullptr, *leave_ = nullptr;
   MessagePanel* ask_;
   QSpinBox* sherds_;
   QComboBox* width_;

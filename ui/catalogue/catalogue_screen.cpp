@@ -114,6 +114,7 @@ QWidget* CatalogueScreen::buildWho() {
   connect(initials, &QLineEdit::editingFinished, this, [this, initials] {
     if (session_ && !initials->text().trimmed().isEmpty())
       session_->setInitials(initials->text().trimmed());
+    if (session_) initials->setText(session_->initials());
   });
   return who_;
 }
@@ -301,8 +302,9 @@ void CatalogueScreen::openProject(ProjectSession& session) {
   connect(&session, &ProjectSession::stepRefused, this, [this](const QString& why) {
     if (isVisible()) complain(why);
   });
-  connect(&session, &ProjectSession::initialsChanged, this,
-          [this](const QString& initials) { who_->setVisible(initials.isEmpty()); });
+  connect(&session, &ProjectSession::initialsChanged, this, [this](const QString& initials) {
+    if (!isVisible() || initials.isEmpty()) who_->setVisible(initials.isEmpty());
+  });
   who_->setVisible(session.initials().isEmpty());
   details_->setVocabularies(session.project().catalogue());
   model_->setCatalogue(&session.project().catalogue(), session.folder(), &session.jobs());
@@ -332,6 +334,8 @@ void CatalogueScreen::closeProject() {
 }
 
 void CatalogueScreen::setInFront(bool in_front) {
+  // Once answered the question goes with the page: the table stays where it is looked at.
+  if (!in_front && session_) who_->setVisible(session_->initials().isEmpty());
   if (in_front) table_->setFocus();  // the arrow keys choose a sherd
   if (in_front) showNewRows();
 }

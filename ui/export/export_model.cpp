@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "catalogue/queue_pause.h"
 #include "sherds/filter.h"
 #include "sherds/sherds.h"
 #include "ui/frame/lines.h"
@@ -78,7 +79,13 @@ void ExportModel::openProject(ProjectSession* session) {
   delete running_.data();
   if (session_) session_->disconnect(this);
   session_ = session;
-  if (session_) connect(session_, &ProjectSession::sherdsChanged, this, &ExportModel::measureSize);
+  if (session_) {
+    connect(session_, &ProjectSession::sherdsChanged, this, &ExportModel::measureSize);
+    connect(session_, &ProjectSession::batchChanged, this, [this] {
+      countQueued();
+      emit changed();
+    });
+  }
   selection_ = {};
   options_ = {};  // the target is another project's
   if (session_) readChoices();
@@ -194,6 +201,7 @@ void ExportModel::measureSize() {
   size_.reset();
   problem_.clear();
   if (state_ == State::Failed) state_ = State::Choosing;
+  countQueued();
   if (session_ && watched_ && !isArchive()) {
     const auto work = [folder = session_->folder(), selection = selection_, options = worded()](
                           Progress&, std::stop_token stop) -> Result<exchange::ExportSize> {
@@ -215,6 +223,13 @@ void ExportModel::measureSize() {
   emit changed();
 }
 
+void ExportModel::countQueued() {
+  const auto queued = session_ && isArchive()
+                          ? catalogue::batchesInQueue(session_->project().catalogue())
+                          : Result<int>(0);
+  queued_ = queued ? *queued : 0;
+}
+
 // Whoever does not wait for the count gets the same export.
 bool ExportModel::canStart() const {
   const bool any =
@@ -229,10 +244,17 @@ QString ExportModel::sizeText() const {
       before && QFileInfo::exists(target())
           ? "\n" + tr("A folder with this name already exists; choose another name.")
           : QString();
-  if (isArchive())
-    return tr("Everything in the project, with checksums. 'ostraka catalogue restore' makes the "
-              "project from it again.") +
-           taken;
+  if (isArchive()) {
+    const QString rest =
+        queued_ == 0 ? QString()
+                     : "\n" + tr("%n batch(es) in the queue: the archive holds their photographs and "
+                                 "the stages that are finished when it is made; the restored "
+                                 "project processes the rest.",
+                                 nullptr, queued_);
+    return tr("Everything in the project, with checksums. 'Restore an archive' on the start page "
+              "makes the project from it again.") +
+           rest + taken;
+  }
   if (!size_) return session_ && problem_.isEmpty() ? tr("Counting…") : QString();
   if (size_->sherds == 0) return tr("No sherds match this selection.");
   const QLocale locale;

@@ -69,6 +69,7 @@ class ExportModel final : public QObject {
   void chooseAnew();
   void forgetDone();
   void measureSize();
+  void countQueued();
   void run(JobHandle* job);
   void exported(const Result<exchange::Exported>& done);
   void archived(const Result<archive::Archived>& done);
@@ -82,6 +83,7 @@ class ExportModel final : public QObject {
   State state_ = State::Choosing;
   bool watched_ = false;
   std::optional<exchange::ExportSize> size_;
+  int queued_ = 0;  ///< batches that an archive would hold without their results
   QString closing_;
   QStringList warnings_;
   QPointer<JobHandle> sizing_, running_;

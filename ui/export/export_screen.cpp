@@ -298,7 +298,7 @@ void ExportScreen::refresh() {
   start_->setEnabled(model_.canStart());
   stop_->setEnabled(running);
   const bool begun = running && cancel_->isHidden();
-  cancel_->setVisible(running);
+  if (begun) cancel_->show();
   if (begun && isVisible()) cancel_->setFocus();  // else Esc would find nobody
   emit working(running ? tr("Export: %1").arg(model_.progressText()) : QString(),
                running ? model_.fraction() : -1);
@@ -306,6 +306,11 @@ void ExportScreen::refresh() {
   start_->setVisible(!done);
   for (QWidget* box : findChildren<QGroupBox*>())
     box->setEnabled(!running && !(box->objectName() == "formats" && model_.isArchive()));
+  if (running) return;
+  // Else the focus would go to a button of the window's foot.
+  if (cancel_->hasFocus())
+    (primary()->isEnabled() ? static_cast<QWidget*>(primary()) : target_)->setFocus();
+  cancel_->hide();
 }
 
 }  // namespace ostraka::ui

@@ -89,7 +89,8 @@ void BatchImporter::copy(const ImportOptions& options, const PlaceText& place) {
     session_->tellBatchChanged(*number);  // who hears of the import finds its batch
     emit imported(*number, copied->files, doubts_, noteOn(*copied));
   });
-  emit started(tr("Import of %1").arg(folder));
+  title_ = tr("Import of %1").arg(folder);
+  emit started(title_);
 }
 
 void BatchImporter::cancel() {

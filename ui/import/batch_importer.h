@@ -19,6 +19,8 @@ class BatchImporter final : public QObject {
   using QObject::QObject;
   void setSession(ProjectSession* session);
   bool isBusy() const { return job_ != nullptr; }
+  const QString& title() const { return title_; }  ///< of the import that runs, or ran last
+  double fraction() const { return job_ == nullptr ? 0 : job_->progress().fraction; }
 
  public slots:
   /// sides: of photographs by hand, which then are imported in place of a batch folder.
@@ -46,6 +48,7 @@ class BatchImporter final : public QObject {
 
   QPointer<ProjectSession> session_;
   QPointer<JobHandle> job_;
+  QString title_;
   ImportOptions asked_;  ///< of alreadyThere
   PlaceText asked_place_;
   QStringList doubts_;  ///< of the import that runs

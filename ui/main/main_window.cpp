@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ui/capture/capture_screen.h"
+#include "ui/export/project_restoring.h"
 #include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
 #include "ui/frame/sidebar.h"
@@ -107,6 +108,7 @@ void MainWindow::connectParts() {
   auto* repair = new CatalogueRepair(runner_, this);
   connect(start_, &StartScreen::repairWanted, repair, &CatalogueRepair::repair);
   connect(repair, &CatalogueRepair::told, start_, &StartScreen::tell);
+  connectRestoring();
   connect(settings_page_, &SettingsPage::changed, this, &MainWindow::applySettings);
   connect(settings_page_, &SettingsPage::projectRenamed, this, &MainWindow::showTitle);
   connect(settings_page_, &SettingsPage::closed, this, &MainWindow::leaveSidePage);
@@ -115,6 +117,34 @@ void MainWindow::connectParts() {
   });
   connect(help_, &HelpPage::closed, this, &MainWindow::leaveSidePage);
   connect(help_, &HelpPage::shortcutsWanted, this, &MainWindow::showShortcuts);
+}
+
+void MainWindow::connectRestoring() {
+  auto* restoring = new ProjectRestoring(runner_, this);
+  connect(start_, &StartScreen::restoreWanted, restoring, &ProjectRestoring::restore);
+  connect(start_, &StartScreen::restoreCancelled, restoring, &ProjectRestoring::cancel);
+  connect(restoring, &ProjectRestoring::progressed, start_, &StartScreen::showRestoring);
+  connect(restoring, &ProjectRestoring::restored, this, &MainWindow::takeRestored);
+  connect(restoring, &ProjectRestoring::failed, this, [this](const Error& error) {
+    if (error.code == ErrorCode::Cancelled)
+      return start_->tell(tr("Restoring cancelled"), tr("Nothing was left behind."), {});
+    start_->showError(error);
+    if (session() != nullptr) work_->footer()->say(sentenceOf(error));
+  });
+}
+
+// Whoever opened another project meanwhile keeps it.
+void MainWindow::takeRestored(const QString& folder, const QStringList& damage) {
+  const QString done = tr("The project is restored.");
+  if (session() == nullptr && damage.isEmpty()) {
+    start_->tell(done, folder, {});
+    return openProject(folder);
+  }
+  const QString words =
+      damage.isEmpty() ? folder
+                       : tr("It was archived with damage:") + '\n' + damage.join(QLatin1Char('\n'));
+  start_->tell(done, words, folder);
+  if (session() != nullptr) work_->footer()->say(done);
 }
 
 ProjectSession* MainWindow::session() const {

@@ -1,6 +1,7 @@
 #pragma once
 #include <QMainWindow>
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <vector>
 
@@ -67,6 +68,8 @@ class MainWindow final : public QMainWindow {
   void buildLayout();
   void connectParts();
   void takeProject(std::shared_ptr<upkeep::Project> project);
+  void connectRestoring();
+  void takeRestored(const QString& folder, const QStringList& damage);
   void showProject();
   void showTitle();
   void tryVirtualRig();

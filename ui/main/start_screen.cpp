@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "ui/export/project_restoring.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/lines.h"
 #include "ui/import/path_drop.h"
@@ -28,6 +29,7 @@
 #include "ui/widgets/page_acts.h"
 #include "ui/widgets/page_area.h"
 #include "ui/widgets/thumbnails.h"
+#include "upkeep/archived_project.h"
 
 namespace ostraka::ui {
 namespace {
@@ -124,12 +126,14 @@ QWidget* StartScreen::buildRecent() {
   connect(open_, &QPushButton::clicked, this, &StartScreen::openChosen);
   connect(recent_, &QListWidget::currentRowChanged, this, &StartScreen::follow);
   QPushButton* open = iconButton(box, "openProject", "open", tr("&Open a project…"));
+  QPushButton* restore = iconButton(box, "restoreArchive", "folder", tr("&Restore an archive…"));
   photographs_ = new BigButton(QStringLiteral("startPhotographs"), tr("Import photographs…"), box);
   photographs_->setToolTip(tr("Creates a project named after their folder"));
   QPushButton* virtual_rig =
       iconButton(box, "tryVirtualRig", "turntable", tr("Try with the virtual rig"));
   connect(recent_, &QListWidget::itemActivated, this, &StartScreen::openChosen);
   connect(open, &QPushButton::clicked, this, &StartScreen::chooseProject);
+  connect(restore, &QPushButton::clicked, this, &StartScreen::chooseArchive);
   connect(photographs_, &QPushButton::clicked, this, &StartScreen::choosePhotographs);
   connect(virtual_rig, &QPushButton::clicked, this, &StartScreen::virtualRigWanted);
   connect(thumbnails_, &Thumbnails::ready, this, [this] {
@@ -143,12 +147,13 @@ QWidget* StartScreen::buildRecent() {
   column->addWidget(recent_, 1);
   column->addWidget(no_recent_, 1);
   auto* opening = new QHBoxLayout;
-  opening->addWidget(open_, 1);
   opening->addWidget(open, 1);
+  opening->addWidget(restore, 1);
   auto* print = new PrintSheetButton(QStringLiteral("startPrintSheet"), box);
   connect(print, &PrintSheetButton::failed, this, &StartScreen::showError);
   connect(print, &PrintSheetButton::printed, this,
           [this](const QString& headline, const QString& words) { tell(headline, words, {}); });
+  column->addWidget(open_);
   column->addLayout(opening);
   column->addWidget(photographs_);
   column->addWidget(virtual_rig);
@@ -245,24 +250,34 @@ void StartScreen::openChosen() {
 }
 
 void StartScreen::showError(const Error& error) {
-  damaged_.clear();
-  repaired_.clear();
+  const QString where = QString::fromStdString(error.where);
+  const QString archive =
+      where.isEmpty() ? QString() : QString::fromStdString(upkeep::archiveAt(error.where).string());
+  then_ = nullptr;
   if (error.code == ErrorCode::Damaged)
-    damaged_ = QFileInfo(QString::fromStdString(error.where)).absolutePath();
-  message_->showError(error, damaged_.isEmpty() ? tr("OK") : tr("Repair the catalogue"));
+    then_ = [this, folder = QFileInfo(where).absolutePath()] { emit repairWanted(folder); };
+  else if (!archive.isEmpty())
+    then_ = [this, archive] { choosePlaceFor(archive); };
+  message_->showError(error, error.code == ErrorCode::Damaged ? tr("Repair the catalogue")
+                             : archive.isEmpty()              ? tr("OK")
+                                                              : tr("Restore…"));
 }
 
 void StartScreen::tell(const QString& headline, const QString& words, const QString& project) {
-  damaged_.clear();
-  repaired_ = project;
+  then_ = nullptr;
+  if (!project.isEmpty()) then_ = [this, project] { emit opened(project); };
   message_->showWords(headline, words, project.isEmpty() ? tr("OK") : tr("Open the project"));
 }
 
+void StartScreen::showRestoring(const QString& folder, const QString& words) {
+  then_ = [this] { emit restoreCancelled(); };
+  message_->showWords(tr("Restoring the project to %1").arg(shortPath(folder)), words,
+                      tr("Cancel"));
+}
+
 void StartScreen::act() {
-  const QString damaged = std::exchange(damaged_, {}), repaired = std::exchange(repaired_, {});
   message_->hide();
-  if (!damaged.isEmpty()) emit repairWanted(damaged);
-  if (!repaired.isEmpty()) emit opened(repaired);
+  if (const auto then = std::exchange(then_, nullptr)) then();
 }
 
 void StartScreen::follow() {
@@ -295,6 +310,21 @@ void StartScreen::choosePhotographs() {
 void StartScreen::chooseProject() {
   connect(askForFile(this, tr("Folder of a project"), projectsFolder(), {}),
           &QFileDialog::fileSelected, this, &StartScreen::opened);
+}
+
+void StartScreen::chooseArchive() {
+  connect(askForFile(this, tr("Folder of the archive"), QDir::homePath(), {}),
+          &QFileDialog::fileSelected, this, &StartScreen::choosePlaceFor);
+}
+
+void StartScreen::choosePlaceFor(const QString& archive) {
+  QFileDialog* dialog =
+      askForFile(this, tr("Where to put the project: an empty folder, or one for a new folder"),
+                 projectsFolder(), {});
+  dialog->setObjectName(QStringLiteral("restoreTo"));
+  connect(dialog, &QFileDialog::fileSelected, this, [this, archive](const QString& folder) {
+    emit restoreWanted(archive, ProjectRestoring::placeIn(folder, archive));
+  });
 }
 
 void StartScreen::findLost(const QString& folder) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <QWidget>
+#include <functional>
 
 #include "ui/main/new_project.h"
 
@@ -22,10 +23,12 @@ class StartScreen final : public QWidget {
   explicit StartScreen(Thumbnails* thumbnails, QWidget* parent = nullptr);
   /// titles: of the projects, by folder. One whose folder is gone stays, to be found again.
   void setRecent(const QStringList& folders, const QMap<QString, QString>& titles);
-  /// Of a damaged catalogue it offers the repair.
+  /// Of a damaged catalogue it offers the repair, of an archive that it is restored.
   void showError(const Error& error);
   /// project: may be opened now; empty: not.
   void tell(const QString& headline, const QString& words, const QString& project);
+  /// Until something else is told: how far the restoring of a project into this folder is.
+  void showRestoring(const QString& folder, const QString& words);
   NewProject* fresh() const { return fresh_; }
   /// Makes a project for these photographs: what nobody typed of it is proposed by their folder.
   void makeFor(const QStringList& photographs);
@@ -34,6 +37,8 @@ class StartScreen final : public QWidget {
   void opened(const QString& folder);                      ///< to be opened
   void found(const QString& lost, const QString& folder);  ///< of a project that was moved
   void repairWanted(const QString& folder);                ///< of its damaged catalogue
+  void restoreWanted(const QString& archive, const QString& folder);
+  void restoreCancelled();
   void virtualRigWanted();
   /// These are to be imported into a project of their own; or one of them is a project.
   void photographsChosen(const QStringList& paths);
@@ -49,6 +54,8 @@ class StartScreen final : public QWidget {
   void choosePhotographs();
   void chooseProject();
   void findLost(const QString& folder);
+  void chooseArchive();
+  void choosePlaceFor(const QString& archive);
   void make();
   void act();
   void openChosen();
@@ -60,7 +67,7 @@ class StartScreen final : public QWidget {
   QLineEdit *name_, *site_, *folder_, *numbering_;
   BigButton *make_, *photographs_, *open_;
   MessagePanel* message_;
-  QString damaged_, repaired_;  ///< folders of the project that the message is about
+  std::function<void()> then_;  ///< what the button of the message does besides hiding it
 };
 
 }  // namespace ostraka::ui

@@ -59,6 +59,7 @@ WorkPage::WorkPage(BatchQueue& queue, CaptureScreen& capture, QueueScreen& queue
           [this](const QString& number, const QString& why) {
             footer_->say(MainWindow::tr("%1 stopped: %2").arg(number, why));
           });
+  queue_screen.showImportsOf(capture.importer());
   connect(&queue, &BatchQueue::workChanged, this, &WorkPage::followLines);
   connect(&capture, &CaptureScreen::rigRenewed, &queue, &BatchQueue::forgetMoved);
   connect(&capture, &CaptureScreen::batchSetAside, &queue, &BatchQueue::setAside);

@@ -1,5 +1,6 @@
 #include "ui/queue/batch_computation.h"
 
+#include <any>
 #include <utility>
 
 #include "intake/batch_figures.h"
@@ -45,13 +46,17 @@ void BatchComputation::begin(ProjectSession& session, const QString& number, boo
   number_ = number;
   since_ = clock_();
   cancelled_ = false;
-  job_ =
-      session.jobs().start(makeJob(
-                               [work = work_, options](Progress& progress, std::stop_token stop) {
-                                 return figuresKept(work(options, progress, stop), options);
-                               },
-                               JobPriority::Background),
-                           this);
+  estimate_s_ = 0;
+  const auto compute = [work = work_, options](Progress& progress, std::stop_token stop) {
+    intake::ComputeOptions told = options;
+    told.estimated = [&progress](double core_s) { tell(progress, core_s); };
+    return figuresKept(work(told, progress, stop), options);
+  };
+  job_ = session.jobs().start(makeJob(compute, JobPriority::Background), this);
+  connect(job_, &JobHandle::told, this, [this](const std::any& core_s) {
+    estimate_s_ = std::any_cast<double>(core_s);
+    emit progressed(progress());
+  });
   connect(job_, &JobHandle::progressed, this, &BatchComputation::progressed);
   connect(job_, &JobHandle::noted, this, &BatchComputation::noted);
   connect(job_, &JobHandle::finished, this, &BatchComputation::end);

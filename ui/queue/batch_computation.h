@@ -30,6 +30,8 @@ class BatchComputation final : public QObject {
   const QString& number() const { return number_; }  ///< of the batch; empty: nothing is computed
   bool isDraft() const { return draft_; }
   JobProgress progress() const;
+  /// What the batch will take in all, by its photographs; 0: not known. Seconds of one core.
+  double estimate_s() const { return estimate_s_; }
   /// Asks only if much work would be lost: how long the batch has been computed, in seconds.
   double secondsOf(const QString& number) const;
   /// A person stopped what is computed, or what was computed last.
@@ -60,6 +62,7 @@ class BatchComputation final : public QObject {
   QPointer<JobHandle> leaving_;  ///< of a session that closed: nothing starts before it ended
   QString number_;
   QDateTime since_;
+  double estimate_s_ = 0;
   bool draft_ = false, cancelled_ = false;
 };
 

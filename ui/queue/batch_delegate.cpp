@@ -6,7 +6,6 @@
 #include <QStyleOptionProgressBar>
 #include <algorithm>
 
-#include "ui/frame/lines.h"
 #include "ui/look/look.h"
 #include "ui/queue/batch_queue.h"
 #include "ui/widgets/pill.h"
@@ -19,6 +18,7 @@ constexpr int kMostLines = 4;  // below the title; the tool tip has all of them
 
 Pill pillOf(const QueueRow& row) {
   const QString word = queueStateWords(row.state);
+  if (row.stopping) return {State::Waiting, "stop", stateWords(row)};
   switch (row.state) {
     case QueueState::Shooting:
       return {State::Waiting, "camera", word};
@@ -147,7 +147,8 @@ void BatchDelegate::drawProgress(QPainter& painter, const QStyleOptionViewItem& 
   QString words = tr("%1, %2 %")
                       .arg(stageWords(row.progress.stage))
                       .arg(static_cast<int>(100 * row.progress.fraction));
-  if (const QString left = timeLeftWords(row.progress.seconds_left); !left.isEmpty())
+  if (row.draft) words = tr("Draft: %1").arg(words);
+  if (const QString left = timeWords(row); !left.isEmpty())
     words += QStringLiteral(", ") + left;
   painter.drawText(where.adjusted(0, bar.rect.height() + Look::kGap / 2, 0, Look::kGap),
                    Qt::AlignLeft | Qt::AlignVCenter, words);

@@ -11,7 +11,6 @@
 #include "intake/settle_batch.h"
 #include "intake/side_photographs.h"
 #include "ui/frame/batch_place.h"
-#include "ui/frame/lines.h"
 #include "ui/frame/project_session.h"
 #include "ui/jobs/when_done.h"
 #include "ui/queue/batch_computation.h"
@@ -104,6 +103,9 @@ QueueRow BatchQueue::rowFrom(const records::BatchRecord& batch, const QueueRow* 
   if (row.number == computation_->number()) {
     row.state = switches_->isPaused() ? QueueState::Paused : QueueState::Busy;
     row.progress = computation_->progress();
+    row.stopping = computation_->isCancelled();
+    row.draft = computation_->isDraft();
+    row.estimate_s = computation_->estimate_s();
   }
   if (before != nullptr && before->state == row.state) {
     row.failure = before->failure;
@@ -224,16 +226,22 @@ void BatchQueue::startNext() {
   if (next == nullptr) return;
   next->state = QueueState::Busy;
   next->progress = {};
+  next->stopping = false;
+  next->estimate_s = 0;
   log_.clear();
   // What has figures was computed before; now it is meant to become final.
-  computation_->begin(*session_, next->number, switches_->makesDrafts() && !next->figures);
+  next->draft = switches_->makesDrafts() && !next->figures;
+  computation_->begin(*session_, next->number, next->draft);
   touch(computation_->number());
   emit workChanged();
 }
 
 void BatchQueue::followProgress(const JobProgress& progress) {
   const QString& number = computation_->number();
-  if (QueueRow* row = find(number)) row->progress = progress;
+  if (QueueRow* row = find(number)) {
+    row->progress = progress;
+    row->estimate_s = computation_->estimate_s();
+  }
   touch(number);
   emit workChanged();
 }
@@ -302,8 +310,13 @@ void BatchQueue::followPause(bool paused) {
 }
 
 void BatchQueue::cancel(const QString& number) {
-  if (computation_->isBusy() && number == computation_->number()) return computation_->cancel();
-  const QueueRow* row = find(number);
+  QueueRow* row = find(number);
+  if (computation_->isBusy() && number == computation_->number()) {
+    computation_->cancel();
+    if (row != nullptr) row->stopping = true;
+    touch(number);
+    return emit workChanged();
+  }
   if (row == nullptr || row->state != QueueState::Waiting) return;
   const BatchFailure removed{.cancelled = true, .removed = true};
   // What was computed once, and only waits to be computed again, is what it was before.
@@ -397,11 +410,12 @@ QString BatchQueue::workWords() const {
   const QString& number = computation_->number();
   const int at = rowOf(number);
   const JobProgress progress = at < 0 ? JobProgress() : row(at).progress;
+  if (computation_->isCancelled()) return tr("%1: stopping…").arg(number);
   if (switches_->isPaused()) return tr("%1: paused").arg(number);
   QString words = tr("%1: %2, %3 %")
                       .arg(number, stageWords(progress.stage))
                       .arg(static_cast<int>(100 * progress.fraction));
-  const QString left = timeLeftWords(progress.seconds_left);
+  const QString left = at < 0 ? QString() : timeWords(row(at));
   return left.isEmpty() ? words : words + QStringLiteral(", ") + left;
 }
 

@@ -35,6 +35,9 @@ struct QueueRow {
   qint64 batch_row = 0;
   QueueState state = QueueState::Waiting;
   JobProgress progress;
+  bool stopping = false;  ///< Busy or Paused: cancelled, and its work has not noticed yet
+  bool draft = false;     ///< Busy or Paused: processed as a draft
+  double estimate_s = 0;  ///< Busy or Paused: of one core, in all; 0: not known
   QString failure;  ///< the sentence of the error, of Failed
   bool cancelled = false;
   bool aside = false;        ///< Failed, and nobody wants it
@@ -126,5 +129,7 @@ QString figuresWords(const intake::BatchFigures& figures);
 QString movedWords(const intake::BatchFigures& figures);  ///< empty: no camera was bumped
 QString withoutBagWords();
 QString stageWords(const QString& stage);
+/// What is left, else what it will take in all; empty where neither is known.
+QString timeWords(const QueueRow& row);
 
 }  // namespace ostraka::ui

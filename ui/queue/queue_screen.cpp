@@ -8,12 +8,15 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "files/files.h"
 #include "paper/report_page.h"
 #include "ui/frame/batch_place.h"
 #include "ui/frame/no_batch_yet.h"
 #include "ui/frame/project_session.h"
+#include "ui/import/batch_importer.h"
+#include "ui/import/import_line.h"
 #include "ui/look/look.h"
 #include "ui/masks/mask_page.h"
 #include "ui/queue/batch_computation.h"
@@ -97,7 +100,7 @@ QueueScreen::QueueScreen(BatchQueue* queue, QWidget* parent)
   connect(log_action_, &QAction::toggled, log_, &QWidget::setVisible);
   connect(log_action_, &QAction::triggered, this, [this] {
     if (isVisible()) return;  // by the window's foot, from another page
-    log_action_->setChecked(true);
+    log_wanted_ = true;
     emit wantsScreen(QStringLiteral("queue"), {});
   });
   connect(drafts_, &QAction::toggled, queue_->switches(), &QueueSwitches::setMakesDrafts);
@@ -123,20 +126,20 @@ void QueueScreen::buildLayout() {
   log_->setMaximumBlockCount(2000);
   log_->hide();
 
-  auto* empty = new NoBatchYet(QStringLiteral("queue"), tr("No batch yet"),
-                               tr("What you photograph or import is processed here, one batch "
-                                  "after the other, while you go on working."),
-                               this);
-  to_capture_ = empty->act();
+  empty_ = new NoBatchYet(QStringLiteral("queue"), tr("No batch yet"),
+                          tr("What you photograph or import is processed here, one batch after "
+                             "the other, while you go on working."),
+                          this);
 
   pages_->addWidget(buildList());
-  pages_->addWidget(new PageArea(empty, pages_));
+  pages_->addWidget(new PageArea(empty_, pages_));
   pages_->addWidget(masks_area_);
-  pageColumn(this)->addWidget(pages_);
+  column_ = pageColumn(this);
+  column_->addWidget(pages_);
   connect(message_, &MessagePanel::acted, this, [this] {
     message_->hide();
-    queue_->switches()->trouble().isEmpty() ? queue_->cancel(asked_about_)
-                                            : queue_->switches()->setPaused(false);
+    std::exchange(stop_shown_, false) ? queue_->switches()->setPaused(false)
+                                      : queue_->cancel(asked_about_);
   });
   connect(message_, &MessagePanel::actedSecond, message_, &QWidget::hide);
 }
@@ -159,7 +162,7 @@ QWidget* QueueScreen::buildList() {
 
 QAbstractButton* QueueScreen::primary() const {
   return pages_->currentWidget() == masks_area_ ? masks_page_->primary()
-         : queue_->rowCount() == 0              ? to_capture_
+         : queue_->rowCount() == 0              ? empty_->act()
                                                 : next_;
 }
 
@@ -200,7 +203,11 @@ void QueueScreen::closeProject() {
   session_ = nullptr;
 }
 
+// The button of the log stands on every page: pressed only where the log is.
 void QueueScreen::setInFront(bool in_front) {
+  if (in_front_ && !in_front) log_wanted_ = log_action_->isChecked();
+  in_front_ = in_front;
+  log_action_->setChecked(in_front && log_wanted_);
   if (in_front)
     (pages_->currentWidget() == masks_area_ ? static_cast<QWidget*>(masks_page_) : list_)
         ->setFocus();
@@ -234,7 +241,7 @@ void QueueScreen::follow() {
   followPause();
   const int at = queue_->rowOf(selected());
   const QueueState state = at < 0 ? QueueState::Shooting : queue_->row(at).state;
-  followCancel(state, at >= 0 && queue_->row(at).aside);
+  followCancel(state, at >= 0 && queue_->row(at).aside, at >= 0 && queue_->row(at).stopping);
   again_->setEnabled(state == QueueState::Failed || state == QueueState::Done ||
                      state == QueueState::Review);
   report_->setEnabled(state == QueueState::Done || state == QueueState::Review ||
@@ -257,15 +264,26 @@ void QueueScreen::follow() {
   keep_both_->setVisible(at >= 0 && queue_->row(at).shared);
   keep_both_->setEnabled(again_->isEnabled());
   followNext(mending ? QueueState::Shooting : state);
-  if (!queue_->switches()->trouble().isEmpty())
-    message_->showError({ErrorCode::CannotWrite, queue_->switches()->trouble().toStdString(), {}},
-                        tr("Resume"));
-  else if (trouble_shown_)
-    message_->hide();
-  trouble_shown_ = !queue_->switches()->trouble().isEmpty();
+  followStop();
   if (waiting() == waiting_said_) return;
   waiting_said_ = waiting();
   emit waitingChanged();
+}
+
+void QueueScreen::followStop() {
+  const QueueSwitches& switches = *queue_->switches();
+  const bool before = std::exchange(
+      stop_shown_, session_ != nullptr && (!switches.trouble().isEmpty() || switches.isRestored()));
+  if (stop_shown_) message_->setSecondAct({});
+  if (!switches.trouble().isEmpty())
+    message_->showError({ErrorCode::CannotWrite, switches.trouble().toStdString(), {}},
+                        tr("Resume"));
+  else if (stop_shown_)
+    message_->showWords(tr("The queue is paused: this project was restored from an archive."),
+                        tr("Its batches that are not processed yet wait until you resume it."),
+                        session_->whyReadOnly().isEmpty() ? tr("Resume") : QString());
+  else if (before)
+    message_->hide();
 }
 
 // What changes the project is not offered where that cannot be done.
@@ -304,15 +322,15 @@ void QueueScreen::openSelected() {
 }
 
 // One key for what is not wanted any more: what runs is stopped, what has failed is set aside.
-void QueueScreen::followCancel(QueueState state, bool aside) {
+void QueueScreen::followCancel(QueueState state, bool aside, bool stopping) {
   const bool failed = state == QueueState::Failed;
   const QString words = failed ? tr("Set aside") : tr("Cancel");
   if (cancel_->text() != words) {
     cancel_->setText(words);
     cancel_->setIcon(icon(failed ? QStringLiteral("aside") : QStringLiteral("cancel")));
   }
-  cancel_->setEnabled(state == QueueState::Busy || state == QueueState::Paused ||
-                      state == QueueState::Waiting || (failed && !aside));
+  cancel_->setEnabled(!stopping && (state == QueueState::Busy || state == QueueState::Paused ||
+                                    state == QueueState::Waiting || (failed && !aside)));
 }
 
 void QueueScreen::followPause() {
@@ -335,6 +353,16 @@ void QueueScreen::showMasks() {
 
 QWidget* QueueScreen::masksPage() const {
   return masks_page_;
+}
+
+void QueueScreen::showImportsOf(BatchImporter* importer) {
+  column_->addWidget(new ImportLine(importer, this));
+  connect(importer, &BatchImporter::started, empty_, [this] {
+    empty_->setWords(tr("Photographs are being imported; their batch appears here when all of "
+                        "them are copied."));
+    empty_->act()->setText(tr("Show the import"));
+  });
+  connect(importer, &BatchImporter::ended, empty_, [this] { empty_->follow(session_); });
 }
 
 void QueueScreen::leaveMasks() {

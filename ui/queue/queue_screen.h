@@ -8,10 +8,12 @@ class QListView;
 class QPlainTextEdit;
 class QPushButton;
 class QStackedWidget;
+class QVBoxLayout;
 
 namespace ostraka::ui {
 
 class BatchDelegate;
+class BatchImporter;
 class BatchQueue;
 enum class QueueState;
 class BigButton;
@@ -19,6 +21,7 @@ class MarkerSide;
 class MaskPage;
 class PageArea;
 class MessagePanel;
+class NoBatchYet;
 class Thumbnails;
 class ToolRow;
 
@@ -42,6 +45,8 @@ class QueueScreen final : public Screen {
   QAction* pauseAction() const { return pause_; }
   QAction* logAction() const { return log_action_; }
   QWidget* masksPage() const;
+  /// Shows how far an import is whose batch comes into the queue.
+  void showImportsOf(BatchImporter* importer);
 
  private:
   void buildLayout();
@@ -52,21 +57,24 @@ class QueueScreen final : public Screen {
   void openReport();
   void openSelected();
   void followNext(QueueState state);
+  void followStop();
   QWidget* buildList();
   void askOrCancel();
-  void followCancel(QueueState state, bool aside);
+  void followCancel(QueueState state, bool aside, bool stopping);
   void showMasks();
   void leaveMasks();
 
   BatchQueue* queue_;
   int waiting_said_ = -1;
-  bool trouble_shown_ = false;
+  bool stop_shown_ = false;  ///< why the queue stands still
   QPointer<ProjectSession> session_;
   Thumbnails* thumbnails_ = nullptr;
   QListView* list_;
   BatchDelegate* delegate_;
   QPlainTextEdit* log_;
   MessagePanel* message_;
+  bool log_wanted_ = false;  ///< when the page is in front
+  bool in_front_ = false;
   QString asked_about_;  ///< the batch that the message names, whichever is chosen by then
   QStackedWidget* pages_;
   MaskPage* masks_page_;
@@ -75,7 +83,8 @@ class QueueScreen final : public Screen {
       *calibrate_, *open_, *marker_action_, *keep_both_;
   MarkerSide* marker_side_;
   BigButton* next_;
-  QPushButton* to_capture_;
+  NoBatchYet* empty_;
+  QVBoxLayout* column_;
   ToolRow* tools_;
 };
 

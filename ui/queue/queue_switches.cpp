@@ -1,11 +1,13 @@
 #include "ui/queue/queue_switches.h"
 
 #include "ui/frame/project_session.h"
+#include "upkeep/project.h"
 
 namespace ostraka::ui {
 namespace {
 
-constexpr const char* kPausedKey = "queue.paused";
+using catalogue::QueuePause;
+
 constexpr const char* kDraftsKey = "queue.drafts";
 
 constexpr const char* kOn = "yes";
@@ -15,20 +17,22 @@ constexpr const char* kOn = "yes";
 void QueueSwitches::setSession(ProjectSession* session) {
   session_ = session;
   trouble_.clear();
-  paused_ = session != nullptr && session->setting(kPausedKey) == kOn;
-  if (session != nullptr) drafts_ = session->setting(kDraftsKey) == kOn;
+  pause_ = QueuePause::None;
+  if (session == nullptr) return;
+  if (const auto kept = catalogue::queuePause(session->project().catalogue())) pause_ = *kept;
+  drafts_ = session->setting(kDraftsKey) == kOn;
 }
 
 void QueueSwitches::stopFor(const QString& trouble) {
-  paused_ = true;
+  pause_ = QueuePause::ByPerson;
   trouble_ = trouble;
 }
 
 void QueueSwitches::setPaused(bool paused) {
-  if (session_ == nullptr || paused == paused_) return;
-  paused_ = paused;
+  if (session_ == nullptr || paused == isPaused()) return;
+  pause_ = paused ? QueuePause::ByPerson : QueuePause::None;
   trouble_.clear();
-  session_->keepSetting(kPausedKey, paused ? kOn : "");
+  (void)catalogue::setQueuePause(session_->project().catalogue(), pause_, session_->provenance());
   emit pausedChanged(paused);
 }
 

@@ -3,6 +3,8 @@
 #include <QPointer>
 #include <QString>
 
+#include "catalogue/queue_pause.h"
+
 namespace ostraka::ui {
 
 class ProjectSession;
@@ -18,7 +20,9 @@ class QueueSwitches final : public QObject {
   /// As the project was left; null: it is closed, and nothing can be switched.
   void setSession(ProjectSession* session);
 
-  bool isPaused() const { return paused_; }
+  bool isPaused() const { return pause_ != catalogue::QueuePause::None; }
+  /// The project came out of an archive, and nobody let its queue go on yet.
+  bool isRestored() const { return pause_ == catalogue::QueuePause::Restored; }
   /// Each batch is computed as a draft first, and finally when it is computed again. A draft is
   /// for the eye of who still has the sherds in hand: what is being made final waits for it, and
   /// goes on from its last whole stage.
@@ -30,7 +34,7 @@ class QueueSwitches final : public QObject {
 
  public slots:
   void setPaused(bool paused);
-  void togglePaused() { setPaused(!paused_); }
+  void togglePaused() { setPaused(!isPaused()); }
   void setMakesDrafts(bool drafts);
 
  signals:
@@ -38,7 +42,8 @@ class QueueSwitches final : public QObject {
 
  private:
   QPointer<ProjectSession> session_;
-  bool paused_ = false, drafts_ = false;
+  catalogue::QueuePause pause_ = catalogue::QueuePause::None;
+  bool drafts_ = false;
   QString trouble_;
 };
 

@@ -1,9 +1,11 @@
 // What a person reads of the queue.
 #include <QCoreApplication>
 #include <QLocale>
+#include <cmath>
 
 #include "batch/batch.h"
 #include "registration/within.h"
+#include "ui/frame/lines.h"
 #include "ui/queue/batch_queue.h"
 
 namespace ostraka::ui {
@@ -28,7 +30,15 @@ QString queueStateWords(QueueState state) {
   return {};
 }
 
+QString timeWords(const QueueRow& row) {
+  const QString left = timeLeftWords(row.progress.seconds_left);
+  if (!left.isEmpty() || row.estimate_s <= 0) return left;
+  return BatchQueue::tr("about %n minute(s) of one core in all", nullptr,
+                        static_cast<int>(std::ceil(row.estimate_s / 60)));
+}
+
 QString stateWords(const QueueRow& row) {
+  if (row.stopping) return BatchQueue::tr("Stopping…");
   if (row.state == QueueState::Review && row.figures && row.figures->draft)
     return BatchQueue::tr("Draft: review it, then reprocess it");
   if (row.masks_edited) return BatchQueue::tr("Masks edited: reprocess it");

@@ -124,10 +124,10 @@ EmptyState::EmptyState(const QString& icon_name, const QString& headline, const 
     : QWidget(parent), icon_name_(icon_name) {
   picture_ = new QLabel(this);
   picture_->setAlignment(Qt::AlignCenter);
-  auto* title = new QLabel(headline, this);
-  title->setFont(scaledFont(*this, Look::kTitle, true));
-  title->setAlignment(Qt::AlignCenter);
-  title->setWordWrap(true);
+  headline_ = new QLabel(headline, this);
+  headline_->setFont(scaledFont(*this, Look::kTitle, true));
+  headline_->setAlignment(Qt::AlignCenter);
+  headline_->setWordWrap(true);
   words_ = new QLabel(words, this);
   words_->setAlignment(Qt::AlignCenter);
   words_->setWordWrap(true);
@@ -135,7 +135,7 @@ EmptyState::EmptyState(const QString& icon_name, const QString& headline, const 
   acts->setCentred(true);
   acts_ = acts;
   auto* column = filled(new QVBoxLayout(this),
-                        {Part::room(2), picture_, title, {words_, 0, Qt::AlignHCenter}});
+                        {Part::room(2), picture_, headline_, {words_, 0, Qt::AlignHCenter}});
   column->addSpacing(Look::kGap);
   filled(column, {acts, Part::room(3)});
   lay();
@@ -152,6 +152,10 @@ void EmptyState::lay() {
   words_->setFixedSize(width, words_->heightForWidth(width));
   const QColor ink = coloursOf(palette()).secondary;
   picture_->setPixmap(icon(icon_name_, ink).pixmap(Look::kEmptyIcon, Look::kEmptyIcon));
+}
+
+void EmptyState::setHeadline(const QString& headline) {
+  headline_->setText(headline);
 }
 
 void EmptyState::setWords(const QString& words) {

@@ -64,6 +64,7 @@ class EmptyState : public QWidget {
  public:
   EmptyState(const QString& icon_name, const QString& headline, const QString& words,
              QWidget* parent = nullptr);
+  void setHeadline(const QString& headline);
   void setWords(const QString& words);
   /// The first is the big one.
   QPushButton* addAct(const QString& text, const QString& object_name);
@@ -74,7 +75,7 @@ class EmptyState : public QWidget {
  private:
   void lay();
 
-  QLabel *picture_, *words_;
+  QLabel *picture_, *headline_, *words_;
   QString icon_name_;
   QLayout* acts_;
 };

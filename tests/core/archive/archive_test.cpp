@@ -8,12 +8,15 @@
 
 #include "archive/bag_reader.h"
 #include "base/text.h"
+#include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "catalogue/history.h"
+#include "catalogue/queue_pause.h"
 #include "records/sherd.h"
 #include "sherds/sherds.h"
 #include "tests/core/exchange/exported_project.h"
 #include "tests/core/exchange/mended_bag.h"
+#include "upkeep/archived_project.h"
 #include "upkeep/repair.h"
 
 namespace ostraka::archive {
@@ -85,6 +88,24 @@ TEST_F(Archive, SaysWhatItIsAndHowItIsRestored) {
   EXPECT_FALSE(fs::exists(at("laptop/README.txt"))) << "it is about the archive";
 }
 
+TEST_F(Archive, ComesBackWithItsQueuePausedWhereABatchWaits) {
+  const auto restoredAs = [&](const std::string& name, records::BatchState state) {
+    EXPECT_TRUE(Batches(catalogue()).setState(batch, state, anna));
+    EXPECT_TRUE(archiveProject(*project_, {at(name + "-archive"), "ostraka 1.0.0"}, quiet, {}));
+    EXPECT_TRUE(restoreProject(at(name + "-archive"), at(name), quiet, {}));
+    return upkeep::Project::open(at(name));
+  };
+  const auto done = restoredAs("done", records::BatchState::Done);
+  EXPECT_EQ(valueIn(queuePause(done->catalogue())), QueuePause::None);
+  EXPECT_EQ(valueIn(batchesInQueue(done->catalogue())), 0);
+  auto waits = restoredAs("waits", records::BatchState::Queued);
+  EXPECT_EQ(valueIn(batchesInQueue(waits->catalogue())), 1);
+  EXPECT_EQ(valueIn(queuePause(waits->catalogue())), QueuePause::Restored);
+  EXPECT_EQ(valueIn(queuePause(catalogue())), QueuePause::None) << "it goes on where it was";
+  ASSERT_TRUE(setQueuePause(waits->catalogue(), QueuePause::None, anna));
+  EXPECT_EQ(valueIn(queuePause(waits->catalogue())), QueuePause::None);
+}
+
 // As a capture or a computation that was killed leaves it.
 TEST_F(Archive, TakesNoLockAlong) {
   for (const char* folder : {"", "batches/B0001", "results/B0001/work", "models/B0001"})
@@ -103,12 +124,13 @@ TEST_F(Archive, IsNotOpenedAsAProjectAndCanStillBeRestored) {
   fs::create_directory_symlink(at("archive/data"), at("link"));
   fs::create_directories(at("beside"));
   fs::create_symlink(at("archive/data/catalogue.sqlite"), at("beside/catalogue.sqlite"));
-  for (const char* name : {"archive/data", "archive/data/", "link", "beside"}) {
+  for (const char* name : {"archive/data", "archive/data/", "link", "beside", "archive"}) {
     const Result<upkeep::Project> opened = upkeep::Project::open(at(name));
     ASSERT_FALSE(opened) << name;
     EXPECT_EQ(opened.error().code, ErrorCode::UnusableInput);
     EXPECT_NE(opened.error().what.english().find("restore the archive"), std::string::npos)
         << opened.error().sentence();
+    EXPECT_EQ(upkeep::archiveAt(at(name)), fs::canonical(at("archive"))) << name;
     EXPECT_FALSE(upkeep::Project::connect(at(name))) << name;
     const auto repaired = upkeep::repairCatalogue(at(name), quiet, {});
     ASSERT_FALSE(repaired) << name;
@@ -116,6 +138,8 @@ TEST_F(Archive, IsNotOpenedAsAProjectAndCanStillBeRestored) {
   }
   const Result<Restored> restored = restore();
   EXPECT_TRUE(restored) << restored.error().sentence();
+  for (const fs::path& project : {at("laptop"), project_->folder(), at("")})
+    EXPECT_EQ(upkeep::archiveAt(project), fs::path()) << project;
 }
 
 TEST_F(Archive, LeavesOutWhatBelongsToAWindowThatHasTheProjectOpen) {

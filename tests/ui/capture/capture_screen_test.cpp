@@ -291,8 +291,11 @@ class CaptureScreenTest : public CaptureBench {
       QVERIFY(writeFileAtomically(folder_->filePath(file).toStdString(), "x").has_value());
     QSignalSpy said(screen_.get(), &Screen::said);
     BatchImporter* importer = screen_->importer();
+    QSignalSpy working(screen_.get(), &Screen::working);
     importer->start(folder_->filePath("scans"), ImportKind::Scans, {});
     QVERIFY(stop->isVisible());
+    QVERIFY(working.last()[0].toString().startsWith(importer->title()));
+    QVERIFY(!child<QPushButton>("importPhotographsButton")->isEnabled());
     QVERIFY(!child<QAction>("importScans")->isEnabled());
     emit importer->progressed(0.25);
     QCOMPARE(bar->value(), 25);
@@ -300,6 +303,8 @@ class CaptureScreenTest : public CaptureBench {
     QTRY_COMPARE(said.count(), 1);
     QVERIFY(said[0][0].toString().contains("cancelled"));
     QVERIFY(!stop->isVisible());
+    QCOMPARE(working.last()[0].toString(), QString());
+    QVERIFY(child<QPushButton>("importPhotographsButton")->isEnabled());
     QVERIFY(shownMessage() == nullptr);
     QVERIFY(catalogue::Batches(session_->project().catalogue()).all()->empty());
     QVERIFY(!QFile::exists(folder_->filePath("p/batches/import.partial")));

@@ -423,6 +423,9 @@ class CatalogueScreenTest : public CatalogueWindow {
     QTest::keyClicks(initials, "BK");
     QTest::keyClick(initials, Qt::Key_Return);
     QCOMPARE(sample_->session().initials(), QString("BK"));
+    QVERIFY2(initials->isVisible(), "the table below it does not move");
+    screen_->setInFront(false);
+    screen_->setInFront(true);
     QVERIFY(!initials->isVisible());
   }
 

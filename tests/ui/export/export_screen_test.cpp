@@ -13,8 +13,10 @@
 #include <QTest>
 
 #include "../named.h"
+#include "catalogue/batches.h"
 #include "sample_project.h"
 #include "ui/look/look.h"
+#include "upkeep/project.h"
 
 using namespace ostraka;
 using namespace ostraka::ui;
@@ -309,7 +311,14 @@ class ExportScreenTest : public QObject {
     archive->click();
     QVERIFY(child<QLineEdit>("target")->text().endsWith("sample-archive"));
     QVERIFY2(!child<QCheckBox>("form0")->isEnabled(), "all of it, in no other form");
-    QVERIFY(child<QLabel>("size")->text().contains("catalogue restore"));
+    QVERIFY(child<QLabel>("size")->text().contains("Restore an archive"));
+    QVERIFY(!child<QLabel>("size")->text().contains("queue"));
+    records::BatchRecord queued;
+    queued.state = records::BatchState::Queued;
+    QVERIFY(catalogue::Batches(sample_->session().project().catalogue()).add(queued, {}));
+    sample_->session().tellBatchChanged("B0002");
+    QVERIFY2(child<QLabel>("size")->text().contains("1 batch(es) in the queue"),
+             qPrintable(child<QLabel>("size")->text()));
     toFolder("kept");
     const QSignalSpy finished(&screen_->model(), &ExportModel::finished);
     QTest::mouseClick(child<QPushButton>("start"), Qt::LeftButton);
@@ -318,6 +327,7 @@ class ExportScreenTest : public QObject {
              qPrintable(screen_->model().problem()));
     QVERIFY(child<QLabel>("closing")->text().startsWith("The whole project, "));
     QVERIFY(child<QPushButton>("open")->isVisible());
+    QVERIFY(child<QPushButton>("open")->hasFocus());
     for (const char* file : {"README.txt", "manifest-sha256.txt", "data/catalogue.sqlite"})
       QVERIFY2(QFileInfo::exists(sample_->folder() + "/kept/" + file), file);
     child<QRadioButton>("all")->click();

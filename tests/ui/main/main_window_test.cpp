@@ -1,5 +1,6 @@
 // What the frame around the screens does, without a rig and without computing.
 #include <QAction>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -10,6 +11,7 @@
 #include <atomic>
 #include <thread>
 
+#include "archive/archive.h"
 #include "catalogue/batches.h"
 #include "catalogue/files.h"
 #include "files/files.h"
@@ -327,6 +329,28 @@ class MainWindowTest : public QObject {
     QVERIFY(window.windowTitle().startsWith("Aragats 2026"));
   }
 
+  void anArchiveIsRestoredByOneButtonAndOpened() {
+    QuietProgress quiet;
+    const QString archived = home_->path(QStringLiteral("p1-archive"));
+    {
+      const auto project = upkeep::Project::open(folder_.toStdString());
+      QVERIFY(archive::archiveProject(*project, {archived.toStdString()}, quiet, {}).has_value());
+    }
+    MainWindow window(jobs_);
+    activate(window);
+    window.openProject(archived);
+    QVERIFY(window.session() == nullptr);
+    auto* message = named<MessagePanel>(window, "startMessage");
+    QCOMPARE(message->act()->text(), QStringLiteral("Restore…"));
+    QTest::mouseClick(message->act(), Qt::LeftButton);
+    auto* dialog = named<QFileDialog>(window, "restoreTo");
+    dialog->close();
+    emit dialog->fileSelected(home_->path(QStringLiteral("Ostraka")));  // p1 is in it
+    QTRY_VERIFY(window.session() != nullptr);
+    QCOMPARE(QString::fromStdString(window.session()->folder().string()),
+             home_->path(QStringLiteral("Ostraka/p1-2")));
+  }
+
   void aCatalogueThatCannotBeRepairedSaysWhyAndStaysAsItIs() {
     const QString file = folder_ + QStringLiteral("/catalogue.sqlite");
     QVERIFY(QFile::resize(file, 0));  // and no backup is there
@@ -350,6 +374,10 @@ class MainWindowTest : public QObject {
     named<QAction>(window, "queueLog")->trigger();
     QVERIFY(named<QWidget>(window, "queue")->isVisible());
     QVERIFY(!text->isHidden());
+    window.showScreen(0);
+    QVERIFY2(!named<QAction>(window, "queueLog")->isChecked(), "no log is there");
+    window.showScreen(1);
+    QVERIFY(named<QAction>(window, "queueLog")->isChecked());
   }
 
   void undoNamesWhatItUndoesAndNothingElse() {

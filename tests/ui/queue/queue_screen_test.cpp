@@ -10,6 +10,7 @@
 #include <QInputDialog>
 #include <QListView>
 #include <QPlainTextEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QToolButton>
@@ -21,12 +22,15 @@
 #include "../named.h"
 #include "../project_in.h"
 #include "catalogue/batches.h"
+#include "catalogue/queue_pause.h"
 #include "files/files.h"
 #include "intake/side_photographs.h"
 #include "paper/report_page.h"
 #include "ui/frame/project_session.h"
+#include "ui/import/batch_importer.h"
 #include "ui/queue/batch_computation.h"
 #include "ui/queue/batch_queue.h"
+#include "ui/queue/queue_switches.h"
 #include "ui/widgets/message_panel.h"
 #include "upkeep/project.h"
 
@@ -131,6 +135,60 @@ class QueueScreenTest : public QObject {
     QTest::mouseClick(child<QPushButton>("queueToCapture"), Qt::LeftButton);
     QCOMPARE(wanted.count(), 1);
     QCOMPARE(wanted[0][0].toString(), QStringLiteral("capture"));
+  }
+
+  void aRestoredQueueStandsStillSaysWhyAndGoesOnByItsButton() {
+    addBatch();
+    QVERIFY(catalogue::pauseRestoredQueue(session_->project().catalogue()).has_value());
+    screen_->openProject(*session_);
+    auto* message = child<MessagePanel>("queueMessage");
+    QVERIFY(message->isVisible());
+    QVERIFY2(message->headline().contains("restored"), qPrintable(message->headline()));
+    QCOMPARE(queue_->workWords(), QStringLiteral("Paused; 1 batch(es) queued."));
+    QCOMPARE(begun_.load(), 0);
+    QTest::mouseClick(message->act(), Qt::LeftButton);
+    QTRY_COMPARE(begun_.load(), 1);
+    QVERIFY(!message->isVisible());
+    QVERIFY(!queue_->switches()->isPaused());
+  }
+
+  void whatIsCancelledSaysSoUntilItsWorkHasStopped() {
+    addBatch();
+    std::atomic<bool> noticed = false;
+    queue_->computation()->setWork([&](const intake::ComputeOptions& options, Progress&,
+                                       std::stop_token) -> Result<intake::BatchFigures> {
+      options.estimated(90);
+      ++begun_;
+      while (!noticed) std::this_thread::yield();
+      return Error::cancelled();
+    });
+    screen_->openProject(*session_);
+    QTRY_COMPARE(begun_.load(), 1);
+    QTRY_VERIFY2(queue_->workWords().endsWith("about 2 minute(s) of one core in all"),
+                 qPrintable(queue_->workWords()));
+    auto* cancel = screen_->findChild<QAction*>("queueCancel");
+    cancel->trigger();
+    QVERIFY(!cancel->isEnabled());
+    QCOMPARE(stateWords(queue_->row(0)), QStringLiteral("Stopping…"));
+    QCOMPARE(queue_->workWords(), QStringLiteral("B0001: stopping…"));
+    noticed = true;
+    QTRY_COMPARE(queue_->row(0).state, QueueState::Failed);
+    QCOMPARE(stateWords(queue_->row(0)), QStringLiteral("Stopped"));
+  }
+
+  void anImportIsShownBeforeItsBatchIs() {
+    BatchImporter importer;
+    screen_->showImportsOf(&importer);
+    screen_->openProject(*session_);
+    emit importer.started(QStringLiteral("Import of fronts"));
+    QCOMPARE(child<QPushButton>("queueToCapture")->text(), QStringLiteral("Show the import"));
+    emit importer.progressed(0.8);
+    auto* bar = child<QProgressBar>("importProgress");
+    QVERIFY(bar->isVisible());
+    QCOMPARE(bar->value(), 80);
+    emit importer.ended();
+    QVERIFY(!bar->isVisible());
+    QCOMPARE(child<QPushButton>("queueToCapture")->text(), QStringLiteral("Capture a batch"));
   }
 
   void spacePausesAndGoesOnDeleteStops() {

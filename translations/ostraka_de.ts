@@ -1152,6 +1152,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
+    <message>
+        <source>Draft: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Entwurf: %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1391,6 +1396,24 @@
       <source>No bag was given; its sherds get their context in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Kein Beutel angegeben; die Scherben bekommen ihren Befund im Katalog.</translation>
+    </message>
+    <message>
+        <source>%1: stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: wird abgebrochen…</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Wird abgebrochen…</translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) of one core in all</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>insgesamt etwa eine Minute eines Kerns</numerusform>
+            <numerusform>insgesamt etwa %n Minuten eines Kerns</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1745,6 +1768,11 @@
       <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 hat %2 dieser %3 Dateien schon; nichts wurde importiert. Werden sie trotzdem importiert, stehen die Scherben beider im Katalog; %1 in der Warteschlange beiseitelegen, wenn das nicht gewollt ist.</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, %2 %</translation>
     </message>
 </context>
 <context>
@@ -2500,11 +2528,6 @@
       </translation>
     </message>
     <message>
-      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Alles, was im Projekt ist, mit Prüfsummen. „ostraka catalogue restore“ macht daraus wieder das Projekt.</translation>
-    </message>
-    <message>
       <source>The whole project, %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das ganze Projekt, %1</translation>
@@ -2516,6 +2539,19 @@
         <numerusform>%n Datei des Projekts fehlt, ist geändert oder eine Verknüpfung; damage.txt im Archiv nennt sie.</numerusform>
         <numerusform>%n Dateien des Projekts fehlen, sind geändert oder Verknüpfungen; damage.txt im Archiv nennt sie.</numerusform>
       </translation>
+    </message>
+    <message>
+        <source>Everything in the project, with checksums. &apos;Restore an archive&apos; on the start screen makes the project from it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Alles im Projekt, mit Prüfsummen. „Archiv wiederherstellen“ auf der Startseite macht daraus wieder das Projekt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n batch(es) in the queue: the archive holds their photographs and the stages that are finished when it is made; the restored project processes the rest.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Ein Durchgang ist in der Warteschlange: Das Archiv enthält seine Fotos und die Schritte, die bis dahin fertig sind; das wiederhergestellte Projekt verarbeitet den Rest.</numerusform>
+            <numerusform>%n Durchgänge sind in der Warteschlange: Das Archiv enthält ihre Fotos und die Schritte, die bis dahin fertig sind; das wiederhergestellte Projekt verarbeitet den Rest.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3253,6 +3289,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Das Projekt, das dafür angelegt wurde, ist entfernt. Ihre Fotos sind, wie sie waren.</translation>
     </message>
+    <message>
+        <source>Restoring cancelled</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Wiederherstellung abgebrochen</translation>
+    </message>
+    <message>
+        <source>Nothing was left behind.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Nichts ist zurückgeblieben.</translation>
+    </message>
+    <message>
+        <source>The project is restored.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Das Projekt ist wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>It was archived with damage:</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Es wurde mit Schäden archiviert:</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3909,6 +3965,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Der Bericht von %1 wird nicht geöffnet: Diese Version von Ostraka hat ihn nicht geschrieben, und er könnte Skripte ausführen. Den Durchgang neu verarbeiten, damit er neu geschrieben wird.</translation>
     </message>
+    <message>
+        <source>The queue is paused: this project was restored from an archive.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Die Warteschlange ist angehalten: Dieses Projekt wurde aus einem Archiv wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Its batches that are not processed yet wait until you resume it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Durchgänge, die noch nicht verarbeitet sind, warten, bis Sie sie fortsetzen.</translation>
+    </message>
+    <message>
+        <source>Photographs are being imported; their batch appears here when all of them are copied.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotos werden importiert; ihr Durchgang erscheint hier, wenn alle kopiert sind.</translation>
+    </message>
+    <message>
+        <source>Show the import</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Import zeigen</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -4324,6 +4400,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Er dient der Übung: Seine Scherben sind erfunden und kommen in den Katalog dieses Projekts. Die Warteschlange kennzeichnet seine Durchgänge als erfunden.</translation>
     </message>
+    <message>
+        <source>Importing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Import läuft</translation>
+    </message>
+    <message>
+        <source>The batch goes into the queue when all of its files are copied. Meanwhile you can choose a rig.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Der Durchgang kommt in die Warteschlange, wenn alle seine Dateien kopiert sind. Inzwischen können Sie einen Messplatz wählen.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ProjectEdit</name>
@@ -4484,9 +4570,9 @@
         <translation>Wirkt nach einem Neustart.</translation>
     </message>
     <message>
-        <source>Back to project (Esc)</source>
+        <source>Back (Esc)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Zurück zum Projekt (Esc)</translation>
+        <translation>Zurück (Esc)</translation>
     </message>
 </context>
 <context>
@@ -4965,6 +5051,36 @@
         <source>Folder of the photographs: both sides, or a folder for each side within it</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Ordner der Fotos: beide Seiten, oder darin ein Ordner je Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Restore an archive…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Archiv &amp;wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>Restore…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Restoring the project to %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Das Projekt wird in %1 wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Folder of the archive</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ordner des Archivs</translation>
+    </message>
+    <message>
+        <source>Where to put the project: an empty folder, or one for a new folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Wohin mit dem Projekt: ein leerer Ordner oder einer für einen neuen Ordner</translation>
     </message>
 </context>
 <context>
@@ -11234,6 +11350,14 @@
       <source>The two are recorded as joining.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Die beiden sind als aneinanderpassend eingetragen.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectRestoring</name>
+    <message>
+        <source>%1 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

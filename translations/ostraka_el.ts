@@ -1152,6 +1152,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
+    <message>
+        <source>Draft: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Προσχέδιο: %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1391,6 +1396,24 @@
       <source>No bag was given; its sherds get their context in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Δεν δόθηκε σακούλα· τα όστρακά της παίρνουν το πλαίσιό τους στον κατάλογο.</translation>
+    </message>
+    <message>
+        <source>%1: stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: διακόπτεται…</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Διακόπτεται…</translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) of one core in all</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>συνολικά περίπου %n λεπτό ενός πυρήνα</numerusform>
+            <numerusform>συνολικά περίπου %n λεπτά ενός πυρήνα</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1745,6 +1768,11 @@
       <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το %1 έχει ήδη %2 από αυτά τα %3 αρχεία· δεν εισήχθη τίποτα. Αν εισαχθούν παρ’ όλα αυτά, τα όστρακα και των δύο βρίσκονται στον κατάλογο· βάλτε το %1 στην άκρη στην ουρά, αν δεν το θέλετε.</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, %2 %</translation>
     </message>
 </context>
 <context>
@@ -2500,11 +2528,6 @@
       </translation>
     </message>
     <message>
-      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Όλα όσα περιέχει το έργο, με αθροίσματα ελέγχου. Το «ostraka catalogue restore» ξαναφτιάχνει από αυτά το έργο.</translation>
-    </message>
-    <message>
       <source>The whole project, %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ολόκληρο το έργο, %1</translation>
@@ -2516,6 +2539,19 @@
         <numerusform>%n αρχείο του έργου λείπει, έχει αλλάξει ή είναι σύνδεσμος· το damage.txt το αναφέρει.</numerusform>
         <numerusform>%n αρχεία του έργου λείπουν, έχουν αλλάξει ή είναι σύνδεσμοι· το damage.txt τα αναφέρει.</numerusform>
       </translation>
+    </message>
+    <message>
+        <source>Everything in the project, with checksums. &apos;Restore an archive&apos; on the start screen makes the project from it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Όλα όσα έχει το έργο, με αθροίσματα ελέγχου. Η «Επαναφορά αρχείου έργου» στην αρχική οθόνη φτιάχνει πάλι το έργο από αυτό.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n batch(es) in the queue: the archive holds their photographs and the stages that are finished when it is made; the restored project processes the rest.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n παρτίδα στην ουρά: το αρχείο έργου έχει τις φωτογραφίες της και τα στάδια που θα έχουν τελειώσει ως τότε· το έργο μετά την επαναφορά επεξεργάζεται τα υπόλοιπα.</numerusform>
+            <numerusform>%n παρτίδες στην ουρά: το αρχείο έργου έχει τις φωτογραφίες τους και τα στάδια που θα έχουν τελειώσει ως τότε· το έργο μετά την επαναφορά επεξεργάζεται τα υπόλοιπα.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3253,6 +3289,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Το έργο που δημιουργήθηκε γι’ αυτήν αφαιρέθηκε. Οι φωτογραφίες σας είναι όπως ήταν.</translation>
     </message>
+    <message>
+        <source>Restoring cancelled</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η επαναφορά ακυρώθηκε</translation>
+    </message>
+    <message>
+        <source>Nothing was left behind.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Δεν έμεινε τίποτα.</translation>
+    </message>
+    <message>
+        <source>The project is restored.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η επαναφορά του έργου ολοκληρώθηκε.</translation>
+    </message>
+    <message>
+        <source>It was archived with damage:</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Είχε αρχειοθετηθεί με βλάβες:</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3909,6 +3965,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Η αναφορά της %1 δεν ανοίγει: δεν την έγραψε αυτή η έκδοση του Ostraka και μπορεί να εκτελέσει σενάρια. Επεξεργαστείτε ξανά την παρτίδα για να γραφτεί εκ νέου.</translation>
     </message>
+    <message>
+        <source>The queue is paused: this project was restored from an archive.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η ουρά είναι σε παύση: αυτό το έργο προέρχεται από επαναφορά αρχείου έργου.</translation>
+    </message>
+    <message>
+        <source>Its batches that are not processed yet wait until you resume it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Οι παρτίδες που δεν έχουν υποβληθεί ακόμη σε επεξεργασία περιμένουν ώσπου να τη συνεχίσετε.</translation>
+    </message>
+    <message>
+        <source>Photographs are being imported; their batch appears here when all of them are copied.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Εισάγονται φωτογραφίες· η παρτίδα τους εμφανίζεται εδώ όταν αντιγραφούν όλες.</translation>
+    </message>
+    <message>
+        <source>Show the import</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Εμφάνιση της εισαγωγής</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -4324,6 +4400,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Είναι για εξάσκηση: τα όστρακά της είναι επινοημένα και μπαίνουν στον κατάλογο αυτού του έργου. Η ουρά σημειώνει τις παρτίδες της ως επινοημένες.</translation>
     </message>
+    <message>
+        <source>Importing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Γίνεται εισαγωγή</translation>
+    </message>
+    <message>
+        <source>The batch goes into the queue when all of its files are copied. Meanwhile you can choose a rig.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Η παρτίδα μπαίνει στην ουρά όταν αντιγραφούν όλα τα αρχεία της. Στο μεταξύ μπορείτε να επιλέξετε διάταξη.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ProjectEdit</name>
@@ -4484,9 +4570,9 @@
         <translation>Ισχύει μετά την επανεκκίνηση.</translation>
     </message>
     <message>
-        <source>Back to project (Esc)</source>
+        <source>Back (Esc)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Πίσω στο έργο (Esc)</translation>
+        <translation>Πίσω (Esc)</translation>
     </message>
 </context>
 <context>
@@ -4965,6 +5051,36 @@
         <source>Folder of the photographs: both sides, or a folder for each side within it</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Φάκελος των φωτογραφιών: και οι δύο όψεις ή ένας φάκελος για κάθε όψη</translation>
+    </message>
+    <message>
+        <source>&amp;Restore an archive…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>&amp;Επαναφορά αρχείου έργου…</translation>
+    </message>
+    <message>
+        <source>Restore…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επαναφορά…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ακύρωση</translation>
+    </message>
+    <message>
+        <source>Restoring the project to %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Επαναφορά του έργου στο %1</translation>
+    </message>
+    <message>
+        <source>Folder of the archive</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Φάκελος του αρχείου έργου</translation>
+    </message>
+    <message>
+        <source>Where to put the project: an empty folder, or one for a new folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Πού θα μπει το έργο: ένας κενός φάκελος ή ένας για νέο φάκελο</translation>
     </message>
 </context>
 <context>
@@ -11234,6 +11350,14 @@
       <source>The two are recorded as joining.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Τα δύο έχουν καταγραφεί ως συνανήκοντα.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectRestoring</name>
+    <message>
+        <source>%1 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

@@ -62,6 +62,13 @@
             <numerusform>%1; %n to reshoot</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>about %n minute(s) of one core in all</source>
+        <translation>
+            <numerusform>about %n minute of one core in all</numerusform>
+            <numerusform>about %n minutes of one core in all</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BulkEdit</name>
@@ -199,6 +206,13 @@
         <numerusform>%n file of the project is missing, changed or a link; damage.txt in the archive lists it.</numerusform>
         <numerusform>%n files of the project are missing, changed or links; damage.txt in the archive lists them.</numerusform>
       </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n batch(es) in the queue: the archive holds their photographs and the stages that are finished when it is made; the restored project processes the rest.</source>
+        <translation>
+            <numerusform>%n batch in the queue: the archive holds its photographs and the stages that are finished when it is made; the restored project processes the rest.</numerusform>
+            <numerusform>%n batches in the queue: the archive holds their photographs and the stages that are finished when it is made; the restored project processes the rest.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -1152,6 +1152,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
+    <message>
+        <source>Draft: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Borrador: %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1391,6 +1396,24 @@
       <source>No bag was given; its sherds get their context in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>No se indicó ninguna bolsa; sus fragmentos reciben su contexto en el catálogo.</translation>
+    </message>
+    <message>
+        <source>%1: stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: deteniéndose…</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Deteniéndose…</translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) of one core in all</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>en total, alrededor de %n minuto de un núcleo</numerusform>
+            <numerusform>en total, unos %n minutos de un núcleo</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1745,6 +1768,11 @@
       <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 ya tiene %2 de estos %3 archivos; no se importó nada. Si se importan de todos modos, los fragmentos de ambas están en el catálogo; aparte %1 en la cola si no lo desea.</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, %2 %</translation>
     </message>
 </context>
 <context>
@@ -2500,11 +2528,6 @@
       </translation>
     </message>
     <message>
-      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Todo lo que hay en el proyecto, con sumas de comprobación. «ostraka catalogue restore» recupera de ello el proyecto.</translation>
-    </message>
-    <message>
       <source>The whole project, %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El proyecto completo, %1</translation>
@@ -2516,6 +2539,19 @@
         <numerusform>%n fichero del proyecto falta, ha cambiado o es un enlace; damage.txt lo indica.</numerusform>
         <numerusform>%n ficheros del proyecto faltan, han cambiado o son enlaces; damage.txt los indica.</numerusform>
       </translation>
+    </message>
+    <message>
+        <source>Everything in the project, with checksums. &apos;Restore an archive&apos; on the start screen makes the project from it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Todo lo que hay en el proyecto, con sumas de comprobación. «Restaurar una copia de archivo», en la pantalla de inicio, vuelve a hacer de ella el proyecto.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n batch(es) in the queue: the archive holds their photographs and the stages that are finished when it is made; the restored project processes the rest.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n tanda en la cola: la copia de archivo contiene sus fotografías y las etapas terminadas hasta entonces; el proyecto restaurado procesa el resto.</numerusform>
+            <numerusform>%n tandas en la cola: la copia de archivo contiene sus fotografías y las etapas terminadas hasta entonces; el proyecto restaurado procesa el resto.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3253,6 +3289,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El proyecto creado para ella se ha eliminado. Sus fotografías están como estaban.</translation>
     </message>
+    <message>
+        <source>Restoring cancelled</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Restauración cancelada</translation>
+    </message>
+    <message>
+        <source>Nothing was left behind.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>No ha quedado nada.</translation>
+    </message>
+    <message>
+        <source>The project is restored.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>El proyecto está restaurado.</translation>
+    </message>
+    <message>
+        <source>It was archived with damage:</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Se archivó con daños:</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3909,6 +3965,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>El informe de %1 no se abre: esta versión de Ostraka no lo escribió y podría ejecutar scripts. Vuelva a procesar la tanda para escribirlo de nuevo.</translation>
     </message>
+    <message>
+        <source>The queue is paused: this project was restored from an archive.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>La cola está en pausa: este proyecto se restauró de una copia de archivo.</translation>
+    </message>
+    <message>
+        <source>Its batches that are not processed yet wait until you resume it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Las tandas aún sin procesar esperan hasta que la reanude.</translation>
+    </message>
+    <message>
+        <source>Photographs are being imported; their batch appears here when all of them are copied.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Se están importando fotografías; su tanda aparece aquí cuando todas están copiadas.</translation>
+    </message>
+    <message>
+        <source>Show the import</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Mostrar la importación</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -4324,6 +4400,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Es para practicar: sus fragmentos son inventados y entran en el catálogo de este proyecto. La cola marca sus lotes como inventados.</translation>
     </message>
+    <message>
+        <source>Importing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Importación en curso</translation>
+    </message>
+    <message>
+        <source>The batch goes into the queue when all of its files are copied. Meanwhile you can choose a rig.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>La tanda pasa a la cola cuando todos sus archivos están copiados. Mientras tanto puede elegir un equipo.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ProjectEdit</name>
@@ -4484,9 +4570,9 @@
         <translation>Se aplica al reiniciar.</translation>
     </message>
     <message>
-        <source>Back to project (Esc)</source>
+        <source>Back (Esc)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Volver al proyecto (Esc)</translation>
+        <translation>Volver (Esc)</translation>
     </message>
 </context>
 <context>
@@ -4965,6 +5051,36 @@
         <source>Folder of the photographs: both sides, or a folder for each side within it</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Carpeta de las fotografías: las dos caras, o una carpeta para cada cara</translation>
+    </message>
+    <message>
+        <source>&amp;Restore an archive…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>&amp;Restaurar una copia de archivo…</translation>
+    </message>
+    <message>
+        <source>Restore…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Restaurar…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Cancelar</translation>
+    </message>
+    <message>
+        <source>Restoring the project to %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Se restaura el proyecto en %1</translation>
+    </message>
+    <message>
+        <source>Folder of the archive</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Carpeta de la copia de archivo</translation>
+    </message>
+    <message>
+        <source>Where to put the project: an empty folder, or one for a new folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Dónde poner el proyecto: una carpeta vacía, o una para una carpeta nueva</translation>
     </message>
 </context>
 <context>
@@ -11234,6 +11350,14 @@
       <source>The two are recorded as joining.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Los dos constan como que unen entre sí.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectRestoring</name>
+    <message>
+        <source>%1 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

@@ -1152,6 +1152,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
+    <message>
+        <source>Draft: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ébauche : %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1391,6 +1396,24 @@
       <source>No bag was given; its sherds get their context in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Aucun sac indiqué ; ses tessons reçoivent leur contexte dans le catalogue.</translation>
+    </message>
+    <message>
+        <source>%1: stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 : arrêt en cours…</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Arrêt en cours…</translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) of one core in all</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>environ %n minute d’un cœur en tout</numerusform>
+            <numerusform>environ %n minutes d’un cœur en tout</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1745,6 +1768,11 @@
       <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 a déjà %2 de ces %3 fichiers ; rien n’a été importé. Importés quand même, les tessons des deux figurent au catalogue ; mettre %1 de côté dans la file si ce n’est pas voulu.</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, %2 %</translation>
     </message>
 </context>
 <context>
@@ -2500,11 +2528,6 @@
       </translation>
     </message>
     <message>
-      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Tout ce que contient le projet, avec sommes de contrôle. « ostraka catalogue restore » en refait le projet.</translation>
-    </message>
-    <message>
       <source>The whole project, %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le projet entier, %1</translation>
@@ -2516,6 +2539,19 @@
         <numerusform>%n fichier du projet manque, a changé ou est un lien ; damage.txt dans l’archive l’indique.</numerusform>
         <numerusform>%n fichiers du projet manquent, ont changé ou sont des liens ; damage.txt dans l’archive les indique.</numerusform>
       </translation>
+    </message>
+    <message>
+        <source>Everything in the project, with checksums. &apos;Restore an archive&apos; on the start screen makes the project from it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Tout le projet, avec des sommes de contrôle. « Restaurer une archive » sur l’écran d’accueil en refait le projet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n batch(es) in the queue: the archive holds their photographs and the stages that are finished when it is made; the restored project processes the rest.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>%n lot dans la file : l’archive contient ses photos et les étapes terminées à ce moment-là ; le projet restauré traite le reste.</numerusform>
+            <numerusform>%n lots dans la file : l’archive contient leurs photos et les étapes terminées à ce moment-là ; le projet restauré traite le reste.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3253,6 +3289,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le projet créé pour elle est supprimé. Vos photographies sont comme avant.</translation>
     </message>
+    <message>
+        <source>Restoring cancelled</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Restauration annulée</translation>
+    </message>
+    <message>
+        <source>Nothing was left behind.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Rien n’est resté.</translation>
+    </message>
+    <message>
+        <source>The project is restored.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le projet est restauré.</translation>
+    </message>
+    <message>
+        <source>It was archived with damage:</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Il a été archivé avec des dommages :</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3909,6 +3965,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Le rapport de %1 n’est pas ouvert : cette version d’Ostraka ne l’a pas écrit, et il pourrait exécuter des scripts. Retraitez le lot pour l’écrire à nouveau.</translation>
     </message>
+    <message>
+        <source>The queue is paused: this project was restored from an archive.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>La file est en pause : ce projet a été restauré à partir d’une archive.</translation>
+    </message>
+    <message>
+        <source>Its batches that are not processed yet wait until you resume it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Les lots qui ne sont pas encore traités attendent que vous la repreniez.</translation>
+    </message>
+    <message>
+        <source>Photographs are being imported; their batch appears here when all of them are copied.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Des photos sont en cours d’importation ; leur lot apparaît ici quand toutes sont copiées.</translation>
+    </message>
+    <message>
+        <source>Show the import</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Afficher l’importation</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -4324,6 +4400,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Il sert à s’exercer : ses tessons sont inventés et entrent dans le catalogue de ce projet. La file d’attente marque ses lots comme inventés.</translation>
     </message>
+    <message>
+        <source>Importing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Importation en cours</translation>
+    </message>
+    <message>
+        <source>The batch goes into the queue when all of its files are copied. Meanwhile you can choose a rig.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Le lot entre dans la file quand tous ses fichiers sont copiés. En attendant, vous pouvez choisir un banc.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ProjectEdit</name>
@@ -4484,9 +4570,9 @@
         <translation>Prend effet au redémarrage.</translation>
     </message>
     <message>
-        <source>Back to project (Esc)</source>
+        <source>Back (Esc)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Retour au projet (Échap)</translation>
+        <translation>Retour (Échap)</translation>
     </message>
 </context>
 <context>
@@ -4965,6 +5051,36 @@
         <source>Folder of the photographs: both sides, or a folder for each side within it</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Dossier des photographies : les deux faces, ou un dossier pour chaque face</translation>
+    </message>
+    <message>
+        <source>&amp;Restore an archive…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>&amp;Restaurer une archive…</translation>
+    </message>
+    <message>
+        <source>Restore…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Restaurer…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Restoring the project to %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Restauration du projet dans %1</translation>
+    </message>
+    <message>
+        <source>Folder of the archive</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Dossier de l’archive</translation>
+    </message>
+    <message>
+        <source>Where to put the project: an empty folder, or one for a new folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Où placer le projet : un dossier vide, ou celui d’un nouveau dossier</translation>
     </message>
 </context>
 <context>
@@ -11234,6 +11350,14 @@
       <source>The two are recorded as joining.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Les deux sont notés comme remontant ensemble.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectRestoring</name>
+    <message>
+        <source>%1 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

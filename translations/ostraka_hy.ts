@@ -1152,6 +1152,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
+    <message>
+        <source>Draft: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Սևագիր՝ %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1391,6 +1396,24 @@
       <source>No bag was given; its sherds get their context in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Տոպրակ չի նշվել. դրա բեկորները համատեքստը ստանում են կատալոգում։</translation>
+    </message>
+    <message>
+        <source>%1: stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1՝ կանգնեցվում է…</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Կանգնեցվում է…</translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) of one core in all</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>ընդամենը մեկ միջուկի մոտ %n րոպե</numerusform>
+            <numerusform>ընդամենը մեկ միջուկի մոտ %n րոպե</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1745,6 +1768,11 @@
       <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ն արդեն ունի այս %3 ֆայլերից %2-ը. ոչինչ չի ներմուծվել։ Եթե այնուամենայնիվ ներմուծվեն, երկուսի բեկորներն էլ կատալոգում կլինեն. եթե դա չեք ուզում, հերթում %1-ը մի կողմ դրեք։</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, %2 %</translation>
     </message>
 </context>
 <context>
@@ -2500,11 +2528,6 @@
       </translation>
     </message>
     <message>
-      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Նախագծի ամբողջ պարունակությունը՝ ստուգիչ գումարներով։ «ostraka catalogue restore»-ը դրանից վերականգնում է նախագիծը։</translation>
-    </message>
-    <message>
       <source>The whole project, %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Ամբողջ նախագիծը, %1</translation>
@@ -2516,6 +2539,19 @@
         <numerusform>Նախագծի %n ֆայլ բացակայում է, փոխվել է կամ հղում է. արխիվի damage.txt-ը նշում է այն։</numerusform>
         <numerusform>Նախագծի %n ֆայլ բացակայում է, փոխվել է կամ հղում է. արխիվի damage.txt-ը նշում է դրանք։</numerusform>
       </translation>
+    </message>
+    <message>
+        <source>Everything in the project, with checksums. &apos;Restore an archive&apos; on the start screen makes the project from it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նախագծի ամբողջ պարունակությունը՝ ստուգիչ գումարներով։ Մեկնարկի էկրանի «Վերականգնել արխիվը» կոճակը դրանից նորից նախագիծ է ստեղծում։</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n batch(es) in the queue: the archive holds their photographs and the stages that are finished when it is made; the restored project processes the rest.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Հերթում %n խմբաքանակ կա. արխիվը պարունակում է դրա լուսանկարները և մինչ այդ ավարտված փուլերը. մնացածը մշակում է վերականգնված նախագիծը։</numerusform>
+            <numerusform>Հերթում %n խմբաքանակ կա. արխիվը պարունակում է դրանց լուսանկարները և մինչ այդ ավարտված փուլերը. մնացածը մշակում է վերականգնված նախագիծը։</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3253,6 +3289,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Դրա համար ստեղծված նախագիծը հեռացված է։ Ձեր լուսանկարներն այնպես են, ինչպես կային։</translation>
     </message>
+    <message>
+        <source>Restoring cancelled</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերականգնումը չեղարկվեց</translation>
+    </message>
+    <message>
+        <source>Nothing was left behind.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ոչինչ չի մնացել։</translation>
+    </message>
+    <message>
+        <source>The project is restored.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նախագիծը վերականգնված է։</translation>
+    </message>
+    <message>
+        <source>It was archived with damage:</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Այն արխիվացվել էր վնասներով՝</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3909,6 +3965,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1-ի հաշվետվությունը չի բացվում. այն չի գրել Ostraka-ի այս տարբերակը, և այն կարող է սկրիպտներ գործարկել։ Վերամշակեք խմբաքանակը, որպեսզի այն նորից գրվի։</translation>
     </message>
+    <message>
+        <source>The queue is paused: this project was restored from an archive.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Հերթը դադարեցված է. այս նախագիծը վերականգնվել է արխիվից։</translation>
+    </message>
+    <message>
+        <source>Its batches that are not processed yet wait until you resume it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Դեռ չմշակված խմբաքանակները սպասում են, մինչև հերթը շարունակեք։</translation>
+    </message>
+    <message>
+        <source>Photographs are being imported; their batch appears here when all of them are copied.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Լուսանկարները ներմուծվում են. դրանց խմբաքանակն այստեղ կհայտնվի, երբ բոլորը պատճենվեն։</translation>
+    </message>
+    <message>
+        <source>Show the import</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ցույց տալ ներմուծումը</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -4324,6 +4400,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Այն վարժվելու համար է. նրա բեկորները հորինված են և մտնում են այս նախագծի կատալոգը։ Հերթում նրա խմբաքանակները նշվում են որպես հորինված։</translation>
     </message>
+    <message>
+        <source>Importing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ներմուծվում է</translation>
+    </message>
+    <message>
+        <source>The batch goes into the queue when all of its files are copied. Meanwhile you can choose a rig.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Խմբաքանակը հերթ է մտնում, երբ նրա բոլոր ֆայլերը պատճենված են։ Մինչ այդ կարող եք սարքակազմ ընտրել։</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ProjectEdit</name>
@@ -4484,9 +4570,9 @@
         <translation>Ուժի մեջ է մտնում վերագործարկումից հետո:</translation>
     </message>
     <message>
-        <source>Back to project (Esc)</source>
+        <source>Back (Esc)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Վերադառնալ նախագծին (Esc)</translation>
+        <translation>Հետ (Esc)</translation>
     </message>
 </context>
 <context>
@@ -4965,6 +5051,36 @@
         <source>Folder of the photographs: both sides, or a folder for each side within it</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Լուսանկարների պանակը՝ երկու կողմերով կամ յուրաքանչյուր կողմի համար առանձին պանակով</translation>
+    </message>
+    <message>
+        <source>&amp;Restore an archive…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>&amp;Վերականգնել արխիվը…</translation>
+    </message>
+    <message>
+        <source>Restore…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Վերականգնել…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Չեղարկել</translation>
+    </message>
+    <message>
+        <source>Restoring the project to %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Նախագիծը վերականգնվում է այստեղ՝ %1</translation>
+    </message>
+    <message>
+        <source>Folder of the archive</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Արխիվի պանակը</translation>
+    </message>
+    <message>
+        <source>Where to put the project: an empty folder, or one for a new folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Որտեղ դնել նախագիծը՝ դատարկ պանակում, կամ պանակում, ուր կստեղծվի նորը</translation>
     </message>
 </context>
 <context>
@@ -11234,6 +11350,14 @@
       <source>The two are recorded as joining.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Երկուսը գրանցված են որպես իրար կցվող։</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectRestoring</name>
+    <message>
+        <source>%1 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

@@ -1148,6 +1148,11 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1, %2 %</translation>
     </message>
+    <message>
+        <source>Draft: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Taslak: %1</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::BatchImporter</name>
@@ -1379,6 +1384,23 @@
       <source>No bag was given; its sherds get their context in the catalogue.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Torba verilmedi; parçaların bağlamı katalogda girilir.</translation>
+    </message>
+    <message>
+        <source>%1: stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1: durduruluyor…</translation>
+    </message>
+    <message>
+        <source>Stopping…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Durduruluyor…</translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n minute(s) of one core in all</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>toplamda tek çekirdekle yaklaşık %n dakika</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1729,6 +1751,11 @@
       <source>%1 has %2 of these %3 files already; nothing was imported. Imported anyway, the sherds of both are in the catalogue; set %1 aside in the queue unless you want that.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 bu %3 dosyadan %2 tanesine zaten sahip; hiçbir şey içe aktarılmadı. Yine de içe aktarılırsa ikisinin parçaları da katalogda yer alır; bunu istemiyorsanız %1 partisini sırada kenara ayırın.</translation>
+    </message>
+    <message>
+        <source>%1, %2 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1, %2 %</translation>
     </message>
 </context>
 <context>
@@ -2472,11 +2499,6 @@
       </translation>
     </message>
     <message>
-      <source>Everything in the project, with checksums. &apos;ostraka catalogue restore&apos; makes the project from it again.</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>Projedeki her şey, sağlama toplamlarıyla. “ostraka catalogue restore” projeyi bundan geri yükler.</translation>
-    </message>
-    <message>
       <source>The whole project, %1</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Projenin tamamı, %1</translation>
@@ -2487,6 +2509,18 @@
       <translation>
         <numerusform>Projenin %n dosyası eksik, değişmiş ya da bağlantı; arşivdeki damage.txt bunları listeler.</numerusform>
       </translation>
+    </message>
+    <message>
+        <source>Everything in the project, with checksums. &apos;Restore an archive&apos; on the start screen makes the project from it again.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Projedeki her şey, sağlama toplamlarıyla. Başlangıç ekranındaki “Arşivi geri yükle” projeyi ondan yeniden kurar.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n batch(es) in the queue: the archive holds their photographs and the stages that are finished when it is made; the restored project processes the rest.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>
+            <numerusform>Sırada %n parti var: arşiv, fotoğraflarını ve o ana kadar biten aşamaları içerir; gerisini geri yüklenen proje işler.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3216,6 +3250,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Bunun için oluşturulan proje kaldırıldı. Fotoğraflarınız olduğu gibi duruyor.</translation>
     </message>
+    <message>
+        <source>Restoring cancelled</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Geri yükleme iptal edildi</translation>
+    </message>
+    <message>
+        <source>Nothing was left behind.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Geride hiçbir şey kalmadı.</translation>
+    </message>
+    <message>
+        <source>The project is restored.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Proje geri yüklendi.</translation>
+    </message>
+    <message>
+        <source>It was archived with damage:</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Hasarlı olarak arşivlenmişti:</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::MapScreen</name>
@@ -3868,6 +3922,26 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 raporu açılmıyor: onu Ostraka’nın bu sürümü yazmadı ve komut dosyaları çalıştırabilir. Yeniden yazılması için partiyi yeniden işleyin.</translation>
     </message>
+    <message>
+        <source>The queue is paused: this project was restored from an archive.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Sıra duraklatıldı: bu proje bir arşivden geri yüklendi.</translation>
+    </message>
+    <message>
+        <source>Its batches that are not processed yet wait until you resume it.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Henüz işlenmemiş partiler, siz sırayı sürdürene kadar bekler.</translation>
+    </message>
+    <message>
+        <source>Photographs are being imported; their batch appears here when all of them are copied.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Fotoğraflar içe aktarılıyor; hepsi kopyalanınca partileri burada görünür.</translation>
+    </message>
+    <message>
+        <source>Show the import</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>İçe aktarmayı göster</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::Sidebar</name>
@@ -4282,6 +4356,16 @@
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>Alıştırma içindir: parçaları uydurmadır ve bu projenin kataloğuna girer. Kuyruk, partilerini uydurma olarak işaretler.</translation>
     </message>
+    <message>
+        <source>Importing</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>İçe aktarılıyor</translation>
+    </message>
+    <message>
+        <source>The batch goes into the queue when all of its files are copied. Meanwhile you can choose a rig.</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Parti, bütün dosyaları kopyalanınca sıraya girer. Bu arada bir düzenek seçebilirsiniz.</translation>
+    </message>
 </context>
 <context>
     <name>ostraka::ui::ProjectEdit</name>
@@ -4442,9 +4526,9 @@
         <translation>Yeniden başlatınca geçerli olur.</translation>
     </message>
     <message>
-        <source>Back to project (Esc)</source>
+        <source>Back (Esc)</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Projeye dön (Esc)</translation>
+        <translation>Geri (Esc)</translation>
     </message>
 </context>
 <context>
@@ -4921,6 +5005,36 @@
         <source>Folder of the photographs: both sides, or a folder for each side within it</source>
         <translatorcomment>not reviewed by a speaker</translatorcomment>
         <translation>Fotoğrafların klasörü: iki yüz birlikte ya da içinde her yüz için bir klasör</translation>
+    </message>
+    <message>
+        <source>&amp;Restore an archive…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>A&amp;rşivi geri yükle…</translation>
+    </message>
+    <message>
+        <source>Restore…</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Geri yükle…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>İptal</translation>
+    </message>
+    <message>
+        <source>Restoring the project to %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Proje şuraya geri yükleniyor: %1</translation>
+    </message>
+    <message>
+        <source>Folder of the archive</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Arşivin klasörü</translation>
+    </message>
+    <message>
+        <source>Where to put the project: an empty folder, or one for a new folder</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Projenin yeri: boş bir klasör ya da içinde yeni klasör açılacak bir klasör</translation>
     </message>
 </context>
 <context>
@@ -11184,6 +11298,14 @@
       <source>The two are recorded as joining.</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>İkisi birleşiyor olarak kayıtlı.</translation>
+    </message>
+</context>
+<context>
+    <name>ostraka::ui::ProjectRestoring</name>
+    <message>
+        <source>%1 %</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>%1 %</translation>
     </message>
 </context>
 </TS>

@@ -251,7 +251,7 @@ QString ExportModel::sizeText() const {
                                  "the stages that are finished when it is made; the restored "
                                  "project processes the rest.",
                                  nullptr, queued_);
-    return tr("Everything in the project, with checksums. 'Restore an archive' on the start page "
+    return tr("Everything in the project, with checksums. 'Restore an archive' on the start screen "
               "makes the project from it again.") +
            rest + taken;
   }

@@ -1146,19 +1146,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::BatchDelegate</name>
-    <message>
-      <source>%1, %2 %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, %2 %</translation>
-    </message>
-    <message>
-        <source>Draft: %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Ébauche : %1</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
@@ -1208,11 +1195,6 @@
       <source>%1: paused</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1 : en pause</translation>
-    </message>
-    <message>
-      <source>%1: %2, %3 %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: %2, %3 %</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
@@ -1414,6 +1396,16 @@
             <numerusform>environ %n minute d’un cœur en tout</numerusform>
             <numerusform>environ %n minutes d’un cœur en tout</numerusform>
         </translation>
+    </message>
+    <message>
+      <source>%1, %2 %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>Draft: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Ébauche : %1</translation>
     </message>
 </context>
 <context>

@@ -1142,19 +1142,6 @@
     </message>
 </context>
 <context>
-    <name>ostraka::ui::BatchDelegate</name>
-    <message>
-      <source>%1, %2 %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1, %2 %</translation>
-    </message>
-    <message>
-        <source>Draft: %1</source>
-        <translatorcomment>not reviewed by a speaker</translatorcomment>
-        <translation>Taslak: %1</translation>
-    </message>
-</context>
-<context>
     <name>ostraka::ui::BatchImporter</name>
     <message>
       <source>Import of %1</source>
@@ -1202,11 +1189,6 @@
       <source>%1: paused</source>
       <translatorcomment>not reviewed by a speaker</translatorcomment>
       <translation>%1: duraklatıldı</translation>
-    </message>
-    <message>
-      <source>%1: %2, %3 %</source>
-      <translatorcomment>not reviewed by a speaker</translatorcomment>
-      <translation>%1: %2, %3 %</translation>
     </message>
     <message numerus="yes">
       <source>%n sherd(s)</source>
@@ -1401,6 +1383,16 @@
         <translation>
             <numerusform>toplamda tek çekirdekle yaklaşık %n dakika</numerusform>
         </translation>
+    </message>
+    <message>
+      <source>%1, %2 %</source>
+      <translatorcomment>not reviewed by a speaker</translatorcomment>
+      <translation>%1, %2 %</translation>
+    </message>
+    <message>
+        <source>Draft: %1</source>
+        <translatorcomment>not reviewed by a speaker</translatorcomment>
+        <translation>Taslak: %1</translation>
     </message>
 </context>
 <context>

@@ -144,14 +144,8 @@ void BatchDelegate::drawProgress(QPainter& painter, const QStyleOptionViewItem& 
   bar.palette = option.palette;
   bar.state = QStyle::State_Enabled | QStyle::State_Horizontal;
   QApplication::style()->drawControl(QStyle::CE_ProgressBar, &bar, &painter, option.widget);
-  QString words = tr("%1, %2 %")
-                      .arg(stageWords(row.progress.stage))
-                      .arg(static_cast<int>(100 * row.progress.fraction));
-  if (row.draft) words = tr("Draft: %1").arg(words);
-  if (const QString left = timeWords(row); !left.isEmpty())
-    words += QStringLiteral(", ") + left;
   painter.drawText(where.adjusted(0, bar.rect.height() + Look::kGap / 2, 0, Look::kGap),
-                   Qt::AlignLeft | Qt::AlignVCenter, words);
+                   Qt::AlignLeft | Qt::AlignVCenter, progressWords(row));
 }
 
 }  // namespace ostraka::ui

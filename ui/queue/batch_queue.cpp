@@ -408,15 +408,10 @@ QString BatchQueue::workWords() const {
     return {};
   }
   const QString& number = computation_->number();
-  const int at = rowOf(number);
-  const JobProgress progress = at < 0 ? JobProgress() : row(at).progress;
   if (computation_->isCancelled()) return tr("%1: stopping…").arg(number);
   if (switches_->isPaused()) return tr("%1: paused").arg(number);
-  QString words = tr("%1: %2, %3 %")
-                      .arg(number, stageWords(progress.stage))
-                      .arg(static_cast<int>(100 * progress.fraction));
-  const QString left = at < 0 ? QString() : timeWords(row(at));
-  return left.isEmpty() ? words : words + QStringLiteral(", ") + left;
+  const int at = rowOf(number);
+  return tr("%1: %2").arg(number, progressWords(at < 0 ? QueueRow() : row(at)));
 }
 
 double BatchQueue::workFraction() const {

@@ -129,7 +129,8 @@ QString figuresWords(const intake::BatchFigures& figures);
 QString movedWords(const intake::BatchFigures& figures);  ///< empty: no camera was bumped
 QString withoutBagWords();
 QString stageWords(const QString& stage);
-/// What is left, else what it will take in all; empty where neither is known.
-QString timeWords(const QueueRow& row);
+/// How far a batch is that is processed, with what is left or else what it will take in all: "Draft:
+/// Closing the models, 80 %, about 2 min left".
+QString progressWords(const QueueRow& row);
 
 }  // namespace ostraka::ui

@@ -30,11 +30,16 @@ QString queueStateWords(QueueState state) {
   return {};
 }
 
-QString timeWords(const QueueRow& row) {
-  const QString left = timeLeftWords(row.progress.seconds_left);
-  if (!left.isEmpty() || row.estimate_s <= 0) return left;
-  return BatchQueue::tr("about %n minute(s) of one core in all", nullptr,
-                        static_cast<int>(std::ceil(row.estimate_s / 60)));
+QString progressWords(const QueueRow& row) {
+  QString words = BatchQueue::tr("%1, %2 %")
+                      .arg(stageWords(row.progress.stage))
+                      .arg(static_cast<int>(100 * row.progress.fraction));
+  if (row.draft) words = BatchQueue::tr("Draft: %1").arg(words);
+  QString time = timeLeftWords(row.progress.seconds_left);
+  if (time.isEmpty() && row.estimate_s > 0)
+    time = BatchQueue::tr("about %n minute(s) of one core in all", nullptr,
+                          static_cast<int>(std::ceil(row.estimate_s / 60)));
+  return time.isEmpty() ? words : words + QStringLiteral(", ") + time;
 }
 
 QString stateWords(const QueueRow& row) {

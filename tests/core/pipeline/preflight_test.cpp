@@ -124,6 +124,16 @@ TEST(Preflight, WhatCannotBeMaskedIsToldBeforeItsCamerasAreSought) {
   EXPECT_THAT(ahead.error().what, HasSubstr("plate.json"));
 }
 
+TEST(Preflight, TellsHowLongItWillTakeToWhoWantsToHearIt) {
+  ProcessOptions options;
+  double told_s = 0;
+  options.estimated = [&told_s](double core_s) { told_s = core_s; };
+  const auto ahead = preflight(batchOf(800, 600), options, 0);
+  ASSERT_TRUE(ahead.has_value());
+  EXPECT_GT(told_s, 0);
+  EXPECT_EQ(told_s, ahead->core_s);
+}
+
 TEST(Preflight, AProgramThatALaterStageWouldMissIsNamedAtOnce) {
   ASSERT_EQ(::setenv("PATH", "/nowhere", 1), 0);
   ProcessOptions options;

@@ -32,6 +32,19 @@ class QueueRowsTest : public QObject {
              qPrintable(bench.queue.row(0).picture));
   }
 
+  void whatIsProcessedSaysThatItIsADraftAndHowLongItTakes() {
+    QueueRow row;
+    row.progress = {QStringLiteral("models"), 0.75, -1};
+    QCOMPARE(progressWords(row), QStringLiteral("Closing the models, 75 %"));
+    row.draft = true;
+    row.estimate_s = 90;
+    QCOMPARE(progressWords(row), QStringLiteral("Draft: Closing the models, 75 %, about 2 minute(s) "
+                                                "of one core in all"));
+    row.progress.seconds_left = 120;
+    QCOMPARE(progressWords(row),
+             QStringLiteral("Draft: Closing the models, 75 %, about 2 min left"));
+  }
+
   void aBatchOfTheVirtualRigIsMarkedAsInvented() {
     InlineJobRunner jobs;
     Bench bench(folder(), jobs);

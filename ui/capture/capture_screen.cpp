@@ -404,9 +404,9 @@ void CaptureScreen::tellWork() {
   working_ = shooting || importing;
   if (!working_) return emit working({}, -1);
   if (!shooting)
-    return emit working(tr("%1, %2 %").arg(importer_->title()).arg(
-                            static_cast<int>(100 * importer_->fraction())),
-                        importer_->fraction());
+    return emit working(
+        tr("%1, %2 %").arg(importer_->title()).arg(static_cast<int>(100 * importer_->fraction())),
+        importer_->fraction());
   const PreparedPhotographs steps = wizard_->side()->steps(wizard_->rig()->source().stops);
   emit working(QStringLiteral("%1: %2").arg(text_.headline(), text_.button()),
                static_cast<double>(steps.done) / std::max(1, steps.total));

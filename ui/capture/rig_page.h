@@ -21,8 +21,8 @@ class RigPage final : public QWidget {
   explicit RigPage(QWidget* parent = nullptr);
   void setChoice(const RigChoice& choice);
   void setImporting(bool importing);  ///< photographs: one import at a time
-  void setCanKeep(bool can);   ///< the rig that worked before
-  void setCanLeave(bool can);  ///< the rig that the project has
+  void setCanKeep(bool can);          ///< the rig that worked before
+  void setCanLeave(bool can);         ///< the rig that the project has
   QAbstractButton* primary() const { return import_; }
 
  public slots:

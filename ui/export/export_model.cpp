@@ -245,15 +245,15 @@ QString ExportModel::sizeText() const {
           ? "\n" + tr("A folder with this name already exists; choose another name.")
           : QString();
   if (isArchive()) {
-    const QString rest =
-        queued_ == 0 ? QString()
-                     : "\n" + tr("%n batch(es) in the queue: the archive holds their photographs and "
-                                 "the stages that are finished when it is made; the restored "
-                                 "project processes the rest.",
-                                 nullptr, queued_);
-    return tr("Everything in the project, with checksums. 'Restore an archive' on the start screen "
-              "makes the project from it again.") +
-           rest + taken;
+    QString words =
+        tr("Everything in the project, with checksums. 'Restore an archive' on the start "
+           "screen makes the project from it again.");
+    if (queued_ > 0)
+      words += "\n" + tr("%n batch(es) in the queue: the archive holds their photographs and the "
+                         "stages that are finished when it is made; the restored project "
+                         "processes the rest.",
+                         nullptr, queued_);
+    return words + taken;
   }
   if (!size_) return session_ && problem_.isEmpty() ? tr("Counting…") : QString();
   if (size_->sherds == 0) return tr("No sherds match this selection.");

@@ -38,7 +38,7 @@ struct QueueRow {
   bool stopping = false;  ///< Busy or Paused: cancelled, and its work has not noticed yet
   bool draft = false;     ///< Busy or Paused: processed as a draft
   double estimate_s = 0;  ///< Busy or Paused: of one core, in all; 0: not known
-  QString failure;  ///< the sentence of the error, of Failed
+  QString failure;        ///< the sentence of the error, of Failed
   bool cancelled = false;
   bool aside = false;        ///< Failed, and nobody wants it
   bool shared = false;       ///< Failed: another batch has its photographs, too
@@ -129,8 +129,8 @@ QString figuresWords(const intake::BatchFigures& figures);
 QString movedWords(const intake::BatchFigures& figures);  ///< empty: no camera was bumped
 QString withoutBagWords();
 QString stageWords(const QString& stage);
-/// How far a batch is that is processed, with what is left or else what it will take in all: "Draft:
-/// Closing the models, 80 %, about 2 min left".
+/// How far a batch is that is processed, with what is left or else what it will take in all:
+/// "Draft: Closing the models, 80 %, about 2 min left".
 QString progressWords(const QueueRow& row);
 
 }  // namespace ostraka::ui

@@ -358,8 +358,9 @@ QWidget* QueueScreen::masksPage() const {
 void QueueScreen::showImportsOf(BatchImporter* importer) {
   column_->addWidget(new ImportLine(importer, this));
   connect(importer, &BatchImporter::started, empty_, [this] {
-    empty_->setWords(tr("Photographs are being imported; their batch appears here when all of "
-                        "them are copied."));
+    empty_->setWords(
+        tr("Photographs are being imported; their batch appears here when all of "
+           "them are copied."));
     empty_->act()->setText(tr("Show the import"));
   });
   connect(importer, &BatchImporter::ended, empty_, [this] { empty_->follow(session_); });

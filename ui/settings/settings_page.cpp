@@ -98,8 +98,8 @@ void SettingsPage::buildLayout() {
   parts->addWidget(rights_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(Look::kMargin, Look::kGroup, Look::kMargin, 0);
-  auto* close = iconButton(this, "settingsClose", "previous", tr("Back (Esc)"), this,
-                           &SettingsPage::closed);
+  auto* close =
+      iconButton(this, "settingsClose", "previous", tr("Back (Esc)"), this, &SettingsPage::closed);
   close->setShortcut(QKeySequence(Qt::Key_Escape));
   auto* head = filled(new QHBoxLayout, {{title, 1}, close});
   filled(column, {head, said_});

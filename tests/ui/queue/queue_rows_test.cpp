@@ -38,8 +38,9 @@ class QueueRowsTest : public QObject {
     QCOMPARE(progressWords(row), QStringLiteral("Closing the models, 75 %"));
     row.draft = true;
     row.estimate_s = 90;
-    QCOMPARE(progressWords(row), QStringLiteral("Draft: Closing the models, 75 %, about 2 minute(s) "
-                                                "of one core in all"));
+    QCOMPARE(
+        progressWords(row),
+        QStringLiteral("Draft: Closing the models, 75 %, about 2 minute(s) of one core in all"));
     row.progress.seconds_left = 120;
     QCOMPARE(progressWords(row),
              QStringLiteral("Draft: Closing the models, 75 %, about 2 min left"));

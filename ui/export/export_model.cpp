@@ -82,8 +82,9 @@ void ExportModel::openProject(ProjectSession* session) {
   if (session_) {
     connect(session_, &ProjectSession::sherdsChanged, this, &ExportModel::measureSize);
     connect(session_, &ProjectSession::batchChanged, this, [this] {
+      const int before = queued_;
       countQueued();
-      emit changed();
+      if (queued_ != before) emit changed();
     });
   }
   selection_ = {};

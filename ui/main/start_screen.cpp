@@ -147,14 +147,14 @@ QWidget* StartScreen::buildRecent() {
   column->addWidget(recent_, 1);
   column->addWidget(no_recent_, 1);
   auto* opening = new QHBoxLayout;
+  opening->addWidget(open_, 1);
   opening->addWidget(open, 1);
-  opening->addWidget(restore, 1);
   auto* print = new PrintSheetButton(QStringLiteral("startPrintSheet"), box);
   connect(print, &PrintSheetButton::failed, this, &StartScreen::showError);
   connect(print, &PrintSheetButton::printed, this,
           [this](const QString& headline, const QString& words) { tell(headline, words, {}); });
-  column->addWidget(open_);
   column->addLayout(opening);
+  column->addWidget(restore);
   column->addWidget(photographs_);
   column->addWidget(virtual_rig);
   column->addWidget(print);
